@@ -13,8 +13,8 @@
 //     (deviations 0.5 0.8 0.07))                        ; standard, of focal length and centre, px, and base line, mm
 //
 // Of one camera alone there are (size ...), (lens (focal ...) (centre ...) (distortion ...)), (board ...),
-// (errors 13 0.31), images and px, and (deviations 0.5 0.8). The deviations may be left out. What no lens is like, as a
-// focal length of a pixel, is refused.
+// (errors 13 0.31), images and px, and (deviations 0.5 0.8). The deviations may be left out. Values that no lens has,
+// such as a focal length of one pixel, are refused.
 //
 //   Result<StereoCalibration> calibration = read_calibration_file("pair.calibration");
 

@@ -9,7 +9,7 @@ namespace {
 constexpr int open_timeout_ms = 5000;
 constexpr int read_timeout_ms = 3000;
 constexpr double usual_video_hz = 25;
-// What V4L2 calls them, and what it counts exposures in.
+// V4L2's names of the settings, and its unit of exposure.
 constexpr double manual_exposure = 1;
 constexpr double automatic_exposure = 3;
 constexpr double exposure_units_a_ms = 10;

@@ -60,7 +60,7 @@ Result<CalibratedPair> calibrate(const std::vector<BoardView>& views, cv::Size i
     found->left_out = std::move(left_out);
     return std::move(*found);
   }
-  // What is no better without some is told of all.
+  // An error that is no smaller without some views is told of all views.
   return fail(found.error().worst ? of_all.error().why : found.error().why);
 }
 

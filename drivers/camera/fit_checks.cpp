@@ -17,8 +17,8 @@ constexpr double least_odd_error = 0.002;
 // A mark's rows may differ by 1 px in both images to be taken for the same one. The mean leaves room for the marks
 // where the lenses fit less well, and for those that are blurred.
 constexpr double most_row_error_px = 0.5;
-// What is left open, as a part of the focal length or the base line. The deviations hold near the truth; boards hardly
-// tilted to one another may lead far from it.
+// The uncertainty that the views leave, as a part of the focal length or the base line. The deviations hold near the
+// truth; boards hardly tilted to one another may lead far from it.
 constexpr double most_deviation = 0.02;
 constexpr double least_tilts_deg = 15;
 constexpr double least_base_line_mm = 2;
@@ -123,7 +123,7 @@ Fit<void> check_places(const cv::Vec3d& at) {
                                           "both by a quarter, {}clockwise",
                                           at[1] > 0 ? "above" : "below", at[1] > 0 ? "" : "counter"));
   }
-  // What does not belong together may seem to stand anywhere in depth.
+  // Two images that do not belong together may seem to show depths of any size.
   if (at[0] < 0 || std::abs(at[0]) < std::abs(at[2])) return {};
   return hopeless("swapped",
                   "the right camera stands to the left of the left one: give the images the other way round");

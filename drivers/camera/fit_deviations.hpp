@@ -12,8 +12,8 @@
 
 namespace pizarra::camera {
 
-// Standard deviations, given the calibration's reprojection error; infinite where the views leave all open. Who takes
-// the same view several times believes to know more than is known.
+// Standard deviations, given the calibration's reprojection error; infinite where the views leave all open. Taking the
+// same view several times makes the deviations smaller than they are.
 CalibrationDeviations deviations_of(const StereoCalibration& calibration, const std::vector<BoardView>& views);
 
 }  // namespace pizarra::camera

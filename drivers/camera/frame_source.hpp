@@ -29,7 +29,7 @@ class FrameSource {
   // The next image is held, yet not decoded. Its moment by the source's own clock, where it has one that tells two of
   // its kind apart.
   virtual Result<std::optional<double>> grab() = 0;
-  // What was grabbed, as often as it is asked for: 8 bit, not empty; as it comes, or `grey` where that saves work.
+  // The grabbed image, as often as it is asked for: 8 bit, not empty; as it comes, or `grey` where that saves work.
   virtual Result<cv::Mat> retrieve(bool grey) = 0;
   // A recording's own rate, 0: it comes as it comes. Known once open.
   virtual double recorded_hz() const = 0;

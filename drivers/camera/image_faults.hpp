@@ -1,6 +1,6 @@
 #pragma once
 
-// What is wrong with an image file, in the words that follow its name, and how large an image may be.
+// The faults of an image file, in the words that follow its name, and the largest size of an image.
 //
 //   if (is_too_large(size, most)) return image_fault(larger_than(most));    // "corrupt-frame", "is larger than ..."
 

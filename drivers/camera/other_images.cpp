@@ -12,7 +12,7 @@ namespace {
 using Bytes = std::span<const unsigned char>;
 using Order = std::endian;
 
-// What is told from the top down has a height below 0.
+// An image whose rows are stored from the top down has a height below 0.
 ImageSize size_of_bmp(Bytes bytes) {
   const bool is_first_version = number(bytes, 14, 4, Order::little) == 12;
   if (is_first_version) return {number(bytes, 18, 2, Order::little), number(bytes, 20, 2, Order::little)};

@@ -35,7 +35,8 @@ StereoModel plain_model(const forms::CameraSetup& setup, cv::Size image) {
 }
 
 // Corners are found with an error of their own in either image, which makes rows differ by as much as it leaves of the
-// reprojection. What they differ by beyond that, as a standard deviation, the lenses leave, and along the rows no less.
+// reprojection. The lenses leave the rest of that difference, as a standard deviation, and no less of it along the
+// rows.
 double unrectified_px(const StereoCalibration& calibration) {
   const double rows_px = calibration.epipolar_px * std::sqrt(CV_PI / 2);
   const double corners_px = calibration.reprojection_px;

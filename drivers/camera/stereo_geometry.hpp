@@ -1,7 +1,7 @@
 #pragma once
 
-// What the pixels of a camera setup mean, and how its images become a rectified pair: distortion taken out, and what
-// one image shows in a row in the same row of the other.
+// The meaning of a camera setup's pixels, and the way from its images to a rectified pair: distortion taken out, and
+// what one image shows in a row in the same row of the other.
 //
 //   Result<StereoGeometry> geometry = StereoGeometry::make(setup, calibration, image.size());
 //   geometry->model();                                  // for depths

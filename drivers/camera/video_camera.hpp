@@ -14,7 +14,7 @@
 //   Result<StereoModel> model = co_await eyes.open();
 //   Result<StereoFrame> frame = co_await eyes.next(executor.now(), false);
 //
-// What cannot be read is left out, and drops() says why; of 20 in a row that is the end.
+// Frames that cannot be read are left out, and drops() says why; of 20 in a row that is the end.
 //
 // Failures, each naming the camera: disconnected, refused-setting, wrong-size and those of the calibration file from
 // open(); disconnected from next().

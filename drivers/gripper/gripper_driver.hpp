@@ -1,7 +1,7 @@
 #pragma once
 
-// What an arm needs of a gripper that has a controller of its own, whichever line reaches it. One implementation a
-// protocol; GrippingArm puts one onto an arm of any driver.
+// The operations that an arm needs of a gripper with a controller of its own, whichever line reaches it. One
+// implementation a protocol; GrippingArm puts one onto an arm of any driver.
 //
 // Lifecycle: connect() whenever somebody takes control, which alone activates it or resets its fault; start() and
 // read() at any time. Every call ends within a second or two, connect() within ten. Failures: not-finite, disconnected,

@@ -7,9 +7,9 @@
 //   RegisterImage orders(orders_of(setup));
 //   orders.put(setup.target, 255);            // some bits of one of its registers
 //
-// What the values of the fields mean is as Robotiq's two-finger grippers have it: `active` 3 is ready to move; `object`
-// 0 the fingers move, 1 and 2 something stopped them as they opened and closed, 3 they are where they were sent;
-// `fault` 0 is none. Facts from: public drivers of these grippers.
+// The values of the fields are those of Robotiq's two-finger grippers: `active` 3 is ready to move; `object` 0 the
+// fingers move, 1 and 2 something stopped them as they opened and closed, 3 they are where they were sent; `fault` 0 is
+// none. Facts from: public drivers of these grippers.
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@ Task<Result<void>> GrippingArm::take_control() {
 Task<Result<void>> GrippingArm::start_gripper(double opening_mm) {
   const Result<void> started = co_await gripper_.start(opening_mm);
   if (!started) co_return started;
-  // What it was asked before it began says nothing of that.
+  // An answer to a question asked before it began does not count.
   asking_ = Job();
   reads_left_ = 0;
   last_.moving = true;

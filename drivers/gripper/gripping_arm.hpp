@@ -5,8 +5,8 @@
 //   GrippingArm both(executor, arm, gripper);
 //
 // Neither waits for the other. Moves, stops and states are the arm's alone, whatever becomes of the gripper, which is
-// asked beside them: while its fingers move as often as it answers, else at every tenth reading. What it said last is
-// in the reading, or why it says nothing.
+// asked beside them: while its fingers move as often as it answers, else at every tenth reading. The reading has the
+// gripper's last answer, or the reason why there is none.
 //
 // take_control() takes the arm's first, and then has the gripper ready to move: not-in-control where that fails, and
 // the arm can be moved all the same.

@@ -70,7 +70,7 @@ struct ModbusClient::Exchange {
     if (done == count) return;
     error = errno;
     trouble = modbus_strerror(error);
-    // What comes late would be taken for the next answer.
+    // A late answer would be taken for the next one.
     if (!is_exception(error)) connection.close();
   }
 

@@ -5,9 +5,9 @@
 //   ModbusClient client(executor, setup.place, setup.port, setup.unit);
 //   ModbusGripper gripper(executor, client, setup);
 //
-// connect() activates it where it is not, which takes seconds and moves the fingers of some; a fault is reset so. What
-// it is told is written as one block, what it tells read as another: registers between those of its fields are written
-// as 0.
+// connect() activates it where it is not, which takes seconds and moves the fingers of some; a fault is reset so.
+// Orders are written as one block of registers, and answers read as another: registers between those of its fields are
+// written as 0.
 //
 // How far it is proven: with the emulated gripper of drivers/simulation/controllers/gripper/, which libmodbus serves;
 // never with hardware. The registers are those of public drivers for Robotiq's two-finger grippers.

@@ -6,8 +6,8 @@
 //   const Result<void> open = co_await dashboard.open(deadline);
 //   const Result<std::string> answer = co_await dashboard.ask("robotmode\n");
 //
-// What comes and is no answer to the question is passed over. Failure of ask(): disconnected, also of a device that
-// does not answer for a second.
+// Messages that do not answer the question are passed over. Failure of ask(): disconnected, also of a device that does
+// not answer for a second.
 
 #include <functional>
 

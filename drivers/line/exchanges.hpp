@@ -2,7 +2,8 @@
 
 // Requests and their replies over a line that loses, repeats and delays datagrams. A request bears an id that its reply
 // repeats, so that several wait at once and none takes another's reply; it is sent again, the same, until the reply
-// comes. What must not be carried out twice is sent once (`tries` 1) and looked into by who asked.
+// comes. A request that must not be carried out twice is sent once (`tries` 1), and its sender finds out whether it
+// was.
 //
 //   Exchanges exchanges(executor, wire, hses_reply_id);
 //   const Result<void> open = co_await exchanges.open(deadline);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What all wires over a file descriptor have in common. At most 64 KiB that nobody reads are kept; more breaks the
+// The common part of all wires over a file descriptor. At most 64 KiB that nobody reads are kept; more breaks the
 // connection.
 
 #include "blackboard/time/latch.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What comes over a line of bytes, cut into the messages of a protocol.
+// The bytes of a line, cut into the messages of a protocol.
 //
 //   Frames frames(wire, frame_of_line);
 //   const Result<std::string> line = co_await frames.next(deadline);      // without its end

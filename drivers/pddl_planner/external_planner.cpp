@@ -145,7 +145,7 @@ std::optional<Failure> failure_of(const ProcessEnd& end, const ProcessLimits& li
   return std::nullopt;
 }
 
-// What the planner wrote, in its file or else in what it printed; empty where there is no plan to be seen.
+// The planner's plan, from its file or else from its output; empty where there is no plan to be seen.
 Result<std::optional<PlanActions>> plan_left(const std::string& plan_file, const ProcessEnd& end,
                                              const ProcessLimits& limits, const PlanOperators& operators) {
   const Result<std::optional<std::string>> written = newest_plan(plan_file, limits.output_bytes);

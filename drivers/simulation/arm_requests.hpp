@@ -1,6 +1,7 @@
 #pragma once
 
-// What a simulated arm is asked over the device link, the same for every arm of a world; world.hpp lists the requests.
+// The requests to a simulated arm over the device link, the same for every arm of a world; world.hpp lists the
+// requests.
 //
 //   Result<Message> answer = co_await answer_arm(arm, request);
 

@@ -8,18 +8,23 @@ namespace pizarra::simulation {
 
 Result<std::unique_ptr<LinkServer>> LinkServer::listen(Executor& executor, zmq::context_t& context,
                                                        const std::string& address, World& world) {
+  return listen(executor, context, address, [&world](Datum request) { return world.handle(std::move(request)); });
+}
+
+Result<std::unique_ptr<LinkServer>> LinkServer::listen(Executor& executor, zmq::context_t& context,
+                                                       const std::string& address, Devices devices) {
   zmq::socket_t socket(context, zmq::socket_type::router);
   link_wire::limit(socket);
   try {
     socket.bind(address);
   } catch (const zmq::error_t& error) {
-    return fail("bad-address", std::string("the world cannot listen there: ") + error.what(), Datum::string(address));
+    return fail("bad-address", std::string("nobody can listen there: ") + error.what(), Datum::string(address));
   }
-  return std::unique_ptr<LinkServer>(new LinkServer(executor, std::move(socket), world));
+  return std::unique_ptr<LinkServer>(new LinkServer(executor, std::move(socket), std::move(devices)));
 }
 
-LinkServer::LinkServer(Executor& executor, zmq::socket_t socket, World& world)
-    : executor_(executor), socket_(std::move(socket)), world_(world) {
+LinkServer::LinkServer(Executor& executor, zmq::socket_t socket, Devices devices)
+    : executor_(executor), socket_(std::move(socket)), devices_(std::move(devices)) {
   executor_.watch_readable(socket_.get(zmq::sockopt::fd), [this] { receive(); });
 }
 
@@ -45,11 +50,11 @@ void LinkServer::accept(std::string peer, std::uint64_t id, Datum request) {
     jobs_.push_back(executor_.spawn(answer(std::move(peer), id, std::move(request))));
     return;
   }
-  reply(peer, id, fail("busy", "the world has too much to do"));
+  reply(peer, id, fail("busy", "the devices have too much to do"));
 }
 
 Task<void> LinkServer::answer(std::string peer, std::uint64_t id, Datum request) {
-  const Result<Message> answered = co_await world_.handle(std::move(request));
+  const Result<Message> answered = co_await devices_(std::move(request));
   reply(peer, id, answered);
 }
 

@@ -9,6 +9,7 @@
 // At most 64 requests are in hand at once; more are answered `busy`. Messages that are not requests are dropped.
 // Destroying it removes the file of an ipc address.
 
+#include <functional>
 #include <list>
 #include <zmq.hpp>
 
@@ -17,17 +18,23 @@
 
 namespace pizarra::simulation {
 
+// Answers what is asked of devices.
+using Devices = std::function<Task<Result<Message>>(Datum request)>;
+
 class LinkServer {
  public:
   // Failure: bad-address.
   static Result<std::unique_ptr<LinkServer>> listen(Executor& executor, zmq::context_t& context,
                                                     const std::string& address, World& world);
+  // The same for what else speaks as the devices of a world do.
+  static Result<std::unique_ptr<LinkServer>> listen(Executor& executor, zmq::context_t& context,
+                                                    const std::string& address, Devices devices);
   ~LinkServer();
   LinkServer(const LinkServer&) = delete;
   LinkServer& operator=(const LinkServer&) = delete;
 
  private:
-  LinkServer(Executor& executor, zmq::socket_t socket, World& world);
+  LinkServer(Executor& executor, zmq::socket_t socket, Devices devices);
   void receive();
   void accept(std::string peer, std::uint64_t id, Datum request);
   Task<void> answer(std::string peer, std::uint64_t id, Datum request);
@@ -35,7 +42,7 @@ class LinkServer {
 
   Executor& executor_;
   zmq::socket_t socket_;
-  World& world_;
+  Devices devices_;
   std::list<Job> jobs_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };

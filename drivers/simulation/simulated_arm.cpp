@@ -32,7 +32,8 @@ bool finite(const std::vector<arm::Joints>& waypoints) {
 Task<Result<void>> SimulatedArm::command(Datum request) {
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (answer) co_return Result<void>();
-  const bool forgotten = had_control_ && answer.error().symbol == "not-in-control";
+  const bool forgotten =
+      after_loss_ == AfterLoss::take_control && had_control_ && answer.error().symbol == "not-in-control";
   if (!forgotten) co_return fail(answer);
   // A world that began anew has forgotten who had control of its arm; it has no alarm that this could reset.
   const Datum taking = list(device_, "take-control"_sym);

@@ -12,8 +12,13 @@ namespace pizarra::simulation {
 
 class SimulatedArm : public arm::ArmDriver {
  public:
+  // What it does where the other end has forgotten that it has control: a world that began anew gives it again, without
+  // an alarm that this could reset; whether a real arm's may be taken, its commander says.
+  enum class AfterLoss : std::uint8_t { take_control, fail };
+
   // The link outlives it. The device is `arm` or `second-arm`.
-  explicit SimulatedArm(Link& link, std::string_view device = "arm") : link_(link), device_(Datum::symbol(device)) {}
+  explicit SimulatedArm(Link& link, std::string_view device = "arm", AfterLoss after_loss = AfterLoss::take_control)
+      : link_(link), device_(Datum::symbol(device)), after_loss_(after_loss) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override;
@@ -25,6 +30,7 @@ class SimulatedArm : public arm::ArmDriver {
   Task<Result<void>> command(Datum request);
   Link& link_;
   const Datum device_;
+  const AfterLoss after_loss_;
   bool had_control_ = false;
 };
 

@@ -5,6 +5,7 @@
 
 #include "drivers/simulation/arm_requests.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
+#include "drivers/simulation/fingers_request.hpp"
 #include "drivers/simulation/frame_clock.hpp"
 #include "drivers/simulation/hand_request.hpp"
 #include "drivers/simulation/head_line.hpp"
@@ -139,6 +140,11 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
   if (device == "hand") {
     Result<Message> done = co_await hand(std::move(request));
     co_return done;
+  }
+  if (device == "fingers") {
+    const Result<void> clumsy = make_clumsy(cell, request);
+    if (!clumsy) co_return fail(clumsy);
+    co_return Message();
   }
   co_return tell_truth(request);
 }

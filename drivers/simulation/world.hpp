@@ -29,6 +29,11 @@
 //   (hand remove NAME)                lifts it out of the scene
 //   (hand add NAME "mark" X Y)        puts down a new cube, or one that is gone (its mark stays)
 //   (hand knock NAME)                 strikes it from the side, at its height
+// Clumsy fingers, for stories and benches; each answers at once:
+//   (fingers slip)                    what they hold slips out now; fails `not-held` where that is nothing
+//   (fingers slips CHANCE DRAWS S)    from the next grasp on: each of DRAWS draws a carry has this chance, at a uniform
+//                                     instant of the S seconds after the grasp
+//   (fingers misplace PART)           what is put down comes to lie off by up to PART of the cube's edge, uniformly
 // Truth, for the judge, the hand and the scripted person alone:
 //   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT) (cube NAME "mark") ...)
 //   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)

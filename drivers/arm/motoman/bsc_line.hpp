@@ -10,8 +10,7 @@
 // Questions and orders are then carried over once more; a motion is not. An answer takes a tenth of a second at this
 // speed, and those who ask meanwhile wait for their turn; a stop waits no longer for an answer that has not begun.
 //
-// How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone, over lines that
-// lose, garble and invent octets.
+// How far it is proven: docs/write-a-driver.md; over lines that lose, garble and invent octets, never with hardware.
 
 #include "blackboard/time/turns.hpp"
 #include "drivers/arm/held.hpp"

@@ -12,7 +12,7 @@
 // fails after them, a motion's answer that does not come, is `no-answer`. Questions and other orders are then asked
 // again for a second.
 //
-// How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone.
+// How far it is proven: docs/write-a-driver.md.
 
 #include "blackboard/time/turns.hpp"
 #include "drivers/arm/motoman/host_command.hpp"

@@ -28,7 +28,7 @@
 // Nothing asked for here says which arm it is: identify() refuses one that has pulses on an axis that the arm's file
 // does not have, and no other.
 //
-// How far it is proven: with emulated controllers alone.
+// How far it is proven: docs/write-a-driver.md; never with hardware.
 
 #include <deque>
 

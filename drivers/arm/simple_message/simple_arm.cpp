@@ -111,12 +111,8 @@ Result<void> SimpleArm::obeyed(const Result<std::string>& answer) const {
 
 Result<void> SimpleArm::possible() const {
   if (!told_.known()) return told_.unknown();
-  if (status_.emergency_stopped == 1) return fail("not-in-control", "the emergency stop is pressed");
-  if (status_.in_error == 1) {
-    return fail("not-in-control", "the controller has an error", to_datum(status_.error_code));
-  }
-  if (status_.mode == 1) return fail("not-in-control", "the pendant has control: the controller is in manual mode");
-  if (status_.drives_powered == 0) return fail("not-in-control", "the arm's drives are off");
+  const Result<void> sound = check_status(status_);
+  if (!sound) return sound;
   if (status_.motion_possible == 0) return fail("not-in-control", "the controller says that no motion is possible");
   return {};
 }

@@ -114,6 +114,14 @@ Result<SimpleStatus> read_status(std::string_view data, line::ByteOrder order) {
   return status;
 }
 
+Result<void> check_status(const SimpleStatus& status) {
+  if (status.emergency_stopped == 1) return fail("not-in-control", "the emergency stop is pressed");
+  if (status.in_error == 1) return fail("not-in-control", "the controller has an error", to_datum(status.error_code));
+  if (status.mode == 1) return fail("not-in-control", "the pendant has control: the controller is in manual mode");
+  if (status.drives_powered == 0) return fail("not-in-control", "the arm's drives are off");
+  return {};
+}
+
 float joint_of_axis(Role role, double reading, double sign) {
   return static_cast<float>(slides(role) ? reading / mm_per_m : sign * radians(reading));
 }

@@ -45,12 +45,4 @@ Result<State> read_state(std::string_view payload) {
   return state;
 }
 
-std::string write_state(std::uint8_t recipe, const State& state) {
-  line::OctetWriter octets(line::ByteOrder::big);
-  octets.u8(recipe);
-  for (const double joint : state.joints_rad) octets.f64(joint);
-  octets.i32(state.robot_mode).i32(state.safety_mode).u32(state.runtime).i32(state.marker).i32(state.fingers);
-  return octets.f64(state.opening_mm).octets();
-}
-
 }  // namespace pizarra::arm::rtde

@@ -50,6 +50,5 @@ struct State {
 };
 // With the recipe's number before it. Failure: bad-reply, also where a number is not finite (with the axis).
 Result<State> read_state(std::string_view payload);
-std::string write_state(std::uint8_t recipe, const State& state);
 
 }  // namespace pizarra::arm::rtde

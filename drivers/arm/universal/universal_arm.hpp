@@ -18,8 +18,8 @@
 // stop is a program of its own and, at the same time, the dashboard server's word, since neither can be known to
 // arrive.
 //
-// How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone. Facts from: the maker's RTDE
-// guide, URScript manual and dashboard server documentation.
+// How far it is proven: docs/write-a-driver.md. Facts from: the maker's RTDE guide, URScript manual and dashboard
+// server documentation.
 
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/arm/universal/rtde.hpp"

@@ -29,7 +29,7 @@ void PtuAxis::step(double seconds) {
   const double way = distance < 0 ? -1 : 1;
   const double base = speeds_.base;
   const double gain = speeds_.acceleration * seconds;
-  // What can still be slowed down to the base speed before the target.
+  // The steps in which it can still slow down to the base speed before the target.
   const double slowing = std::sqrt(base * base + 2 * speeds_.acceleration * std::abs(distance));
   const double most = std::min<double>(speeds_.speed, slowing);
   double along = velocity_ * way;

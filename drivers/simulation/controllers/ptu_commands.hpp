@@ -1,6 +1,6 @@
 #pragma once
 
-// What the commands of a pan-tilt unit do and answer: the language of its controller, without its line.
+// The commands of a pan-tilt unit and their answers: the language of its controller, without its line.
 //
 //   const PtuAnswer answer = obey(unit, "PP1000");      // {"*"}, and the unit goes there
 //   obey(unit, "pp")                                    // {"* Current Pan position is 0"}

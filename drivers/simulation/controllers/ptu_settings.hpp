@@ -1,6 +1,6 @@
 #pragma once
 
-// What the controller of an emulated pan-tilt unit remembers besides its axes.
+// The settings that the controller of an emulated pan-tilt unit keeps besides its axes.
 
 #include "drivers/simulation/controllers/ptu_axis.hpp"
 

@@ -12,6 +12,8 @@ constexpr double finger_friction = 0.2;
 constexpr int flat_points = 3;
 // Deeper than this the fingers are stopped by what is between them, flat or not.
 constexpr double jammed_mm = 1.5;
+// In cubes, from middle to middle: further away, nothing of the gripper reaches a cube.
+constexpr double parted = 1.5;
 
 }  // namespace
 
@@ -36,6 +38,7 @@ void Gripper::step(const Pose& tool, double seconds) {
   } else if (moving_) {
     close_by(speed_mm_s * seconds);
   }
+  part_from_passing(tool);
   overloaded_steps_ = physics_.hold_force_n() > hold_limit_n ? overloaded_steps_ + 1 : 0;
   if (overloaded_steps_ >= hold_limit_steps) lose();
 
@@ -91,6 +94,31 @@ void Gripper::lose() {
   set_through(*held_, false);
   held_.reset();
   overloaded_steps_ = 0;
+}
+
+void Gripper::slip() {
+  if (!held_) return;
+  const CubeId cube = *held_;
+  lose();
+  let_pass(cube);
+  target_mm_ = 0;
+  moving_ = true;
+  depth_before_mm_ = finger_depth_mm();
+}
+
+void Gripper::let_pass(CubeId cube) {
+  if (passing_ && passing_ != cube) set_through(*passing_, false);
+  set_through(cube, true);
+  passing_ = cube;
+}
+
+void Gripper::part_from_passing(const Pose& tool) {
+  if (!passing_) return;
+  const bool near = physics_.present(*passing_) &&
+                    (physics_.pose(*passing_).translation() - tool.translation()).norm() < parted * physics_.cube_mm();
+  if (near) return;
+  set_through(*passing_, false);
+  passing_.reset();
 }
 
 void Gripper::set_through(CubeId cube, bool through) {

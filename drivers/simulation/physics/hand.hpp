@@ -1,7 +1,7 @@
 #pragma once
 
-// A person's hand in the cell. It leads a cube along a path (it sets the cube's speed at every step, so whatever the
-// cube meets is hit by it, and a cube that lags too far slips out of the hand), or strikes with its fist. Afterwards it
+// A person's hand in the cell. It leads a cube along a path: it sets the cube's speed at every step, so the cube pushes
+// whatever it meets, and a cube that lags too far slips out of the hand. Or it strikes with its fist. Afterwards it
 // waits a moment for things to settle.
 //
 //   Hand hand(physics, gripper);

@@ -51,6 +51,7 @@ Cell::Cell(const WorldConfig& config)
       physics_(config.table, config.cube_mm),
       arm_(config.arm, config.start_joints.value_or(config.arm.ready)),
       gripper_(physics_),
+      fingers_(physics_, gripper_, Random(config.seed).split("fingers")),
       hand_(physics_, gripper_) {
   place_cubes();
 }
@@ -73,6 +74,7 @@ Pose Cell::tool() const { return arm::forward(config_.arm, arm_.joints()); }
 void Cell::step() {
   hand_.step(step_s);
   gripper_.step(tool(), step_s);
+  fingers_.step(step_s);
   physics_.step();
   if (arm_.moving() && !was_moving_) {
     before_ = load();
@@ -111,7 +113,8 @@ void Cell::protect() {
 }
 
 bool Cell::at_rest() const {
-  return !arm_.moving() && !was_moving_ && !gripper_.moving() && !hand_.busy() && physics_.asleep();
+  return !arm_.moving() && !was_moving_ && !gripper_.moving() && !hand_.busy() && !fingers_.is_about_to_slip() &&
+         physics_.asleep();
 }
 
 Snapshot Cell::snapshot() const {

@@ -10,6 +10,7 @@
 // it holds is pressed on something.
 
 #include "drivers/simulation/physics/arm_motion.hpp"
+#include "drivers/simulation/physics/clumsy_fingers.hpp"
 #include "drivers/simulation/physics/hand.hpp"
 #include "drivers/simulation/render/scene.hpp"
 
@@ -41,6 +42,7 @@ class Cell {
   ArmMotion& arm() { return arm_; }
   Gripper& gripper() { return gripper_; }
   const Gripper& gripper() const { return gripper_; }
+  ClumsyFingers& fingers() { return fingers_; }
   Hand& hand() { return hand_; }
   const Hand& hand() const { return hand_; }
 
@@ -62,6 +64,7 @@ class Cell {
   Physics physics_;
   ArmMotion arm_;
   Gripper gripper_;
+  ClumsyFingers fingers_;
   Hand hand_;
   std::vector<CubeInfo> cubes_;
   Load before_;  // as it was when the move under way began

@@ -10,7 +10,7 @@ const Colour arm_paint(62, 138, 232);
 const Colour joint_paint(92, 84, 78);
 const Colour pedestal_grey(118, 112, 108);
 
-constexpr int round_sides = 14;
+constexpr int limb_sides = 14;
 constexpr int foot_sides = 24;
 constexpr double pedestal_below_axis_2_mm = 110;
 
@@ -27,12 +27,11 @@ void add_link(std::vector<Solid>& solids, const Vector3d& from, const Vector3d& 
   if (along.norm() < from_mm + to_mm) return;
   const Vector3d unit = along.normalized();
   solids.push_back(
-      make_prism(from + unit * from_mm, to - unit * (to_mm - 6), from_mm - 4, to_mm - 4, round_sides, arm_paint));
+      make_prism(from + unit * from_mm, to - unit * (to_mm - 6), from_mm - 4, to_mm - 4, limb_sides, arm_paint));
 }
 
 void add_joint(std::vector<Solid>& solids, const Vector3d& at, const Vector3d& axis, double half_mm, double radius_mm) {
-  solids.push_back(
-      make_prism(at - axis * half_mm, at + axis * half_mm, radius_mm, radius_mm, round_sides, joint_paint));
+  solids.push_back(make_prism(at - axis * half_mm, at + axis * half_mm, radius_mm, radius_mm, limb_sides, joint_paint));
 }
 
 }  // namespace
@@ -66,7 +65,7 @@ void add_arm(std::vector<Solid>& solids, const arm::ArmModel& arm, const arm::Jo
   add_joint(solids, wrist, side, 38, 30);
   const Vector3d down = flange - wrist;
   if (down.norm() > 30) {
-    solids.push_back(make_prism(wrist + down.normalized() * 30, flange, 28, 28, round_sides, pedestal_grey));
+    solids.push_back(make_prism(wrist + down.normalized() * 30, flange, 28, 28, limb_sides, pedestal_grey));
   }
 }
 

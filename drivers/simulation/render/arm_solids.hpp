@@ -9,7 +9,7 @@
 
 namespace pizarra::simulation {
 
-// What stands under axis 1, `foot_mm` being where axis 1 meets the table. A gantry has none.
+// The solid under axis 1, `foot_mm` being where axis 1 meets the table. A gantry has none.
 void add_pedestal(std::vector<Solid>& solids, const arm::ArmModel& arm, const Eigen::Vector3d& foot_mm);
 
 // All that moves with the arm's axes, up to the flange; the pedestal too, where a track carries it.

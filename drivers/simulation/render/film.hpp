@@ -2,8 +2,8 @@
 
 // What lens and sensor make of a painted image: blur, the light's gradient, noise, eight bits.
 //
-// Noise comes from a field drawn once and read from an offset of its own for every frame and side, so that a frame's
-// noise depends on its number alone and not on which frames were asked for before.
+// Noise comes from a field drawn once. Every frame and side reads it from an offset of its own. So a frame's noise
+// depends on its number alone, not on the frames that were asked for before.
 
 #include "blackboard/stream.hpp"
 #include "blackboard/time/random.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// The pair of images that a snapshot of the cell gives. What has not moved since the last picture is not drawn again:
-// the still background is painted once, and of the rest only the rectangle in which something changed.
+// The pair of images that a snapshot of the cell gives. Parts that have not moved since the last picture are not drawn
+// again: the still background is painted once, and of the rest only the rectangle in which something changed.
 //
 //   StereoRenderer renderer(config, Random(config.seed).split("camera"));
 //   StereoPair pair = renderer.render(snapshot, 7, false);
@@ -27,7 +27,7 @@ class StereoRenderer {
   StereoPair render(const Snapshot& snapshot, const CameraConfig& camera, std::uint64_t frame, bool colour);
 
  private:
-  // What is kept from picture to picture for one side in grey or colour.
+  // The data kept from picture to picture for one side in grey or colour.
   struct View;
   std::shared_ptr<const Image> take(View& view, const Scene& scene, std::uint64_t frame);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What every test of an arm's driver does with it, in virtual time. The bench that has the arm and its controller is
-// the class itself, with members `executor` and `arm`:
+// The actions that every test of an arm's driver makes with it, in virtual time. The bench that has the arm and its
+// controller is the class itself, with members `executor` and `arm`:
 //
 //   struct HsesBench : DrivenArm<HsesBench> { VirtualExecutor executor; ... MotomanArm arm{...}; };
 //   bench.connect();      // "" or the symbol of what went wrong

@@ -15,8 +15,10 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "drivers/arm/simple_message/motoros_arm.hpp"
 #include "drivers/arm/simple_message/simple_arm.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
+#include "drivers/simulation/controllers/arms/motoros_emulator.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "tests/drivers/arm/motoman/host_cell.hpp"
@@ -85,7 +87,8 @@ struct DrivenUniversal : DrivenLines<DrivenUniversal> {
   line::WirePair script_line{executor};
   line::WirePair dashboard_line{executor};
   Job telling{executor.spawn(simulation::serve_rtde(executor, emulator, rtde_line.far))};
-  Job running{executor.spawn(simulation::serve_script(executor, emulator, script_line.far))};
+  Job running{executor.spawn(
+      simulation::serve_interface(executor, emulator, simulation::UrInterface::secondary, script_line.far))};
   Job answering{executor.spawn(simulation::serve_dashboard(executor, emulator, dashboard_line.far))};
   UniversalWires wires{rtde_line.near, script_line.near, dashboard_line.near};
   UniversalArm arm{executor, wires, model()};
@@ -118,8 +121,28 @@ struct DrivenSimple : SimpleCell {
   DrivenSimple() : SimpleCell({.serial = serial}) {}
 };
 
-using DrivenCells = testing::Types<DrivenHses, DrivenHost<EthernetCell>, DrivenHost<BscCell>, DrivenUniversal,
-                                   DrivenSimple<false>, DrivenSimple<true>>;
+template <line::ByteOrder order>
+struct DrivenMotoros : DrivenLines<DrivenMotoros<order>> {
+  static constexpr const char* name = order == line::ByteOrder::little ? "Motoros" : "MotorosBigEndian";
+  static const ArmModel& model() { return up6(); }
+  std::vector<line::WirePair*> all_lines() { return {&motion, &state}; }
+
+  VirtualExecutor executor;
+  simulation::MovingArm body{executor, model()};
+  simulation::ArmCabinet cabinet{executor, body, model()};
+  simulation::MotorosEmulator emulator{executor, cabinet, order};
+  line::WirePair motion{executor};
+  line::WirePair state{executor};
+  Job moving{executor.spawn(simulation::serve_motion(executor, emulator, motion.far))};
+  Job telling{executor.spawn(simulation::serve_state(executor, emulator, state.far))};
+  MotorosWires wires{motion.near, state.near, order};
+  MotorosArm arm{executor, wires, model()};
+  void begin_anew() { replace(arm, executor, wires, model()); }
+};
+
+using DrivenCells =
+    testing::Types<DrivenHses, DrivenHost<EthernetCell>, DrivenHost<BscCell>, DrivenUniversal, DrivenSimple<false>,
+                   DrivenSimple<true>, DrivenMotoros<line::ByteOrder::little>, DrivenMotoros<line::ByteOrder::big>>;
 
 struct DrivenCellNames {
   template <class Cell>

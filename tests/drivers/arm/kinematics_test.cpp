@@ -12,7 +12,7 @@ namespace pizarra::arm {
 namespace {
 
 constexpr std::uint64_t seed = 20240607;
-// What the CRS-F3's test cases say of it holds without its track.
+// The CRS-F3's test cases, which hold without its track.
 ArmModel without_track(ArmModel arm) {
   arm.axes.pop_back();
   arm.home = Joints(6);

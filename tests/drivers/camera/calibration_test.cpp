@@ -195,7 +195,7 @@ TEST(Calibration, TooFewViewsAreRefused) {
   EXPECT_NE(images.sentence.find("at least 5 images"), std::string::npos) << images.sentence;
 }
 
-// What each camera sees of the board at these places; corners are found to `noise_px`.
+// The board's corners in each camera's image at these places; corners are found to `noise_px`.
 std::vector<BoardView> views_of(const std::vector<cv::Affine3d>& poses, double noise_px) {
   std::vector<cv::Point3d> corners;
   for (int i = 0; i < scene().board.columns * scene().board.rows; ++i) {

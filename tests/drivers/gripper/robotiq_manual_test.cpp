@@ -35,7 +35,7 @@ class RobotiqManual : public testing::Test {
     wire.emplace(executor, "127.0.0.1", server->port());
     ASSERT_TRUE(run(executor, wire->open(executor.now() + 1s)));
   }
-  // What is answered to the unit's number and what follows; without the header, whose numbers must be the request's.
+  // The answer to the unit's number and the octets after it; without the header, whose numbers must be the request's.
   std::string say(const std::string& hex) {
     const std::string request = from_hex(hex);
     const std::string header = from_hex("77 6B 00 00 00 ") + static_cast<char>(request.size());

@@ -1,4 +1,4 @@
-// What public clients of these units say to one and must hear, message by message, and the manual's examples.
+// The messages of public clients of these units with the answers that they must get, and the manual's examples.
 
 #include <gtest/gtest.h>
 

@@ -45,7 +45,7 @@ Result<void> ArmCabinet::turn(std::string_view what, bool on) {
     power(on);
   } else if (what == "estop") {
     emergency_ = on;
-    if (on) servo_since_.reset();
+    if (on) switch_servos_off();
   } else if (what == "pendant") {
     pendant_ = on;
   } else if (what == "hold") {
@@ -64,7 +64,9 @@ Result<void> ArmCabinet::turn(std::string_view what, bool on) {
 void ArmCabinet::power(bool on) {
   if (on == powered_) return;
   powered_ = on;
-  servo_since_.reset();
+  if (!on) worked_.power += executor_.now() - power_since_;
+  power_since_ = executor_.now();
+  switch_servos_off();
   command_hold_ = false;
   if (on) {
     alarm_ = lost_in_motion_ ? power_lost_alarm : 0;
@@ -73,6 +75,18 @@ void ArmCabinet::power(bool on) {
     return;
   }
   brake();
+}
+
+void ArmCabinet::switch_servos_off() {
+  if (servo_since_) worked_.servo += executor_.now() - *servo_since_;
+  servo_since_.reset();
+}
+
+ArmCabinet::WorkTimes ArmCabinet::work_times() const {
+  WorkTimes times = worked_;
+  if (powered_) times.power += executor_.now() - power_since_;
+  if (servo_since_) times.servo += executor_.now() - *servo_since_;
+  return times;
 }
 
 void ArmCabinet::remember(int alarm) {
@@ -84,7 +98,7 @@ void ArmCabinet::remember(int alarm) {
 void ArmCabinet::raise(int alarm) {
   alarm_ = alarm;
   remember(alarm);
-  servo_since_.reset();
+  switch_servos_off();
   brake();
 }
 
@@ -146,7 +160,7 @@ Task<void> ArmCabinet::stop() {
 
 Refusal ArmCabinet::servo(bool on) {
   if (!on) {
-    servo_since_.reset();
+    switch_servos_off();
     brake();
     return Refusal::none;
   }
@@ -185,6 +199,9 @@ Task<Refusal> ArmCabinet::grip(double opening_mm) {
 
 Task<arm::ArmReading> ArmCabinet::read() {
   const Result<arm::ArmReading> reading = co_await body_.read();
+  constexpr Duration longest_look_away = 1s;
+  if (last_.moving) worked_.motion += std::min<Duration>(executor_.now() - seen_at_, longest_look_away);
+  seen_at_ = executor_.now();
   if (reading) {
     last_ = *reading;
   } else {

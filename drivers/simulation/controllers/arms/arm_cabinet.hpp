@@ -1,11 +1,11 @@
 #pragma once
 
-// What the controller cabinet of any arm has besides its protocol: a power switch, an emergency stop, a pendant that
-// may have control, servos that come on with a delay, alarms and their reset, holds, a speed override; and the arm.
+// The parts of any arm's controller cabinet besides its protocol: a power switch, an emergency stop, a pendant that may
+// have control, servos that come on with a delay, alarms and their reset, holds, a speed override; and the arm.
 //
-// Lifecycle: made with power on and the servos off, the arm where it is. What somebody beside it does comes by
-// obey(), what a protocol does by the others; what an arm may not do now is a Refusal, which a protocol words in its
-// own codes.
+// Lifecycle: made with power on and the servos off, the arm where it is. obey() takes the actions of a person beside
+// the cabinet; the other functions are for the protocol; what an arm may not do now is a Refusal, which a protocol
+// words in its own codes.
 //
 //   MovingArm body(executor, model);          // or the simulated world's arm, over the device link
 //   ArmCabinet cabinet(executor, body, model);
@@ -71,18 +71,28 @@ class ArmCabinet {
   bool pendant_hold() const { return pendant_hold_; }
   bool command_hold() const { return command_hold_; }
   bool servo() const { return servo_since_ && executor_.now() - *servo_since_ >= servo_delay; }
+  // They were switched on a moment ago, and are not on yet.
+  bool servo_comes_on() const { return servo_since_ && !servo(); }
   int alarm() const { return alarm_; }
   // The last hundred, the newest last.
   const std::deque<int>& past_alarms() const { return past_alarms_; }
   double speed_override() const { return override_; }
+  // Why it does not move; none where it may.
+  Refusal refusal() const;
+  // How long it has had power, its servos have been on, and its arm was seen to move.
+  struct WorkTimes {
+    Duration power{};
+    Duration servo{};
+    Duration motion{};
+  };
+  WorkTimes work_times() const;
   // Moves begun that led anywhere else than where the arm stood, and where the last of them led.
   std::uint64_t moves() const { return moves_; }
   const arm::Joints& last_target() const { return last_target_; }
 
  private:
   static constexpr Duration servo_delay = 200ms;
-  // Why it does not move; none where it may.
-  Refusal refusal() const;
+  void switch_servos_off();
   Result<void> turn(std::string_view what, bool on);
   void power(bool on);
   void raise(int alarm);
@@ -102,6 +112,9 @@ class ArmCabinet {
   std::deque<int> past_alarms_;
   double override_ = 1;
   std::optional<Time> servo_since_;
+  WorkTimes worked_;  // before power and servos came on last
+  Time power_since_{executor_.now()};
+  Time seen_at_{executor_.now()};
   bool lost_in_motion_ = false;
   arm::ArmReading last_{};
   std::uint64_t moves_ = 0;

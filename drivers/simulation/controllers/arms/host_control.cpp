@@ -123,7 +123,7 @@ Task<HostAnswer> HostControl::move_pulses(Numbers operands) {
   co_return refused(refusal);
 }
 
-// What the speed is of, the speed, the frame, place and angles, form, tool, external axes.
+// The operands: the kind of speed, the speed, the frame, place and angles, form, tool, external axes.
 Task<HostAnswer> HostControl::move_line(Numbers operands) {
   const bool sound =
       operands[0] == 0 && operands[1] >= 0.1 && (operands[2] == base_frame || operands[2] == robot_frame);

@@ -8,9 +8,9 @@
 //   const Job serving = executor.spawn(serve_ethernet_server(executor, control, *tcp_port));
 //   const Job serving = executor.spawn(serve_bsc(executor, control, *pty));
 //
-// It knows RSTATS, RALARM, RPOSJ, RPOSC, SVON, HOLD, RESET, CANCEL, PMOVJ, MOVL, and SAVEV and LOADV of D variables. A
-// command that it does not know is refused with 1010, a wrong number of operands with 1011, a value that cannot be with
-// 1012, and what the cabinet refuses with its own code.
+// It knows RSTATS, RALARM, RPOSJ, RPOSC, SVON, HOLD, RESET, CANCEL, PMOVJ, MOVL, and SAVEV and LOADV of D variables. It
+// refuses an unknown command with 1010, a wrong number of operands with 1011 and an impossible value with 1012. A
+// refusal of the cabinet has its own code.
 //
 // How far it is proven: with the driver of drivers/arm/motoman/ alone.
 

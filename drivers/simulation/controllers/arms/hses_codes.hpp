@@ -1,7 +1,7 @@
 #pragma once
 
-// What of the High Speed Ethernet Server the driver does not use: further commands, services and refusals, and where
-// variables are kept.
+// The codes of the High Speed Ethernet Server that the driver does not use: further commands, services and refusals,
+// and where variables are kept.
 //
 //   hses_variable(0x7a)      // B variables, 0 to 99, of one octet
 
@@ -26,6 +26,7 @@ inline constexpr std::uint16_t cycle = 0x84;
 inline constexpr std::uint16_t pendant_text = 0x85;
 inline constexpr std::uint16_t start_job = 0x86;
 inline constexpr std::uint16_t select_job = 0x87;
+inline constexpr std::uint16_t management_time = 0x88;
 inline constexpr std::uint16_t system_information = 0x89;
 inline constexpr std::uint16_t plural = 0x288;  // added to a variable's command: several, one after another
 
@@ -37,6 +38,7 @@ inline constexpr std::uint32_t robot_frame = 17;
 inline constexpr std::uint32_t tool_frame = 19;
 
 inline constexpr std::uint16_t job_not_found = 0x4040;
+inline constexpr std::uint16_t wrong_instruction = 0x5110;
 inline constexpr std::uint16_t not_to_be_set = 0xb002;
 
 }  // namespace hses

@@ -13,6 +13,10 @@ constexpr std::uint8_t abnormal = 0x1f;
 Task<std::string> HsesEmulator::answer(std::string datagram) {
   const Result<arm::HsesRequest> request = arm::read_hses_request(datagram);
   const bool heard = request && cabinet_.powered();
+  const bool no_servos = !cabinet_.servo() && !cabinet_.servo_comes_on();
+  const bool job_ends = !cabinet_.powered() || no_servos || cabinet_.command_hold() || cabinet_.pendant_hold();
+  if (job_ends) running_job_ = Job();
+  if (job_ends) job_runs_ = false;
   if (!heard) co_return std::string();
   const Outcome outcome = co_await carry_out(*request);
   // It may have lost its power meanwhile.
@@ -69,6 +73,10 @@ Task<HsesEmulator::Outcome> HsesEmulator::carry_out(arm::HsesRequest request) {
     case hses::torque:
     case hses::system_information:
       return at_once(report(request));
+    case hses::management_time:
+      return at_once(management_time(request));
+    case hses::select_job:
+      return at_once(select_job(request));
     default:
       return at_once(turn(request));
   }
@@ -77,7 +85,6 @@ Task<HsesEmulator::Outcome> HsesEmulator::carry_out(arm::HsesRequest request) {
 // Switches, resets, and what is told to the pendant.
 HsesEmulator::Outcome HsesEmulator::turn(const arm::HsesRequest& request) {
   const std::uint16_t instance = request.instance;
-  if (request.command == hses::select_job) return {.refusal = hses::job_not_found};
   const bool known = request.command == arm::hses::reset || request.command == arm::hses::power ||
                      request.command == hses::cycle || request.command == hses::pendant_text ||
                      request.command == hses::start_job;
@@ -98,7 +105,7 @@ HsesEmulator::Outcome HsesEmulator::turn(const arm::HsesRequest& request) {
     return {.refusal = controller_.set_cycle(wanted) ? std::uint16_t{0} : arm::hses::out_of_range};
   }
   if (instance != 1) return {.refusal = arm::hses::wrong_instance};
-  return {.refusal = request.command == hses::start_job ? hses::job_not_found : std::uint16_t{0}};
+  return {.refusal = request.command == hses::start_job ? start_job() : std::uint16_t{0}};
 }
 
 // The interlock keeps the pendant's keys from doing anything: nobody presses them here.
@@ -112,7 +119,15 @@ std::uint16_t HsesEmulator::turn_power(std::uint16_t instance, std::uint32_t wan
   return refusal == Refusal::emergency ? arm::motoman::servo_refused : hses_code(refusal);
 }
 
-Task<void> serve(Executor& executor, HsesEmulator& emulator, line::DatagramWire& port) {
+std::string HsesEmulator::answer_about_files(std::string_view datagram) {
+  return cabinet_.powered() ? files_.answer(datagram) : std::string();
+}
+
+namespace {
+
+// Each datagram's answer, for as long as this lives.
+template <class Answer>
+Task<void> serve_datagrams(Executor& executor, line::DatagramWire& port, Answer answer) {
   constexpr Duration patience = 3600s;
   constexpr Duration retry_pause = 100ms;
   while (true) {
@@ -122,10 +137,26 @@ Task<void> serve(Executor& executor, HsesEmulator& emulator, line::DatagramWire&
       if (datagram.error().symbol != "timeout") co_await sleep(executor, retry_pause);
       continue;
     }
-    const std::string reply = co_await emulator.answer(std::move(*datagram));
+    const std::string reply = co_await answer(std::move(*datagram));
     // What nobody takes is lost, as on any line.
     if (!reply.empty()) static_cast<void>(port.send(reply));
   }
+}
+
+Task<std::string> answer_file(HsesEmulator& emulator, std::string datagram) {
+  co_return emulator.answer_about_files(datagram);
+}
+
+}  // namespace
+
+Task<void> serve(Executor& executor, HsesEmulator& emulator, line::DatagramWire& port) {
+  return serve_datagrams(executor, port,
+                         [&emulator](std::string datagram) { return emulator.answer(std::move(datagram)); });
+}
+
+Task<void> serve_files(Executor& executor, HsesEmulator& emulator, line::DatagramWire& port) {
+  return serve_datagrams(executor, port,
+                         [&emulator](std::string datagram) { return answer_file(emulator, std::move(datagram)); });
 }
 
 }  // namespace pizarra::simulation

@@ -1,3 +1,4 @@
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 

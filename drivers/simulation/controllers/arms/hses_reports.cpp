@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 
@@ -38,7 +39,9 @@ bool is_robot(std::uint16_t instance) {
 
 Task<HsesEmulator::Outcome> HsesEmulator::status(arm::HsesRequest request) {
   const MotomanController::Words status_words = co_await controller_.status();
-  const std::vector<std::string> elements{word(status_words.modes), word(status_words.states)};
+  constexpr std::uint32_t runs = 8;
+  const std::uint32_t modes = status_words.modes | (job_runs_ ? runs : 0);
+  const std::vector<std::string> elements{word(modes), word(status_words.states)};
   Outcome outcome;
   outcome.refusal = arm::hses::wrong_instance;
   if (request.instance == 1) outcome = of_elements(request, elements);
@@ -94,7 +97,8 @@ HsesEmulator::Outcome HsesEmulator::report(const arm::HsesRequest& request) cons
     constexpr double whole = 10'000;
     constexpr std::uint16_t tasks = 6;
     if (request.instance < 1 || request.instance > tasks) return {.refusal = arm::hses::wrong_instance};
-    elements = {text("", 32), word(0), word(0), word(static_cast<std::uint32_t>(cabinet_.speed_override() * whole))};
+    elements = {text(job_, 32), word(job_line_), word(0),
+                word(static_cast<std::uint32_t>(cabinet_.speed_override() * whole))};
   } else if (request.command == hses::system_information) {
     constexpr std::uint16_t robot = 11;
     constexpr std::uint16_t application = 101;

@@ -10,20 +10,20 @@ namespace {
 
 constexpr std::size_t most_octets = 474;  // of several at once
 
-constexpr std::size_t pose = 13 * 4;  // type, form, tool, user frame, extended form and 8 axes
-constexpr std::size_t axes = 9 * 4;   // type and 8 axes
+constexpr std::size_t pose_octets = 13 * 4;  // type, form, tool, user frame, extended form and 8 axes
+constexpr std::size_t axes_octets = 9 * 4;   // type and 8 axes
 
 constexpr HsesVariable kinds[] = {
-    {0x78, 1, 8220, 1, 1},    // inputs and outputs, eight each
-    {0x79, 0, 999, 2, 2},     // registers
-    {0x7a, 0, 99, 1, 1},      // B
-    {0x7b, 0, 99, 2, 2},      // I
-    {0x7c, 0, 99, 4, 4},      // D
-    {0x7d, 0, 99, 4, 4},      // R
-    {0x7e, 0, 99, 16, 16},    // S
-    {0x7f, 0, 127, pose, 4},  // P
-    {0x80, 0, 127, axes, 4},  // BP
-    {0x81, 0, 127, axes, 4},  // EX
+    {0x78, 1, 8220, 1, 1},           // inputs and outputs, eight each
+    {0x79, 0, 999, 2, 2},            // registers
+    {0x7a, 0, 99, 1, 1},             // B
+    {0x7b, 0, 99, 2, 2},             // I
+    {0x7c, 0, 99, 4, 4},             // D
+    {0x7d, 0, 99, 4, 4},             // R
+    {0x7e, 0, 99, 16, 16},           // S
+    {0x7f, 0, 127, pose_octets, 4},  // P
+    {0x80, 0, 127, axes_octets, 4},  // BP
+    {0x81, 0, 127, axes_octets, 4},  // EX
 };
 
 // Of inputs and outputs, those of the network are set from outside, of registers the first.

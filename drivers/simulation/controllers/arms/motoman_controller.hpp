@@ -47,7 +47,7 @@ class MotomanController {
   bool set_cycle(std::uint32_t cycle);
   // Of a D variable, 0 to 99.
   Task<std::int32_t> variable(int number);
-  // What moves the fingers is refused as a move is.
+  // A command that moves the fingers is refused as a move is.
   Task<Refusal> set_variable(int number, std::int32_t value);
 
  private:

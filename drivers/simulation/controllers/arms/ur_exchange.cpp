@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_input_recipes = 30;
 constexpr char controller_version = 'v';
-constexpr char pause = 'P';
+constexpr char pause_message = 'P';
 
 std::string one_octet(std::size_t value) { return std::string(1, static_cast<char>(value)); }
 
@@ -49,7 +49,7 @@ std::string UrExchange::answer(std::string_view message) {
     telling_ = !outputs_.empty();
     return arm::rtde::write(type, one_octet(telling_ ? 1 : 0));
   }
-  if (type == pause) {
+  if (type == pause_message) {
     telling_ = false;
     return arm::rtde::write(type, one_octet(1));
   }

@@ -49,6 +49,32 @@ constexpr Field outputs[] = {
     {"actual_joint_voltage", UrType::vector6},
     {"joint_position_deviation_ratio", UrType::f64},
     {"runtime_state", UrType::u32},
+    {"elbow_position", UrType::vector3},
+    {"elbow_velocity", UrType::vector3},
+    {"standard_analog_input0", UrType::f64},
+    {"standard_analog_input1", UrType::f64},
+    {"standard_analog_output0", UrType::f64},
+    {"standard_analog_output1", UrType::f64},
+    {"analog_io_types", UrType::u32},
+    {"io_current", UrType::f64},
+    {"tool_mode", UrType::u32},
+    {"tool_analog_input_types", UrType::u32},
+    {"tool_analog_input0", UrType::f64},
+    {"tool_analog_input1", UrType::f64},
+    {"tool_output_voltage", UrType::i32},
+    {"tool_output_current", UrType::f64},
+    {"tool_temperature", UrType::f64},
+    {"tcp_force_scalar", UrType::f64},
+    {"tcp_offset", UrType::vector6},
+    {"ft_raw_wrench", UrType::vector6},
+    {"payload", UrType::f64},
+    {"payload_cog", UrType::vector3},
+    {"payload_inertia", UrType::vector6},
+    {"script_control_line", UrType::u32},
+    {"output_bit_registers0_to_31", UrType::u32},
+    {"output_bit_registers32_to_63", UrType::u32},
+    {"input_bit_registers0_to_31", UrType::u32},
+    {"input_bit_registers32_to_63", UrType::u32},
 };
 
 constexpr Field inputs[] = {
@@ -56,6 +82,10 @@ constexpr Field inputs[] = {
     {"standard_digital_output_mask", UrType::u8}, {"configurable_digital_output_mask", UrType::u8},
     {"tool_digital_output_mask", UrType::u8},     {"standard_digital_output", UrType::u8},
     {"configurable_digital_output", UrType::u8},  {"tool_digital_output", UrType::u8},
+    {"standard_analog_output_mask", UrType::u8},  {"standard_analog_output_type", UrType::u8},
+    {"standard_analog_output_0", UrType::f64},    {"standard_analog_output_1", UrType::f64},
+    {"input_bit_registers0_to_31", UrType::u32},  {"input_bit_registers32_to_63", UrType::u32},
+    {"external_force_torque", UrType::vector6},
 };
 
 std::optional<UrType> type_among(std::span<const Field> fields, std::string_view name) {
@@ -148,6 +178,11 @@ void write_ur_value(line::OctetWriter& octets, UrType type, const UrValue& value
 
 double read_ur_number(line::OctetReader& read, UrType type) {
   if (type == UrType::f64) return read.f64();
+  if (type == UrType::vector6) {
+    const double first = read.f64();
+    read.text(5 * sizeof(double));
+    return first;
+  }
   if (type == UrType::i32) return read.i32();
   if (type == UrType::u32) return read.u32();
   return read.u8();

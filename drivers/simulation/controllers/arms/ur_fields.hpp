@@ -1,11 +1,11 @@
 #pragma once
 
-// What of a Universal Robots arm can be told and set by name over its data exchange, and how that is written.
+// The values of a Universal Robots arm that can be told and set by name over its data exchange, and their encoding.
 //
 //   ur_output_type("actual_q")                     // vector6
 //   write_ur_value(octets, UrType::vector6, state.value("actual_q"));
 //
-// What the emulated arm has no model of (currents, moments, forces, voltages, temperatures) is told as 0.
+// Values that the emulated arm has no model of (currents, moments, forces, voltages, temperatures) are told as 0.
 
 #include <array>
 #include <map>
@@ -37,6 +37,7 @@ struct UrState {
 };
 
 void write_ur_value(line::OctetWriter& octets, UrType type, const UrValue& value);
+// The first, of several.
 double read_ur_number(line::OctetReader& read, UrType type);
 
 }  // namespace pizarra::simulation

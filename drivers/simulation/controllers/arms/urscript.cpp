@@ -115,6 +115,15 @@ std::optional<UrStep> setting_step(std::string_view name, const std::vector<std:
   return step;
 }
 
+// What it says, without its quotes.
+UrStep text_step(std::string_view arguments) {
+  UrStep step{.kind = UrStep::Kind::text};
+  for (const char c : arguments) {
+    if (c != '"') step.field += c;
+  }
+  return step;
+}
+
 std::optional<UrStep> step_of(std::string_view line) {
   const std::size_t open = line.find('(');
   if (open == std::string_view::npos || !line.ends_with(')')) return std::nullopt;
@@ -122,7 +131,8 @@ std::optional<UrStep> step_of(std::string_view line) {
   const std::vector<std::string_view> arguments = arguments_in(line.substr(open + 1, line.size() - open - 2));
   if (name == "movej") return move_step(UrStep::Kind::move_joints, arguments);
   if (name == "movel") return move_step(UrStep::Kind::move_line, arguments);
-  constexpr std::string_view idle[] = {"textmsg", "popup", "set_tcp", "set_payload", "set_gravity", "sync"};
+  if (name == "textmsg") return text_step(line.substr(open + 1, line.size() - open - 2));
+  constexpr std::string_view idle[] = {"popup", "set_tcp", "set_payload", "set_gravity", "sync"};
   if (std::ranges::find(idle, name) != std::end(idle)) return UrStep{.kind = UrStep::Kind::nothing};
   const bool takes_number = name == "stopj" || name == "stopl" || name == "sleep";
   if (!takes_number) return setting_step(name, arguments);
@@ -135,7 +145,7 @@ std::optional<UrStep> step_of(std::string_view line) {
 
 Result<std::vector<UrStep>> read_urscript(std::string_view program) {
   std::vector<UrStep> steps;
-  while (!program.empty()) {
+  for (std::int32_t number = 1; !program.empty(); ++number) {
     const std::size_t end = std::min(program.find('\n'), program.size());
     const std::string_view line = trimmed(program.substr(0, end));
     program.remove_prefix(std::min(end + 1, program.size()));
@@ -145,7 +155,7 @@ Result<std::vector<UrStep>> read_urscript(std::string_view program) {
     }
     const std::optional<UrStep> step = step_of(line);
     if (!step || steps.size() >= most_program_steps) {
-      return fail("bad-script", "the controller does not understand " + line::printable(line));
+      return fail("bad-script", "the controller does not understand " + line::printable(line), to_datum(number));
     }
     steps.push_back(*step);
   }

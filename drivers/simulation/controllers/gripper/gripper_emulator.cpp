@@ -66,7 +66,7 @@ void GripperEmulator::told(gripper::RegisterImage orders) {
   tell();
 }
 
-// What it says of itself besides where its fingers are.
+// Its answers about itself besides the place of its fingers.
 void GripperEmulator::tell() {
   states_.put(setup_.fault, static_cast<std::uint16_t>(fault_));
   states_.put(setup_.active, active() ? gripper::gripper::ready : active_since_ ? 1 : 0);

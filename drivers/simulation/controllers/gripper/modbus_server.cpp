@@ -21,7 +21,7 @@ constexpr std::uint8_t write_and_read = 23;
 constexpr unsigned wrong_address = 2;  // exceptions
 constexpr unsigned wrong_value = 3;
 
-// What is to be written, and from which register on.
+// The values to be written, and the first register.
 struct Write {
   int first = 0;
   std::vector<std::uint16_t> values = {};

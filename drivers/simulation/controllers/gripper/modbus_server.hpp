@@ -1,7 +1,7 @@
 #pragma once
 
-// Puts an emulated gripper at a Modbus TCP port, by libmodbus. What it tells can be read as input or holding registers,
-// what it is told be read and written as holding registers, some or all of them; functions 3, 4, 6, 16 and 23. Both are
+// Puts an emulated gripper at a Modbus TCP port, by libmodbus. Its answers can be read as input or holding registers.
+// Its orders can be read and written as holding registers, some or all of them; functions 3, 4, 6, 16 and 23. Both are
 // also there from register 0 on, as Robotiq's network modules have them. One client at a time, whatever unit it asks
 // for.
 //

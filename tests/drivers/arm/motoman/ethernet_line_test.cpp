@@ -17,7 +17,7 @@ class EthernetServer : public testing::Test, protected EthernetCell {
     const Result<std::string> answer = ask(line.command({name, operands, kind}));
     return answer ? *answer : write(answer.error().subject) + " " + answer.error().symbol;
   }
-  // What the server says to what is typed at it.
+  // The server's answers to lines typed at it.
   std::string typed(std::string_view text) {
     const std::size_t before = wire.far.written.size();
     EXPECT_TRUE(ask(wire.near.open(executor.now() + 1s)));

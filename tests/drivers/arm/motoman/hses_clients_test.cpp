@@ -1,4 +1,5 @@
-// What public clients of the High Speed Ethernet Server send (fs100, moto-hses), and what the manual has besides.
+// The messages of public clients of the High Speed Ethernet Server (fs100, moto-hses), and those that the manual has
+// besides.
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -50,8 +50,8 @@ TEST_F(Motoman, GoesThereInPulsesAndSaysWhenItStands) {
   EXPECT_EQ(cabinet.moves(), 1u);
 }
 
-// What a network has kept for seconds comes while the arm stands, and is carried out by a controller that tells no old
-// order from a new one.
+// An order that a network has kept for seconds comes while the arm stands. A controller that cannot tell an old order
+// from a new one carries it out.
 TEST_F(Motoman, AnOrderThatComesAgainWhileTheArmStandsIsHeldAndTheNextMoveGoesOnFromThere) {
   ASSERT_EQ(connect(), "");
   const Joints first = moved(0, 100);
@@ -183,7 +183,7 @@ struct Interruption {
   const char* undo;
 };
 
-// What ends a move says why, and the next is refused until it is undone and control taken again.
+// The end of a broken move says why, and the next one is refused until the cause is undone and control taken again.
 TEST_F(Motoman, WhatEndsAMoveIsNamedAndMendedOnlyWhenAskedAnew) {
   ASSERT_EQ(connect(), "");
   for (const Interruption& each :

@@ -4,7 +4,9 @@
 // what a driver is tried on that must not be right only because driver and emulator are wrong alike.
 //
 // Each has an arm that stands in its file's `ready` pose and that says of itself, once ordered to move, that it moves,
-// until it is told to stop. It may fall silent about its state and go on hearing orders.
+// until it is told to stop or put where it was sent. It may fall silent about its state and go on hearing orders.
+
+#include "drivers/arm/arm_model.hpp"
 
 namespace pizarra::arm {
 
@@ -13,7 +15,14 @@ struct PlainArm {
   bool silent = false;
   bool deaf = false;  // to stops
   int stops = 0;      // that it was told
+  Joints at = {};     // degrees and mm
+  Joints sent = {};   // where it was sent last
 
+  // Where it was sent: there it stands now.
+  void arrive() {
+    at = sent;
+    moving = false;
+  }
   void move() { moving = true; }
   void stop() {
     ++stops;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <string>
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_model.hpp"
@@ -15,8 +16,9 @@ namespace pizarra::arm {
 
 class PlainHost {
  public:
-  explicit PlainHost(const ArmModel& model) : model_(model) {}
+  explicit PlainHost(const ArmModel& model) : model_(model) { arm.at = arm.sent = model.ready; }
   PlainArm arm;
+  void arrive() { arm.arrive(); }
 
   // None where it says nothing.
   std::optional<std::string> answer(const std::string& name, const std::string& operands) {
@@ -27,6 +29,7 @@ class PlainHost {
     if (name == "RPOSC") return "500,0,600,180,0,0,0,0";
     if (name == "SAVEV") return "0";
     if (name == "HOLD" && operands.starts_with('1')) arm.stop();
+    if (name == "PMOVJ") take(operands);
     if (name == "PMOVJ" || name == "MOVL") arm.move();
     return "0000";
   }
@@ -35,10 +38,17 @@ class PlainHost {
   std::string pulses() const {
     std::string text;
     for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
-      const long count = std::lround(model_.ready[axis] * model_.axes[axis].pulses_per_turn / 360);
+      const long count = std::lround(arm.at[axis] * model_.axes[axis].pulses_per_turn / 360);
       text += fmt::format("{}{}", text.empty() ? "" : ",", count);
     }
     return text;
+  }
+  // The speed, then pulses of six axes.
+  void take(std::string operands) {
+    for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
+      operands.erase(0, operands.find(',') + 1);
+      arm.sent[axis] = std::stol(operands) * 360.0 / model_.axes[axis].pulses_per_turn;
+    }
   }
   const ArmModel& model_;
 };

@@ -15,8 +15,11 @@ namespace pizarra::arm {
 
 class PlainHses : public line::DatagramWire {
  public:
-  PlainHses(Executor& executor, const ArmModel& model) : model_(model), come_(executor) {}
+  PlainHses(Executor& executor, const ArmModel& model) : model_(model), come_(executor) {
+    arm.at = arm.sent = model.ready;
+  }
   PlainArm arm;
+  void arrive() { arm.arrive(); }
 
   Task<Result<void>> open(Time) override { co_return Result<void>(); }
   void close() override {}
@@ -60,12 +63,18 @@ class PlainHses : public line::DatagramWire {
       for (std::size_t axis = 0; axis < 8; ++axis) data.i32(axis < model_.axes.size() ? pulses(axis) : 0);
     }
     if (command == 0x83 && instance == 1 && read.u32() == 1) arm.stop();
+    if (command == 0x8b) {
+      read.text(16);  // robot, station, class of speed, speed
+      for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
+        arm.sent[axis] = read.i32() * 360.0 / model_.axes[axis].pulses_per_turn;
+      }
+    }
     if (command == 0x8a || command == 0x8b) arm.move();
     if (service == reads_one) data.u32(0);
     return data.octets();
   }
   std::int32_t pulses(std::size_t axis) const {
-    return static_cast<std::int32_t>(std::lround(model_.ready[axis] * model_.axes[axis].pulses_per_turn / 360));
+    return static_cast<std::int32_t>(std::lround(arm.at[axis] * model_.axes[axis].pulses_per_turn / 360));
   }
 
   const ArmModel& model_;

@@ -15,8 +15,11 @@ namespace pizarra::arm {
 class PlainSimple {
  public:
   explicit PlainSimple(const ArmModel& model, line::ByteOrder byte_order = line::ByteOrder::little)
-      : order(byte_order), model_(model) {}
+      : order(byte_order), model_(model) {
+    arm.at = arm.sent = model.ready;
+  }
   PlainArm arm;
+  void arrive() { arm.arrive(); }
   const line::ByteOrder order;
 
   std::string message(std::int32_t type, std::int32_t kind, std::int32_t code, const std::string& data) const {
@@ -32,10 +35,15 @@ class PlainSimple {
     read.i32();
     const std::string data(read.text(read.left()));
     if (type == 11) {
-      const std::int32_t sequence = line::OctetReader(data, order).i32();
+      line::OctetReader point(data, order);
+      const std::int32_t sequence = point.i32();
       if (sequence == -4) {
         arm.stop();
       } else {
+        for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
+          if (model_.axes[axis].role == Role::track) continue;
+          arm.sent[axis] = static_cast<double>(point.f32()) * 180 / std::numbers::pi;
+        }
         arm.move();
       }
     }
@@ -48,7 +56,7 @@ class PlainSimple {
     std::size_t told = 0;
     for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
       if (model_.axes[axis].role == Role::track) continue;
-      joints.f32(static_cast<float>(model_.ready[axis] * std::numbers::pi / 180));
+      joints.f32(static_cast<float>(arm.at[axis] * std::numbers::pi / 180));
       ++told;
     }
     for (; told < 10; ++told) joints.f32(0);

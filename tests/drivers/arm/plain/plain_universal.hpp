@@ -15,7 +15,7 @@ namespace pizarra::arm {
 
 class PlainUniversal {
  public:
-  explicit PlainUniversal(const ArmModel& model) : model_(model) {}
+  explicit PlainUniversal(const ArmModel& model) { arm.at = arm.sent = model.ready; }
   PlainArm arm;
   std::int32_t marker = 0;
   std::string chatter = {};  // what its script server sends to whoever is connected, ten times a second
@@ -34,7 +34,7 @@ class PlainUniversal {
     line::OctetWriter octets(line::ByteOrder::big);
     octets.u8(1);
     for (std::size_t axis = 0; axis < 6; ++axis) {
-      const double deg = axis == 4 ? -90 : model_.ready[axis == 5 ? 4 : axis];
+      const double deg = axis == 4 ? -90 : arm.at[axis == 5 ? 4 : axis];
       octets.f64(deg * std::numbers::pi / 180);
     }
     octets.i32(7).i32(1).u32(arm.moving ? 2 : 1).i32(marker).i32(0).f64(80);
@@ -46,7 +46,19 @@ class PlainUniversal {
     const std::size_t at = program.find(begins);
     if (at == std::string::npos) return;
     std::from_chars(program.data() + at + begins.size(), program.data() + program.size(), marker);
+    const std::size_t joints = program.rfind("movej([");
+    const char* next = joints == std::string::npos ? nullptr : program.data() + joints + 7;
+    for (std::size_t axis = 0; axis < 6 && next; ++axis) {
+      double rad = 0;
+      next = std::from_chars(next, program.data() + program.size(), rad).ptr + 2;  // and what separates it
+      if (axis != 4) arm.sent[axis == 5 ? 4 : axis] = rad * 180 / std::numbers::pi;
+    }
     arm.move();
+  }
+  // The program has ended where it leads.
+  void arrive() {
+    arm.arrive();
+    ++marker;
   }
   std::string dashboard(const std::string& line) {
     if (line == "get robot model") return "UR5\n";
@@ -56,9 +68,6 @@ class PlainUniversal {
     arm.stop();
     return "Stopped\n";
   }
-
- private:
-  const ArmModel& model_;
 };
 
 inline Task<void> serve_rtde(Executor& executor, PlainUniversal& controller, line::ByteWire& wire) {

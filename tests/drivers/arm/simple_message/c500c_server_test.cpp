@@ -1,4 +1,4 @@
-// What the C500C's published control server (crs-c500c-utils) answers, message by message, to whom talks to its line.
+// The answers of the C500C's published control server (crs-c500c-utils), message by message, to a client on its line.
 
 #include <gtest/gtest.h>
 

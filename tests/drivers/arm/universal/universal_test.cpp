@@ -293,7 +293,7 @@ TEST(Rtde, AMessageStandsAsTheGuideHasIt) {
 TEST(Rtde, WhateverComesIsReadOrRefused) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Random random(seed);
-    const std::string sound = rtde::write(rtde::data, rtde::write_state(1, {}));
+    const std::string sound = PlainUniversal(ur5e()).state();
     for (int i = 0; i < 20'000; ++i) {
       std::string damaged = sound;
       for (std::uint64_t edits = random.below(4); edits > 0; --edits) {

@@ -1,5 +1,5 @@
-// What Universal Robots' own Python client for the data exchange, and people at its script and dashboard ports, say to
-// the emulated controller and must hear, message by message.
+// The messages that Universal Robots' own Python client for the data exchange sends to the emulated controller, and
+// people at its script and dashboard ports, with the answers that they must get.
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -197,6 +197,25 @@ TEST_F(UrClients, TheDashboardAnswersWhatItsManualLists) {
   EXPECT_EQ(dashboard("safetymode"), "Safetymode: ROBOT_EMERGENCY_STOP\n");
   EXPECT_EQ(dashboard("quit"), "Disconnected\n");
   EXPECT_FALSE(dashboard_line.near.write("robotmode\n")) << "it has hung up";
+}
+
+// The example recipes of the maker's C++ client library.
+TEST_F(UrClients, TheSpeedSliderIsWhatAnInputSays) {
+  connect_exchange();
+  EXPECT_EQ(say('O', at(50, "target_speed_fraction,standard_analog_input0,tcp_offset,tool_mode")),
+            "\1DOUBLE,DOUBLE,VECTOR6D,UINT32");
+  EXPECT_EQ(say('I', "speed_slider_mask,speed_slider_fraction"), "\1UINT32,DOUBLE");
+  EXPECT_EQ(say('I', "external_force_torque"), "\2VECTOR6D");
+  const auto slide = [&](std::uint32_t mask, double fraction) {
+    const std::string input = line::OctetWriter(line::ByteOrder::big).u8(1).u32(mask).f64(fraction).octets();
+    EXPECT_TRUE(rtde_line.near.write(rtde::write('U', input)));
+    executor.run_for(20ms);
+    return cabinet.speed_override();
+  };
+  EXPECT_EQ(slide(1, 0.4), 0.4);
+  EXPECT_EQ(slide(0, 0.9), 0.4) << "it is not meant";
+  EXPECT_EQ(slide(1, 0), 0.01) << "the slowest";
+  EXPECT_EQ(slide(1, 7), 1);
 }
 
 }  // namespace
