@@ -1,8 +1,8 @@
 ; The thesis' task: marked cubes on a table, stacked by an arm with one gripper.
 ;
-; Operators are the four of its Table 6.5, with their deletes stated, and one for cubes that lie askew. What bears
-; nothing is said apart (bare) for that one: a cube that leans is not to be built on, but may be pushed over. Lengths are
-; mm.
+; Operators are the four of its Table 6.5, with their deletes stated, and one for cubes that lie askew. A cube that
+; bears nothing is named apart (bare) for that one: a cube that leans is not to be built on, but may be pushed over.
+; Lengths are mm.
 (domain blocks
   (types OBJECT)
   (predicates
@@ -39,9 +39,9 @@
     (preconds (leans <ob1> <ob2>) (bare <ob1>) (arm-empty))
     (effects (on-table <ob1>) (clear <ob1>) (clear <ob2>) (bare <ob2>) (del (leans <ob1> <ob2>))))
 
-  ; What is measured, once a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object
-  ; would stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. What is believed
-  ; already gets wider bounds, so that noise at a bound does not make it flicker.
+  ; The measurements of a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object would
+  ; stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. Beliefs have wider bounds
+  ; than new sightings, so that noise at a bound does not make them flicker.
   (perception
     (sees OBJECT)
     (constant cube 60)                  ; a cell says otherwise with (cube-size MM)

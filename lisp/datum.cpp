@@ -57,7 +57,7 @@ Datum Datum::list_of(std::span<Datum> items) {
 
 void Datum::release() {
   auto* shared = value<Shared*>();
-  // Who is alone needs no locked instruction to say so.
+  // A single thread needs no locked instruction to say so.
   const bool alone = shared->users.load(std::memory_order_acquire) == 1;
   if (!alone && shared->users.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   if (is_list()) {

@@ -144,8 +144,8 @@ class Datum {
   // Of two of the same form.
   bool same_shared(const Datum& other) const;
 
-  // The first holds the value, or both short text; the last byte says the form and the length of short text. What is
-  // not used is zero, so that equal scalars have equal words.
+  // The first holds the value, or both short text; the last byte says the form and the length of short text. Unused
+  // bytes are zero, so that equal scalars have equal words.
   std::array<std::uint64_t, 2> words_{};
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // How many elements of lists this thread has compared, hashed, matched or searched for variables, and 64 bytes of long
-// text as one: it only grows. Who bounds what may be compared looks at how much it has grown.
+// text as one: it only grows. A bound on comparisons looks at how much it has grown.
 //
 //   const std::size_t before = elements_looked_at;
 //   ...
@@ -18,7 +18,7 @@ inline void look_at_text(std::size_t bytes) {
   elements_looked_at += bytes / bytes_an_element;
 }
 
-// What is looked at while it lives is not counted.
+// Elements looked at while it lives are not counted.
 class UncountedEffort {
  public:
   UncountedEffort() = default;

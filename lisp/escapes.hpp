@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands behind a backslash in a string that is written.
+// The characters that stand behind a backslash in a written string.
 
 #include <array>
 

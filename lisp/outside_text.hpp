@@ -1,13 +1,13 @@
 #pragma once
 
 // Text of what comes from outside: names of files, devices' messages, arguments, the environment. Its bytes need not be
-// UTF-8, and may be what moves a terminal's cursor or turns its colours. What is neither text nor to be shown stands as
-// the escape that a programmer would type, so that both a Datum and a terminal can take it.
+// UTF-8, and may be what moves a terminal's cursor or turns its colours. Bytes that are no text, or that must not be
+// shown, stand as the escape that a programmer would type. So both a Datum and a terminal can take it.
 //
 //   text_of_bytes("f\xFCr.jpg")             // f\xfcr.jpg, in eleven characters
 //   lines_of_bytes("red\x1b[31m\nend")      // red\x1b[31m, then another line
 //
-// What is text already stays as it is, backslashes as well: this is for people to read, and not read back.
+// Text stays as it is, backslashes as well: this is for people to read, and not read back.
 
 #include <string>
 #include <string_view>

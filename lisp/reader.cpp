@@ -15,7 +15,7 @@ namespace pizarra {
 
 namespace {
 
-// What went wrong, before anyone asked where that is for a person.
+// The fault, before anyone asked for its place to show to a person.
 struct Trouble {
   std::size_t offset;
   const char* symbol;
@@ -41,7 +41,7 @@ std::size_t length_of_token(std::string_view text) {
 }
 
 // One pass over the text with an explicit stack: elements of open lists wait in `waiting_`, in the order they came.
-// What the frames of a board seldom hold is marked cold, so that the compiler leaves it out of the way of the rest.
+// Code for forms that are rare in a board's frames is marked cold, so that the compiler moves it out of the way.
 class Reader {
  public:
   Reader(std::string_view text, const ReadLimits& limits, std::vector<Spot>* spots)

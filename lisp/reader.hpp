@@ -66,8 +66,8 @@ class Source {
   Failure failure_at(const std::vector<std::size_t>& path, std::string symbol, std::string sentence,
                      const std::vector<std::string>& context = {}) const;
   std::size_t offset_at(const std::vector<std::size_t>& path) const;
-  // What could not be read and was mended, in the order of the text: then the data are only good for finding more that
-  // is wrong.
+  // The faults that were mended while reading, in the order of the text: then the data are only good for finding more
+  // that is wrong.
   const std::vector<SourceError>& errors() const { return errors_; }
   Failure failure_of(const SourceError& error) const;
 

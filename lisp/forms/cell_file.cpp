@@ -1,5 +1,6 @@
 #include "lisp/forms/cell_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -116,6 +117,19 @@ std::optional<CellSlave> slave_from_datum(const Datum& slave, const std::string&
                    .rate_hz = slave[6].number()};
 }
 
+std::vector<CellSchemeAgent> scheme_agents_from_datum(const Datum& agents, const std::string& file) {
+  std::vector<CellSchemeAgent> out;
+  for (const Datum& agent : agents.items()) {
+    out.push_back({.name = std::string(agent[0].text()),
+                   .file = beside(file, std::string(agent[1].text())),
+                   .time_ms = static_cast<int>(agent[2].number()),
+                   .memory_mb = static_cast<int>(agent[3].number()),
+                   .messages_per_s = agent[4].number(),
+                   .key = beside(file, std::string(agent[5].text()))});
+  }
+  return out;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -142,6 +156,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.eyes = eyes_from_datum(datum[17], file);
   cell.slave = slave_from_datum(datum[18], file);
   cell.arm_rate_hz = datum[20].number();
+  cell.scheme_agents = scheme_agents_from_datum(datum[21], file);
   return cell;
 }
 
@@ -155,6 +170,11 @@ Result<CellDescription> interpret_cell(const Result<Source>& source) {
 }
 
 }  // namespace
+
+const CellSchemeAgent* scheme_agent_called(const CellDescription& cell, std::string_view name) {
+  const auto found = std::ranges::find(cell.scheme_agents, name, &CellSchemeAgent::name);
+  return found == cell.scheme_agents.end() ? nullptr : &*found;
+}
 
 CubePlacement cube_from_datum(const Datum& normalised) {
   return {std::string(normalised[0].text()),

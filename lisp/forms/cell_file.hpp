@@ -16,6 +16,8 @@
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
 //                                                              ; with (rate 125) it tells its state so often a second
 //                                                              ; with (driver hses "192.168.0.3") it is a real one;
+//                                                              ; with (plugin "libmyarm.so") it has a driver of one's
+//                                                              ; own (drivers/plugin/arm_plugin.hpp);
 //                                                              ; with (gripper ...), gripper_setup.hpp, so is that
 //     (slave crs-t265 (offset 0 0 50) (mirror))                ; a second arm, which the agent follower has follow it:
 //                                                              ; mm in its own base frame, left for right; room,
@@ -24,6 +26,8 @@
 //     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
 //                                                              ; the cell file; left out: on the board alone
 //     (camera (pair (device 0) (device 2)) (calibration "pair.calibration"))   ; camera_setup.hpp
+//     (agent conveyor (scheme "conveyor.scm"))                 ; an agent of one's own (docs/scheme-agents.md); with
+//                                                              ; (time 1000) (memory 64) (rate 1000) (key "FILE")
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
 //     (host "localhost" (agents robot vision planner coordinator person)))
@@ -112,6 +116,16 @@ struct CellSlave {
   double rate_hz = 10;
 };
 
+// An agent that is a Scheme file.
+struct CellSchemeAgent {
+  std::string name;
+  std::string file;  // a path that can be opened
+  int time_ms = 1000;
+  int memory_mb = 64;
+  double messages_per_s = 1000;
+  std::string key;  // the file of the secret with which it comes to the board, empty: its host's
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -141,7 +155,12 @@ struct CellDescription {
   std::string board_address;  // empty: an ipc address of the run
   std::string board_keys;     // the folder of the keys that may come, empty: none are asked for
   std::vector<CellHost> hosts;
+  bool open_loop = false;  // of the coordinator, to compare with; no cell file says so
+  std::vector<CellSchemeAgent> scheme_agents;
 };
+
+// That of this name, or none.
+const CellSchemeAgent* scheme_agent_called(const CellDescription& cell, std::string_view name);
 
 Result<CellDescription> read_cell(std::string_view text, const std::string& file);
 Result<CellDescription> read_cell_file(const std::string& path);

@@ -72,7 +72,7 @@ Result<std::vector<Datum>> goal_from_data(const Domain& domain, const std::vecto
   Result<std::vector<Datum>> goal =
       facts_of(guile::interpret_data(facts, "goals", known(domain, objects_with_types, "closed"_sym)));
   if (goal) return goal;
-  // What is wrong is shown at its place in a text.
+  // A fault is shown at its place in a text.
   std::string text;
   for (const Datum& fact : facts) text += write(fact) + '\n';
   return read_goal(domain, text, objects_with_types);

@@ -1,6 +1,8 @@
 #pragma once
 
-// Goals as a person types them: `FACT`, `(and FACT ...)` or several FACTs, checked against a domain.
+// Goals as a person types them, checked against a domain: facts, what joins them (goal_formula.hpp), and around a whole
+// goal its stages (then GOAL GOAL ...), or that it is kept (keep GOAL ...), with (wait SECONDS) for missing objects
+// (lisp/modules/pizarra/goals.scm).
 //
 //   auto goal = read_goal(domain, "(and (on circle Triangle) (on triangle square))", {{"circle", "OBJECT"}, ...});
 //   // (on circle triangle), (on triangle square)
@@ -18,8 +20,9 @@
 namespace pizarra::forms {
 
 // `objects_with_types` are what was seen; the domain's own objects are known besides. Failures, all in one report with
-// carets: the reader's, malformed, unknown-predicate, unknown-object, wrong-arity, wrong-type, not-ground, negated,
-// contradictory (a fact both wanted and not wanted), too-many (500). Whether a plan exists is the planner's to say.
+// carets: the reader's, malformed, unknown-predicate, unknown-object, unknown-type, wrong-arity, wrong-type,
+// not-ground, contradictory (a fact both wanted and not wanted), too-many (500). Whether a plan exists is the planner's
+// to say.
 Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text,
                                      const std::vector<std::pair<std::string, std::string>>& objects_with_types);
 

@@ -52,7 +52,7 @@ class Perception {
   std::vector<Datum> facts_;
 };
 
-// What the rules found, (ok (FACT ...)), or their failure.
+// The facts that the rules found, (ok (FACT ...)), or their failure.
 Result<std::vector<Datum>> found_facts(const Datum& outcome);
 
 }  // namespace pizarra::forms

@@ -153,7 +153,7 @@ Read<Datum> read_problem(const Source& source, const PlanningDomain& domain) {
   return std::unexpected(joined(operators.error(), facts ? std::vector<Failure>() : facts.error()));
 }
 
-// What is wrong with a problem as far as its domain, which is wrong, can be understood.
+// The problem's faults, as far as its domain, which is wrong too, can be understood.
 std::vector<Failure> wrong_beside(const Source& source, const Source& domain) {
   if (kind_of(domain) != FileKind::domain) return {};
   std::vector<Failure> unfit = misfit(source, is_pddl(domain));

@@ -49,7 +49,7 @@ Result<PlanningFiles> read_planning_files(const Source& domain, const Source& pr
 // operators that do not fit together with what is wrong in the facts.
 Result<PlanningDomain> read_planning_domain(const Source& source, const Source* facts = nullptr);
 Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain);
-// What is wrong with a problem as far as its domain, which is wrong, can be understood.
+// The problem's faults, as far as its domain, which is wrong too, can be understood.
 Result<void> check_planning_problem(const Source& source, const Source& domain);
 
 }  // namespace pizarra::forms

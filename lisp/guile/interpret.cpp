@@ -61,7 +61,7 @@ std::size_t end_of_atom(const Source& source, std::size_t offset) {
 
 }  // namespace
 
-// Of what could not be read, nothing else is said at the same place.
+// A place that could not be read gets no second error.
 std::vector<Failure> failures_of(const Source& source, std::span<const Datum> errors) {
   std::vector<Failure> failures;
   auto unread = source.errors().begin();

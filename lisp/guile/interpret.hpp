@@ -1,7 +1,7 @@
 #pragma once
 
-// What a person wrote, interpreted by one of our Scheme modules: text in, normalised Datum or one report of all errors
-// out.
+// A text that a person wrote, interpreted by one of our Scheme modules: text in, normalised Datum or one report of all
+// errors out.
 //
 // `(pizarra MODULE)` exports `interpret` (or another `procedure`), which gets the list of all data of the source, and
 // the `more` arguments, and returns `(ok VALUE)` or `(errors (symbol "sentence" (path ...) ("context" ...)) ...)`,

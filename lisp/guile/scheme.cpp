@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lisp/guile/convert.hpp"
+#include "lisp/shipped.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
 // What Guile allocates once and keeps where the leak sanitizer does not look is no leak of ours.
@@ -23,7 +24,7 @@ namespace {
 
 using guile::Builder;
 
-// What one call needs, kept in a frame that no non-local exit skips.
+// The data of one call, kept in a frame that no non-local exit skips.
 struct Call {
   const std::string& module;
   const std::string& procedure;
@@ -89,12 +90,13 @@ Failure explain(Call& call) {
           {}};
 }
 
+SCM from_text(const std::string& text) { return scm_from_utf8_stringn(text.data(), text.size()); }
+
 SCM start_body(void*) {
   const SCM load_path = scm_c_public_variable("guile", "%load-path");
   const SCM compiled_path = scm_c_public_variable("guile", "%load-compiled-path");
-  scm_variable_set_x(load_path, scm_cons(scm_from_utf8_string(PIZARRA_SCHEME_SOURCE), scm_variable_ref(load_path)));
-  scm_variable_set_x(compiled_path,
-                     scm_cons(scm_from_utf8_string(PIZARRA_SCHEME_COMPILED), scm_variable_ref(compiled_path)));
+  scm_variable_set_x(load_path, scm_cons(from_text(shipped_file("lisp/modules")), scm_variable_ref(load_path)));
+  scm_variable_set_x(compiled_path, scm_cons(from_text(compiled_modules()), scm_variable_ref(compiled_path)));
   return SCM_UNSPECIFIED;
 }
 

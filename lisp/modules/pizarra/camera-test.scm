@@ -1,6 +1,6 @@
 (use-modules (pizarra cell) (pizarra checks))
 
-;; What a cell file with these words in its (camera ...) becomes, or how many complaints it has and the first one.
+;; The value of a cell file with these words in its (camera ...), or how many complaints it has and the first one.
 (define (camera . words)
   (let ((outcome (interpret `((cell c (camera ,@words))))))
     (if (eq? (car outcome) 'ok)

@@ -75,7 +75,7 @@
   (let ((node (section-in found 'tones)))
     (or (and node (choice-at node 1 "what is taken" '(colour grey))) 'colour)))
 
-;; What has an effect only on some cameras is refused for the others.
+;; An option that has an effect only on some cameras is refused for the others.
 (define (check-settings arrangement sources found)
   (let ((exposure (section-in found 'exposure))
         (skew (section-in found 'skew)))
@@ -84,7 +84,7 @@
     (when (and skew (not (eq? arrangement 'pair)))
       (complain! skew 'malformed "only the images of a (pair ...) come at two moments"))))
 
-;; What an image's pixels mean in mm must be known, by a calibration or by the numbers of a rectified pair.
+;; The size of a pixel in mm must be known, by a calibration or by the numbers of a rectified pair.
 (define (check-geometry node arrangement found)
   (let ((calibration (section-in found 'calibration))
         (focal (section-in found 'focal))

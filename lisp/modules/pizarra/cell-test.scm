@@ -12,10 +12,10 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10)))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 ())))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 ()))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -98,10 +98,12 @@
        (list (driver-of '(driver universal "ur" 1 2)) (driver-of '(driver c500c "/dev/ttyS1" "/dev/ttyS0"))
              (driver-of '(driver ethernet-server "nx")) (driver-of '(driver bsc "/dev/ttyS0"))
              (driver-of '(driver simple-message-track "f3"))
-             (driver-of '(driver simple-message-track-big-endian "f3" 50240 50241)))
+             (driver-of '(driver simple-message-track-big-endian "f3" 50240 50241))
+             (driver-of '(driver motoros "up6")) (driver-of '(driver motoros-big-endian "up6" 1 2)))
        '((universal ("ur") (1 2 29999)) (c500c ("/dev/ttyS1" "/dev/ttyS0") ()) (ethernet-server ("nx") (80))
          (bsc ("/dev/ttyS0") ()) (simple-message-track ("f3") (11000 11002))
-         (simple-message-track-big-endian ("f3") (50240 50241))))
+         (simple-message-track-big-endian ("f3") (50240 50241))
+         (motoros ("up6") (50240 50241)) (motoros-big-endian ("up6") (1 2))))
 (check "a protocol that is not known is refused"
        (complaint '(arm crs-f3 (driver hse "a"))) '(1 unknown-name (0 2 2 1)))
 (check "a controller has an address" (complaint '(arm crs-f3 (driver hses))) '(1 malformed (0 2 2)))
@@ -123,6 +125,29 @@
 (check "an offset has three lengths" (complaint '(slave crs-f3 (offset 10 20))) '(1 malformed (0 2 2)))
 (check "agents of a second arm need one"
        (complaint '(host "a" (agents robot slave follower))) '(2 unknown-agent (0 2 2 2)))
+(check "another agent of a kind is called by its number"
+       (agents-of '(host "a" (agents robot vision vision-2 planner-3))) '(robot vision vision-2 planner-3))
+(check "a number makes no kind" (complaint '(host "a" (agents robt-2))) '(1 unknown-agent (0 2 2 1)))
+(check "another agent needs a device as the first does"
+       (complaint '(host "a" (agents robot pan-tilt-2))) '(1 unknown-agent (0 2 2 2)))
+;; Agents that are Scheme files.
+(define (scheme-agents-of . parts)
+  (list-ref (cadr (interpret `((cell c ,@parts)))) 21))
+(check "an agent of one's own has a file and limits"
+       (list (scheme-agents-of '(agent belt (scheme "b.scm")))
+             (scheme-agents-of '(agent belt (scheme "b.scm") (time 50) (memory 16) (rate 10) (key "k"))) (scheme-agents-of))
+       '(((belt "b.scm" 1000 64 1000 "")) ((belt "b.scm" 50 16 10 "k")) ()))
+(check "the one host runs it"
+       (memq 'belt (caar (list-tail (cadr (interpret '((cell c (agent belt (scheme "b.scm")))))) 8)))
+       '(belt))
+(check "hosts that are named must name it"
+       (complaint '(agent belt (scheme "b.scm")) '(host "a" (agents robot))) '(1 unknown-agent (0 2)))
+(check "an agent has a file" (complaint '(agent belt (time 50))) '(1 malformed (0 2 3)))
+(check "an agent has a name of its own"
+       (complaint '(agent robot (scheme "b.scm"))) '(1 repeated (0 2 1)))
+(check "no two agents have one name"
+       (complaint '(agent a (scheme "b.scm")) '(agent a (scheme "c.scm"))) '(1 repeated (0 3)))
+(check "limits are within their bounds" (complaint '(agent a (scheme "b.scm") (time 5))) '(1 out-of-range (0 2 3 1)))
 (check "every error is told" (complaint '(wrld) '(arm kr3) '(host "a" (agents robt))) '(3 unknown-section (0 2)))
 
 (finish-checks)

@@ -3,7 +3,8 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
+;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...)))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
@@ -11,7 +12,7 @@
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
 ;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or ();
 ;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own; RATE how
-;; often a second the arm tells its state.
+;; often a second the arm tells its state; the last the agents that are Scheme files.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -214,11 +215,22 @@
          (or (and (host-name? name) name)
              (complain! (node-ref node index) 'malformed "a host's name has letters, digits, dashes and dots")))))
 
-(define (agent-of node)
-  (let ((kind (symbol-of node "an agent")))
-    (and kind
-         (or (find (lambda (known) (eq? known kind)) known-kinds)
-             (complain! node 'unknown-agent "there is no agent ~a~a" kind (suggestion kind known-kinds))))))
+;; Another of a kind is called KIND-NUMBER, as vision-2.
+(define (kind-of-agent name)
+  (let* ((text (symbol->string name))
+         (dash (string-rindex text #\-))
+         (number (if dash (substring text (+ dash 1)) "")))
+    (if (and (positive? (string-length number)) (string-every char-set:digit number))
+        (string->symbol (substring text 0 dash))
+        name)))
+
+(define (agent-of node added)
+  (let ((name (symbol-of node "an agent")))
+    (and name
+         (if (or (memq name added) (memq (kind-of-agent name) known-kinds))
+             name
+             (complain! node 'unknown-agent "there is no agent ~a~a" name
+                        (suggestion name (append known-kinds added)))))))
 
 ;; What a named host has: (KEY AGENT-NODE ...), KEY the file of the secret with which it comes to a board elsewhere.
 (define (things-of-host host)
@@ -227,22 +239,58 @@
     (cons (text-of-section found 'key "the file of the host's key" "")
           (if agents (node-rest agents) '()))))
 
-(define (hosts-of nodes missing)
+;; ADDED are the agents that are Scheme files.
+(define (hosts-of nodes missing added)
   (if (null? nodes)
-      (list (cons* "localhost" "" (lset-difference eq? kinds missing)))
+      (list (cons* "localhost" "" (append (lset-difference eq? kinds missing) added)))
       (let* ((named (filter (lambda (node) (host-at node 1)) nodes))
              (things (map things-of-host named)))
         (refuse-repeated named (lambda (node) (node-datum (node-ref node 1))) "a host")
         (refuse-repeated (append-map cdr things) node-datum "a host for the agent")
         (map (lambda (node things-of-it)
-               (cons* (node-datum (node-ref node 1)) (car things-of-it) (filter-map agent-of (cdr things-of-it))))
+               (cons* (node-datum (node-ref node 1)) (car things-of-it)
+                      (filter-map (lambda (agent) (agent-of agent added)) (cdr things-of-it))))
              named things))))
+
+;; (agent NAME (scheme "FILE") (time MS) (memory MB) (rate N) (key "FILE")) as (NAME FILE MS MB N KEY), or #f.
+(define (scheme-agent-of node)
+  (let* ((name (plain-name-at node 1 "the agent's name"))
+         (inside (node-within node (if name (string-append "in agent " (symbol->string name)) "in an agent")))
+         (found (sections (let ((rest (node-rest inside))) (if (pair? rest) (cdr rest) '()))
+                          '(scheme time memory rate key)))
+         (file (section-in found 'scheme)))
+    (when (and name (memq (kind-of-agent name) known-kinds))
+      (complain! (node-ref node 1) 'repeated "the cell has an agent ~a of its own: take another name" name))
+    (unless file
+      (complain-missing! inside '(scheme) "the agent needs its file: (scheme \"FILE\")"))
+    (and name file
+         (list name
+               (or (string-at file 1 "the agent's file") "")
+               (first (numbers-in found 'time '((10 60000)) '(1000)))
+               (first (numbers-in found 'memory '((8 4096)) '(64)))
+               (first (numbers-in found 'rate '((1 100000)) '(1000)))
+               (text-of-section found 'key "the file of the agent's key" "")))))
+
+(define (scheme-agents-of nodes)
+  (refuse-repeated nodes (lambda (node) (let ((name (node-ref node 1))) (and name (node-datum name)))) "an agent")
+  (filter-map scheme-agent-of (at-most nodes 16 "agents that are Scheme files")))
+
+;; Complains about those that no host runs.
+(define (refuse-idle nodes agents hosts)
+  (for-each (lambda (agent)
+              (unless (any (lambda (host) (memq (car agent) (cddr host))) hosts)
+                (complain! (find (lambda (node) (eq? (node-datum (node-ref node 1)) (car agent))) nodes)
+                           'unknown-agent "no host runs ~a: name it in a host's (agents ...)" (car agent))))
+            agents))
 
 ;; Complains about every host's agent of this kind, which the cell has nothing for.
 (define (refuse-agent hosts refused sentence)
   (for-each (lambda (host)
               (let* ((agents (find (lambda (item) (eq? (node-head item) 'agents)) (node-rest host)))
-                     (node (and agents (find (lambda (kind) (eq? (node-datum kind) refused)) (node-rest agents)))))
+                     (node (and agents
+                              (find (lambda (agent)
+                                      (and (symbol? (node-datum agent)) (eq? (kind-of-agent (node-datum agent)) refused)))
+                                    (node-rest agents)))))
                 (when node (complain! node 'unknown-agent sentence))))
             hosts))
 
@@ -275,11 +323,24 @@
     (simple-message-big-endian ("the controller's address") (11000 11002))
     (simple-message-track ("the controller's address") (11000 11002))
     (simple-message-track-big-endian ("the controller's address") (11000 11002))
+    (motoros ("the controller's address") (50240 50241))
+    (motoros-big-endian ("the controller's address") (50240 50241))
     (c500c ("the file of the motion's line" "the file of the state's line") ())))
 
 (define (driver-of found)
-  (let ((driver (section-in found 'driver)))
-    (if driver (driver-of-section driver protocols) '())))
+  (let ((driver (section-in found 'driver)) (plugin (section-in found 'plugin)))
+    (cond ((and driver plugin) (complain! plugin 'repeated "an arm has either a driver or a plug-in") '())
+          (plugin (list 'plugin (list (or (plugin-at plugin) "")) '()))
+          (driver (driver-of-section driver protocols))
+          (else '()))))
+
+;; The file of a plug-in, which has no folder: those that plug-ins may lie in are the machine's.
+(define (plugin-at node)
+  (let ((file (string-at node 1 "the plug-in's file")))
+    (and file
+         (if (string-index file #\/)
+             (complain! (node-ref node 1) 'malformed "a plug-in is named by its file's name alone, such as libmyarm.so")
+             file))))
 
 (define (gripper-of found)
   (let ((gripper (section-in found 'gripper)))
@@ -319,8 +380,8 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera pan-tilt objects domain board host)
-                          '(host)))
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera pan-tilt objects domain board agent host)
+                          '(agent host)))
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
@@ -328,7 +389,7 @@
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
-         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver gripper rate)) '()))
+         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver plugin gripper rate)) '()))
          (slave (section-in found 'slave))
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
@@ -336,9 +397,14 @@
          (own-cameras (section-in found 'camera))
          (named-hosts (sections-in found 'host))
          ;; A person who sees the simulation alone moves no real arm by it, unless told to.
-         (real (or own-cameras (section-in arm-parts 'driver)))
-         (hosts (hosts-of named-hosts (append (if has-unit '() '(pan-tilt)) (if real simulated-kinds '()))))
+         (real (or own-cameras (section-in arm-parts 'driver) (section-in arm-parts 'plugin)))
+         (agent-nodes (sections-in found 'agent))
+         (agents (scheme-agents-of agent-nodes))
+         (hosts (hosts-of named-hosts
+                          (append (if has-unit '() '(pan-tilt)) (if real simulated-kinds '()))
+                          (map first agents)))
          (board (board-of found hosts)))
+    (refuse-idle agent-nodes agents hosts)
     (unless has-unit
       (refuse-agent named-hosts 'pan-tilt
                     "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))
@@ -367,7 +433,8 @@
           (if own-cameras (camera-of-section own-cameras) '())
           (if slave (slave-of (node-within slave "in the second arm") arms) '())
           (gripper-of arm-parts)
-          (rate-of arm-parts))))
+          (rate-of arm-parts)
+          agents)))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -2,7 +2,7 @@
 
 (define protocols '((tcp ("the host") (80 81)) (lines ("the first line" "the second") ())))
 
-;; What these words say, or how many complaints they have and the first one.
+;; The value of these words, or how many complaints they have and the first one.
 (define (driver . words)
   (let ((outcome (interpreting `((driver ,@words))
                                (lambda (root) (driver-of-section (first (node-items root)) protocols)))))

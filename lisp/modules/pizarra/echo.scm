@@ -1,4 +1,4 @@
-;; What the tests of the passage between C++ and Scheme call.
+;; The procedures that the tests of the passage between C++ and Scheme call.
 
 (define-module (pizarra echo)
   #:use-module (pizarra forms)

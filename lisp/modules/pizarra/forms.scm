@@ -33,7 +33,7 @@
 (define complaints (make-parameter '()))
 (define complaint-count (make-parameter 0))
 
-;; What comes after so many is not noted, and nearest names are looked for only at the first: a text may be all wrong.
+;; Complaints beyond so many are not noted, and nearest names are looked for only at the first: a text may be all wrong.
 (define most-complaints 1000)
 (define most-suggestions 100)
 

@@ -1,6 +1,7 @@
 (use-modules (pizarra cell) (pizarra checks))
 
-;; What a cell file with these words in its arm's (gripper ...) becomes, or how many complaints it has and the first one.
+;; The value of a cell file with these words in its arm's (gripper ...), or how many complaints it has and the first
+;; one.
 (define (gripper . words)
   (let ((outcome (interpret `((cell c (arm crs-f3 (gripper ,@words)))))))
     (if (eq? (car outcome) 'ok)

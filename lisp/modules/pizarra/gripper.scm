@@ -12,7 +12,7 @@
 
 (define protocols '((modbus ("the gripper's address") (502))))
 
-;; What it is told, what it tells, and where that is on Robotiq's two-finger grippers.
+;; The values written to a gripper, the values read from it, and their registers on Robotiq's two-finger grippers.
 (define orders
   '((activate 1000 8 1) (go 1000 11 1) (target 1001 0 8) (speed 1002 8 8) (force 1002 0 8)))
 (define states

@@ -2,7 +2,7 @@
 ;;
 ;;   (operator NAME (params (<p> TYPE) ...) (preconds FACT ...) (effects FACT ... (del FACT ...) ...))
 ;;
-;; A deletion may also be Graphplan's (del PREDICATE ARGUMENT ...). What types and facts there are is the file's business:
+;; A deletion may also be Graphplan's (del PREDICATE ARGUMENT ...). The caller decides which types and facts there are:
 ;; (pizarra strips) knows declared ones, (pizarra planning-operators) those that the operators speak of.
 
 (define-module (pizarra operators)

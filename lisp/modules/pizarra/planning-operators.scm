@@ -2,10 +2,10 @@
 ;; FACT) ...)), one after another. Nothing is declared: types and predicates are those that the operators speak of.
 ;;
 ;; (interpret DATA) answers (errors ...) or (ok (domain ...)) as (pizarra pddl-domain) does. A predicate's arguments
-;; have the type `*`, which is any. (interpret DATA FACTS), FACTS being the data of a facts file, also complains about
-;; what is no object of the facts, and about types that no object has and that are a slip of the pen.
-;; (interpret-beside FACTS DATA), DATA being those of an operator file that is wrong, answers the facts' errors as far as
-;; the operators can be understood.
+;; have the type `*`, which is any. (interpret DATA FACTS), FACTS being the data of a facts file, makes two complaints
+;; more: about names that are no object of the facts, and about types that no object has and that look misspelt.
+;; (interpret-beside FACTS DATA), DATA being those of an operator file that is wrong, answers the facts' errors as far
+;; as the operators can be understood.
 
 (define-module (pizarra planning-operators)
   #:use-module (srfi srfi-1)

@@ -24,6 +24,9 @@
 (check "an unknown operation of the hand is refused" (complaint '(when (a) (hand pull circle)))
        '(1 unknown-action (0 4 2)))
 (check "an operation's arguments are counted" (complaint '(when (a) (hand push circle 4))) '(1 malformed (0 4 2)))
+(check "fingers may be clumsy" (car (story '(before-goal (fingers slips 0.15 2 6.5) (fingers misplace 0.5)))) 'ok)
+(check "a chance is at most 1" (complaint '(before-goal (fingers slips 1.5 2 6))) '(1 malformed (0 4 1)))
+(check "fingers do not push" (complaint '(before-goal (fingers push))) '(1 unknown-action (0 4 1)))
 (check "an unknown expectation is refused" (complaint '(expect glory)) '(1 malformed (0 4)))
 (check "a story needs cell and goal" (length (interpret '((scenario "s")) 50)) 3)
 

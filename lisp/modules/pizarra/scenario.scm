@@ -24,15 +24,36 @@
           ((= (- (length (node-items node)) 2) arguments) #t)
           (else (complain! node 'malformed "(hand ~a ...) takes ~a arguments" operation arguments)))))
 
+;; The same of what makes the gripper's fingers clumsy.
+(define (fingers-operation? node)
+  (define (ranged ranges)
+    (let ((numbers (map node-datum (drop (node-items node) 2))))
+      (or (and (= (length numbers) (length ranges))
+               (every (lambda (number range) (and (real? number) (<= (first range) number (second range))))
+                      numbers ranges))
+          (complain! node 'malformed
+                     "it is (fingers slip), (fingers slips CHANCE DRAWS SECONDS) or (fingers misplace PART)"))))
+  (case (symbol-at node 1 "what the fingers do")
+    ((slip) (ranged '()))
+    ((slips) (ranged '((0 1) (1 10) (0 600))))
+    ((misplace) (ranged '((0 1))))
+    ((#f) #f)
+    (else (complain! node 'unknown-action "what fingers do is slip, slips or misplace"))))
+
 (define (action? node)
   (let ((head (and (pair? (node-datum node)) (car (node-datum node)))))
     (case head
       ((hand) (hand-operation? node))
+      ((fingers) (fingers-operation? node))
       ((wait) (and (numbers-of node '((0 600))) #t))
       ((goal) (fact-forms? (node-rest node)))
-      ((kill restart) (and (symbol-at node 1 "the agent") #t))
+      ((kill) (and (symbol-at node 1 "the agent") #t))
+      ((restart) (and (symbol-at node 1 "the agent")
+                      (or (= (length (node-items node)) 2) (string-at node 2 "the host"))
+                      #t))
+      ((wire) (and (symbol-at node 1 "the client") (symbol-at node 2 "the role") (symbol-at node 3 "the agent") #t))
       (else
-       (complain! node 'unknown-action "an action is one of hand, kill, restart, wait, goal")))))
+       (complain! node 'unknown-action "an action is one of hand, fingers, kill, restart, wire, wait, goal")))))
 
 (define (actions-of nodes)
   (map node-datum (filter action? nodes)))

@@ -71,7 +71,7 @@
          (let ((unit (and (symbol? (cadr words)) (assq-ref units (cadr words)))))
            (and unit (cons (* unit number) (cddr words)))))))
 
-;; What PART of a pattern takes from the head of WORDS: (VALUE . REST), VALUE #f where it says nothing, or #f.
+;; The value that PART of a pattern takes from the head of WORDS: (VALUE . REST), VALUE #f where it says nothing, or #f.
 (define (taken part words)
   (cond ((eq? part '<length>) (measured words length-units))
         ((eq? part '<angle>) (measured words angle-units))
@@ -82,7 +82,7 @@
         ((pair? part) (and (memq (car words) part) (cons (car words) (cdr words))))
         (else (and (eq? part (car words)) (cons #f (cdr words))))))
 
-;; What was found where WORDS say PATTERN, in order, or #f.
+;; The values found where WORDS say PATTERN, in order, or #f.
 (define (found-in pattern words)
   (let loop ((pattern pattern) (words words) (found '()))
     (if (null? pattern)

@@ -12,7 +12,7 @@
   #:use-module (pizarra operators)
   #:export (interpret read-fact typed-term))
 
-(define reserved '(and or not del add))
+(define reserved '(and or not = forall exists at-least then keep wait del add))
 
 ;; Of types, predicates, objects and facts.
 (define most-in-section 1000)
