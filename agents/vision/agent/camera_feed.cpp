@@ -22,6 +22,10 @@ bool fits(const camera::StereoModel& model, const std::shared_ptr<const Image>& 
 constexpr int least_side_px = 64;
 constexpr int most_side_px = camera::largest_image.width;
 
+std::size_t bytes_of(const camera::StereoFrame& frame) {
+  return frame.left->pixels.size() + frame.right->pixels.size();
+}
+
 // Why the camera cannot be used; empty where it can.
 std::string trouble_with(const camera::StereoModel& model) {
   const auto fits = [](int side) { return side >= least_side_px && side <= most_side_px; };
@@ -67,6 +71,34 @@ Task<Result<camera::StereoFrame>> CameraFeed::next(Time after, Duration timeout)
   co_return fail("no-image", "the camera's images cannot be read: " + drops.why_corrupt);
 }
 
+Result<camera::StereoFrame> CameraFeed::kept(std::uint64_t number) const {
+  const auto frame = std::ranges::lower_bound(kept_, number, {}, &camera::StereoFrame::number);
+  const bool there = frame != kept_.end() && kept_.front().number <= number;
+  if (there) return *frame;
+  const std::string which = kept_.empty()
+                                ? std::string("none is")
+                                : fmt::format("those from {} to {} are", kept_.front().number, kept_.back().number);
+  return fail("frame-gone", fmt::format("frame {} is not kept: {}", number, which), to_datum(number));
+}
+
+Task<Result<camera::StereoFrame>> CameraFeed::next_in_turn(Time after, Duration timeout) {
+  const auto frame = std::ranges::upper_bound(kept_, after, {}, &camera::StereoFrame::captured);
+  if (frame == kept_.end()) co_return co_await next(after, timeout);
+  const camera::StereoFrame found = *frame;
+  // However many are kept, requests come in between.
+  co_await sleep(executor_, Duration(0));
+  co_return found;
+}
+
+void CameraFeed::keep(const camera::StereoFrame& frame) {
+  kept_.push_back(frame);
+  kept_bytes_ += bytes_of(frame);
+  while (kept_.size() > most_kept || kept_bytes_ > most_kept_bytes) {
+    kept_bytes_ -= bytes_of(kept_.front());
+    kept_.pop_front();
+  }
+}
+
 Task<void> CameraFeed::run() {
   const std::string no_trouble;
   Duration pause = first_pause;
@@ -83,6 +115,8 @@ Task<void> CameraFeed::run() {
     if (trouble.empty()) {
       model_ = *model;
       latest_ = {};
+      kept_.clear();
+      kept_bytes_ = 0;
       co_await change_to(State::open, no_trouble);
       co_await capture(wanted_since);
       if (!wanted_) continue;
@@ -107,6 +141,7 @@ Task<void> CameraFeed::capture(Time after) {
     if (good) {
       corrupt = 0;
       latest_ = *frame;
+      keep(*frame);
       after = frame->captured;
       waiting_.wake_all();
       const Time begun = executor_.now();

@@ -9,6 +9,7 @@
 //   feed.stop();                                   // ends after the frame in hand
 //   feed.abandon();                                // at once; not from inside a handler
 
+#include <deque>
 #include <functional>
 
 #include "blackboard/time/latch.hpp"
@@ -43,11 +44,20 @@ class CameraFeed {
   // comes in time.
   Task<Result<camera::StereoFrame>> next(Time after, Duration timeout);
 
+  // What was seen lately is kept, for who points at something that has moved on since.
+  static constexpr std::size_t most_kept = 200;
+  static constexpr std::size_t most_kept_bytes = 48 << 20;
+  // The frame of this number, or the first one after it where nobody took that one. Failure: frame-gone.
+  Result<camera::StereoFrame> kept(std::uint64_t number) const;
+  // The first of those that were captured later than `after`, kept or to come. Failure: no-image.
+  Task<Result<camera::StereoFrame>> next_in_turn(Time after, Duration timeout);
+
  private:
   Task<void> run();
   // What the camera captures later than `after`.
   Task<void> capture(Time after);
   Task<void> change_to(State state, std::string trouble);
+  void keep(const camera::StereoFrame& frame);
 
   Executor& executor_;
   camera::StereoCamera& camera_;
@@ -57,7 +67,9 @@ class CameraFeed {
   State state_ = State::closed;
   std::string trouble_;
   std::optional<camera::StereoModel> model_;
-  camera::StereoFrame latest_;  // since the camera was opened
+  camera::StereoFrame latest_;            // since the camera was opened
+  std::deque<camera::StereoFrame> kept_;  // the same
+  std::size_t kept_bytes_ = 0;
   WaitList waiting_;
   Job job_;
 };

@@ -1,7 +1,9 @@
 #include "agents/vision/agent/reply_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <ranges>
 
 namespace pizarra::vision {
@@ -45,6 +47,28 @@ Datum places_datum(const SeenPlaces& places) {
   return Datum::list(std::move(out));
 }
 
+Datum pose_datum(const MarkPose& pose) {
+  const cv::Matx33d& r = pose.turn;
+  const double degrees = 180 / std::numbers::pi;
+  std::vector<Datum> out{"pose"_sym};
+  const auto add = [&](double value, double parts) { out.push_back(to_datum(rounded(value, parts))); };
+  add(pose.place_mm[0], 100);
+  add(pose.place_mm[1], 100);
+  add(pose.place_mm[2], 100);
+  add(degrees * std::atan2(r(2, 1), r(2, 2)), 100);
+  add(degrees * std::asin(std::clamp(-r(2, 0), -1.0, 1.0)), 100);
+  add(degrees * std::atan2(r(1, 0), r(0, 0)), 100);
+  std::vector<Datum> covariance;
+  const auto unit = [&](int i) { return i < 3 ? 1 : degrees; };
+  for (int i = 0; i < 6; ++i) {
+    for (int k = i; k < 6; ++k) {
+      covariance.push_back(to_datum(rounded(pose.covariance(i, k) * unit(i) * unit(k), 10000)));
+    }
+  }
+  out.push_back(Datum::list(std::move(covariance)));
+  return Datum::list(std::move(out));
+}
+
 Datum found_fact(std::uint64_t frame, const FoundMark& found) {
   constexpr std::size_t most_others = 8;
   const SeenPair& pair = found.pair;
@@ -55,9 +79,15 @@ Datum found_fact(std::uint64_t frame, const FoundMark& found) {
   }
   const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
   const SeenRange range = found.range.value_or(SeenRange());
+  Datum places = places_datum({pair.left.centre, right, range.mm, range.spread_mm});
+  if (found.pose) {
+    std::vector<Datum> with_pose(places.items().begin(), places.items().end());
+    with_pose.push_back(pose_datum(*found.pose));
+    places = Datum::list(std::move(with_pose));
+  }
   return list("found"_sym, found.name, frame, rounded(found.confidence, 1000),
               likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
-              Datum::list(std::move(elsewhere)), places_datum({pair.left.centre, right, range.mm, range.spread_mm}));
+              Datum::list(std::move(elsewhere)), std::move(places));
 }
 
 Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {

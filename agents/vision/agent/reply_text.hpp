@@ -27,7 +27,12 @@ struct SeenPlaces {
 };
 Datum places_datum(const SeenPlaces& places);
 
-// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES): of other places where it may be, eight at most.
+// (pose X Y Z RX RY RZ (C ...)): mm from the middle of the base line, degrees about x, then y, then z, and the upper
+// triangle of the covariance of the place and of small turns about the camera's axes.
+Datum pose_datum(const MarkPose& pose);
+
+// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES), with the pose where that is known: of other places
+// where it may be, eight at most.
 Datum found_fact(std::uint64_t frame, const FoundMark& found);
 
 // One look: (look FRAME TEXT (("a" seen CONFIDENCE PART ...) ("b" bridged CONFIDENCE PART ...) ("c" lost) ...)), TEXT

@@ -87,6 +87,7 @@ const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::s
       {.word = "reject", .turn = beside, .run = &State::reject},
       {.word = "forget", .turn = brief, .run = &State::forget},
       {.word = "rename", .turn = brief, .run = &State::rename},
+      {.word = "learn-from", .turn = brief, .run = &State::learn_from},
   };
   const auto found = std::ranges::find(operations, word, &Operation::word);
   assert(found != std::end(operations) && "the contract offers no others");

@@ -11,6 +11,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
 (contract vision
   (offers
     (learn (x number) (y number) (name string))
+    (learn (x number) (y number) (frame integer) (name string))
     (find (name string))
     (track (name string))
     (end-track)
@@ -21,6 +22,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (accept (name string))
     (reject (name string))
     (forget (name string))
+    (learn-from (other symbol))
     (rename (name string) (new-name string)))
   (posts
     (relation vision-mode ((eyes symbol) (mode symbol) (connected symbol)) (key eyes))
@@ -47,7 +49,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation camera-drops ((eyes symbol) (late integer) (skewed integer) (corrupt integer)) (key eyes))
     (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
   (reads learned learned-template learned-focal found)
-  (configures (learn accept reject forget rename connect disconnect keep))
+  (configures (learn learn-from accept reject forget rename connect disconnect keep))
   (monitors (vision-mode camera-state objects-damaged)))
 )scheme";
 

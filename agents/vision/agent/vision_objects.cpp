@@ -100,6 +100,25 @@ Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
   co_return Datum();
 }
 
+// What other eyes have learned under names that nothing is learned under here. Answers the names.
+Task<Result<Datum>> VisionAgent::State::learn_from(Asked asked) {
+  co_await follow_memory();
+  const Result<LearnedObjects> theirs = co_await memory.known_to(asked.name);
+  if (!theirs) co_return fail(theirs);
+  std::vector<Datum> learned;
+  for (const LearnedObject& object : theirs->all()) {
+    if (objects.find(object.name) != nullptr) continue;
+    for (const LearnedSample& sample : object.samples) {
+      ObjectChange keep = KeepSample{object.name, sample};
+      const Result<std::int64_t> kept = co_await change_objects(std::move(keep));
+      if (!kept) co_return fail(kept);
+    }
+    learned.push_back(Datum::string(object.name));
+  }
+  co_await tell_objects();
+  co_return Datum::list(std::move(learned));
+}
+
 Task<void> VisionAgent::State::follow_memory() {
   const SampleNames before = names_of_samples();
   const Result<bool> changed = co_await memory.recall_changed();

@@ -1,5 +1,6 @@
 // What a client asks of the eyes.
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "agents/vision/agent/reply_text.hpp"
@@ -24,7 +25,9 @@ Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
   const auto& [client, operation, name, came] = asked;
   co_await begin_learning(client);
   const cv::Point2d click(operation[1].number(), operation[2].number());
-  Result<LearnedSample> sample = co_await learn_sample(name, click, came);
+  std::optional<std::uint64_t> clicked;
+  if (operation.size() > 4) clicked = static_cast<std::uint64_t>(std::max<std::int64_t>(0, operation[3].integer()));
+  Result<LearnedSample> sample = co_await learn_sample(name, click, clicked, came);
   Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
   if (sample) {
     ObjectChange keep = KeepSample{name, std::move(*sample)};
@@ -42,11 +45,18 @@ Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
   co_return answer;
 }
 
-Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, cv::Point2d click, Time asked) {
+Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, cv::Point2d click,
+                                                             std::optional<std::uint64_t> clicked, Time asked) {
   learner.emplace(name, click, objects);
   Time after = asked;
+  if (clicked) {
+    const Result<camera::StereoFrame> shown = feed.kept(*clicked);
+    if (!shown) co_return fail(shown);
+    after = shown->captured - Duration(1);
+  }
   while (!learner->done()) {
-    const Result<camera::StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
+    auto taken = clicked ? feed.next_in_turn(after, longest_frame_wait) : feed.next(after, longest_frame_wait);
+    const Result<camera::StereoFrame> frame = co_await taken;
     if (!frame) co_return fail(frame);
     after = frame->captured;
     const GreyPair grey = grey_pair(*frame);

@@ -55,8 +55,11 @@ struct VisionAgent::State {
   Task<Result<Datum>> reject(Asked asked);
   Task<Result<Datum>> forget(Asked asked);
   Task<Result<Datum>> rename(Asked asked);
+  Task<Result<Datum>> learn_from(Asked asked);
 
-  Task<Result<LearnedSample>> learn_sample(std::string name, cv::Point2d click, Time asked);
+  // `clicked`: the frame that was pointed at; where none is said, the next one.
+  Task<Result<LearnedSample>> learn_sample(std::string name, cv::Point2d click, std::optional<std::uint64_t> clicked,
+                                           Time asked);
   Task<Result<SeenMark>> find_mark(std::string name, Time asked);
   // Why there is no object of this name: it was never learned, or is damaged.
   Failure not_known(const std::string& name) const;

@@ -151,26 +151,39 @@ const Failure* ObjectMemory::trouble_with(std::string_view object) const {
 
 // What an earlier life of the agent left on the board.
 Task<Result<void>> ObjectMemory::recall_facts() {
-  const Result<std::vector<Fact>> samples = co_await context_.board.facts(samples_);
+  Result<Recalled> recalled = co_await read_facts(context_.name);
+  if (!recalled) co_return fail(recalled);
+  objects_ = std::move(recalled->objects);
+  troubles_ = std::move(recalled->troubles);
+  co_return Result<void>();
+}
+
+Task<Result<LearnedObjects>> ObjectMemory::known_to(std::string agent) {
+  Result<Recalled> recalled = co_await read_facts(std::move(agent));
+  if (!recalled) co_return fail(recalled);
+  co_return std::move(recalled->objects);
+}
+
+Task<Result<ObjectMemory::Recalled>> ObjectMemory::read_facts(std::string agent) {
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(any_of(agent, "learned"_sym, 8));
   if (!samples) co_return fail(samples);
-  const Result<std::vector<Fact>> templates = co_await context_.board.facts(templates_);
+  const Result<std::vector<Fact>> templates = co_await context_.board.facts(any_of(agent, "learned-template"_sym, 10));
   if (!templates) co_return fail(templates);
-  const Result<std::vector<Fact>> focals = co_await context_.board.facts(focals_);
+  const Result<std::vector<Fact>> focals = co_await context_.board.facts(any_of(agent, "learned-focal"_sym, 3));
   if (!focals) co_return fail(focals);
-  objects_ = LearnedObjects();
-  troubles_.clear();
+  Recalled recalled;
   for (const Fact& fact : *samples) {
     Result<LearnedSample> sample = sample_of(fact, *templates, *focals);
-    const Result<LearnedObjects::Slot> slot = objects_.slot_for(fact.datum[2].text());
+    const Result<LearnedObjects::Slot> slot = recalled.objects.slot_for(fact.datum[2].text());
     if (sample && slot) {
-      objects_.add(slot->name, std::move(*sample));
+      recalled.objects.add(slot->name, std::move(*sample));
     } else {
       Failure why = sample ? slot.error() : sample.error();
       why.subject = fact.datum[2];
-      troubles_.push_back({std::string(fact.datum[2].text()), std::move(why)});
+      recalled.troubles.push_back({std::string(fact.datum[2].text()), std::move(why)});
     }
   }
-  co_return Result<void>();
+  co_return recalled;
 }
 
 // The facts become what the database says.

@@ -36,6 +36,8 @@ class ObjectMemory {
   // Failures: full, not-learned, name-taken, those of the database and of the board.
   // The id of the sample that was kept; 0 where none was to be, or in no database.
   Task<Result<std::int64_t>> change(ObjectChange change);
+  // What other eyes know, by what stands on the board of it. Failures: the board's.
+  Task<Result<LearnedObjects>> known_to(std::string agent);
   // What keeps a sample of that name from being used; null: nothing does.
   const Failure* trouble_with(std::string_view object) const;
 
@@ -46,6 +48,11 @@ class ObjectMemory {
   // What was read, or, where that failed, what the board remembers.
   Task<Result<void>> take_up(Result<KeptObjects> kept);
   Task<Result<void>> recall_facts();
+  struct Recalled {
+    LearnedObjects objects;
+    std::vector<MemoryTrouble> troubles;
+  };
+  Task<Result<Recalled>> read_facts(std::string agent);
   Task<Result<void>> tell_objects();
 
   runtime::AgentContext& context_;

@@ -18,6 +18,7 @@ namespace pizarra::vision {
 
 struct SeenMark {
   MarkTone tone = MarkTone::dark;
+  bool flattened = false;       // its signature is one from the front, its tilt undone (plane_look.hpp)
   std::optional<Tag> tag = {};  // where it is one; its shape then says nothing
   // Of a tag, to a fraction of a pixel, clockwise from its own upper left one.
   std::array<cv::Point2f, 4> corners{};

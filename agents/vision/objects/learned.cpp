@@ -103,6 +103,7 @@ void LearnedSample::set_picture(const MarkTemplate& new_picture) {
   picture = new_picture;
   for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = turned_signatures_of(picture, blurs[i]);
   std::ranges::transform(signatures.front().by_part, outlines.begin(), outline_of);
+  if (!tag) plane = plane_outline(picture);
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

@@ -18,6 +18,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 #include "agents/vision/marks/mark_outline.hpp"
+#include "agents/vision/marks/plane_outline.hpp"
 #include "agents/vision/marks/tag.hpp"
 
 namespace pizarra::vision {
@@ -50,6 +51,7 @@ struct LearnedSample {
   std::array<TurnedSignatures, blurs.size()> signatures;
   // Of `picture`, by the part of a step that it is turned: between samples a corner's point may hide.
   std::array<MarkOutline, TurnedSignatures::parts> outlines;
+  PlaneOutline plane = {};  // of `picture`
 
   bool size_guessed() const { return size_by == SizeBy::guessed || size_by == SizeBy::guessed_face; }
   // The size of its face as it was seen, where that is known: to a pair of cameras a guess is nothing.

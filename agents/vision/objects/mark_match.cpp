@@ -9,6 +9,8 @@ namespace {
 constexpr double impossible = std::numeric_limits<double>::infinity();
 const MarkMatch same_tag{.error = 0, .shape_error = 0};
 constexpr double least_slimness = 0.55;
+// Of what is seen as from the front however far it is tilted.
+constexpr double least_flattened = 0.3;
 // Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
 constexpr double roundness_weight = 0.25;
 constexpr double ordinary_spread = 0.01;
@@ -46,7 +48,8 @@ bool has_size(const SeenMark& mark, const LearnedSample& sample) {
 // Of shapes, whatever their size.
 MarkMatch shape_match(const SeenMark& mark, const LearnedSample& sample, double weight,
                       std::optional<int> last_turn = {}) {
-  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return {};
+  const double slimmest = mark.flattened ? least_flattened : least_slimness;
+  if (mark.tone != sample.tone || mark.slimness < slimmest * sample.slimness) return {};
   // The parameters first: where they differ too much the shapes need not be compared.
   const double roundness = roundness_error(mark, sample, weight);
   if (roundness > recognition_threshold) return {};
@@ -77,6 +80,12 @@ MarkMatch nearest(const LearnedObject& object, auto match) {
 
 double scale_of(const SeenMark& mark, const LearnedSample& sample) {
   const double as_learned = 1 / enlarged(mark, sample);
+  if (mark.flattened) {
+    // No tilt shortens the longer axis.
+    const double longer =
+        std::sqrt(mark.width_px * mark.width_px + mark.height_px * mark.height_px) / std::hypot(1, mark.slimness);
+    return as_learned * longer / sample.height_px;
+  }
   const double by_height = as_learned * mark.height_px / sample.height_px;
   if (sample.slimness >= least_round) return by_height;
   const double by_area = as_learned * std::sqrt(mark.area_px / sample.area_px);

@@ -19,7 +19,7 @@ inline constexpr double recognition_threshold = 0.085;
 inline constexpr double least_round = 0.9;
 
 // How many times as large as it was learned an object is looked for.
-inline constexpr double least_scale = 0.5;
+inline constexpr double least_scale = 0.35;
 inline constexpr double most_scale = 1.8;
 // More than this no lens that is nearly focused blurs.
 inline constexpr double widest_blur_px = 2.2;

@@ -93,11 +93,13 @@ double larger_when_learned(const LearnedObject& object, const SeenMark& mark) {
 
 }  // namespace
 
-double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& mark) {
-  const double slimness = front_slimness(object);
+double may_be_off_by_size_px(const LearnedObject& object, const SeenMark& mark) {
   const double longer_px = std::sqrt(spread_product_px2(mark) / mark.slimness);
-  return std::max(may_be_off_by_shape_px(mark, slimness),
-                  motion_by_corner * larger_when_learned(object, mark) * longer_px);
+  return motion_by_corner * larger_when_learned(object, mark) * longer_px;
+}
+
+double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& mark) {
+  return std::max(may_be_off_by_shape_px(mark, front_slimness(object)), may_be_off_by_size_px(object, mark));
 }
 
 double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& seen, const SeenMark& left) {

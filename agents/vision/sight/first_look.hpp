@@ -21,5 +21,7 @@ double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& now
 // along a side; no other shape is left as slim as it was and its own. So a triangle that looks smaller than it ever
 // looked when it was learned is whole and farther away, or it is not; and nobody knows.
 double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& left);
+// By how large a triangle looks alone; of anything else 0.
+double may_be_off_by_size_px(const LearnedObject& object, const SeenMark& left);
 
 }  // namespace pizarra::vision

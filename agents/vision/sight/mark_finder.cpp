@@ -10,8 +10,11 @@
 namespace pizarra::vision {
 namespace {
 
-// With less nothing speaks for it: it is told as 0.000.
-constexpr double least_confidence = 0.0005;
+// With less hardly anything speaks for it.
+constexpr double least_confidence = 0.03;
+// With more no other place is looked at; and by so much another one must be surer.
+constexpr double clearly_sure = 0.35;
+constexpr double clearly_surer = 0.3;
 
 std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
   for (const SeenMark& mark : marks) {
@@ -40,6 +43,7 @@ Result<FoundMark> MarkFinder::find(StereoSight& sight, const LearnedObject& obje
                 to_datum(object.name));
   }
   found->range = range_of(sight, object, found->pair, found->confidence);
+  found->pose = pose_of(sight.model(), object, found->pair, found->range);
   found_at_.insert_or_assign(object.name, FoundAt{found->pair.left.centre, now});
   return std::move(*found);
 }
@@ -66,8 +70,42 @@ void MarkFinder::rename(const Renames& renames) {
   found_at_ = std::move(now);
 }
 
+// Before one camera, where nothing says which of several is meant, the surest one: a window of a house is a square as
+// well, but for its perspective.
+std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObject& object) const {
+  std::optional<SeenPair> best = sight.find(objects_, object, {}, 0, {}, place_of(object.name));
+  if (best) look_at_plane(sight, object, *best);
+  if (best && (best->right || place_of(object.name))) return best;
+  double most = best ? confidence_at_first(sight, object, *best) : 0;
+  const auto take_surer = [&](SeenPair&& other) {
+    look_at_plane(sight, object, other);
+    const double confidence = confidence_at_first(sight, object, other);
+    if (best ? confidence < most + clearly_surer : confidence < least_confidence) return;
+    most = confidence;
+    best = std::move(other);
+  };
+  if (best && most < clearly_sure) {
+    for (const SeenMark& mark : sight.left_segmentation().marks()) {
+      const std::optional<Likeness> likely = recognise(mark, objects_, object);
+      if (likely && !best->left.box.contains(mark.centre)) {
+        take_surer({.left = mark, .right = std::nullopt, .likeness = *likely});
+      }
+    }
+  }
+  if (most < clearly_sure) {
+    for (SeenPair& thorough : sight.find_in_plane(objects_, object)) take_surer(std::move(thorough));
+  }
+  return best;
+}
+
+// Of a tilted face the middle is not where the centroid of what is seen is; to a pair these say how far away it is.
+void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pair) {
+  pair.plane = view_plane(sight.left_segmentation().cut(), sight.model(), object, pair.left);
+  if (pair.plane && pair.plane->agrees && !pair.right) pair.left.centre = pair.plane->fit.in_image({0, 0});
+}
+
 std::optional<FoundMark> MarkFinder::find_shape(StereoSight& sight, const LearnedObject& object) const {
-  std::optional<SeenPair> pair = sight.find(objects_, object, {}, 0, {}, place_of(object.name));
+  std::optional<SeenPair> pair = surest(sight, object);
   if (!pair) return std::nullopt;
   const std::vector<SeenMark>& marks = sight.left_segmentation().marks();
   pair->likeness.twins = twins_of(marks, objects_, object, pair->left);

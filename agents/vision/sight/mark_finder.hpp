@@ -10,6 +10,7 @@
 #include <map>
 
 #include "agents/vision/objects/renames.hpp"
+#include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/seen_range.hpp"
 #include "blackboard/time/clock.hpp"
 
@@ -21,6 +22,7 @@ struct FoundMark {
   std::vector<cv::Point2d> elsewhere;
   double confidence = 0;
   std::optional<SeenRange> range = {};
+  std::optional<MarkPose> pose = {};
 };
 
 struct FoundPlace {
@@ -42,6 +44,8 @@ class MarkFinder {
   void rename(const Renames& renames);
 
  private:
+  std::optional<SeenPair> surest(StereoSight& sight, const LearnedObject& object) const;
+  static void look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pair);
   std::optional<FoundMark> find_shape(StereoSight& sight, const LearnedObject& object) const;
   std::optional<FoundMark> find_tag(StereoSight& sight, const LearnedObject& object) const;
   // Why none of the marks is the object: like another one as much, or like none.

@@ -24,7 +24,7 @@ constexpr double edge_phase_px = 0.28;
 constexpr double clearly_whole = 0.97;
 constexpr double least_covered_px = 0.2;
 
-double squared(double x) { return x * x; }
+double square(double x) { return x * x; }
 
 // Of the motion of the mark's centre along x, for each px that all its edges along y would move: those of which each
 // lies between the same two columns of pixels, for only their phases do not cancel.
@@ -33,7 +33,7 @@ double moved_by_upright_edges(const SeenMark& mark) {
   double squares = 0;
   int begun_at = contour.back().x;
   int length = 0;
-  const auto end_edge = [&] { squares += squared(length * (begun_at - mark.centre.x)); };
+  const auto end_edge = [&] { squares += square(length * (begun_at - mark.centre.x)); };
   for (const cv::Point& p : contour) {
     if (p.x != begun_at) {
       end_edge();
@@ -52,7 +52,7 @@ double moved_by_upright_edges(const SeenMark& mark) {
 double disparity_by_phase_px(const SeenMark& left) {
   if (left.tag) return tag_phase_px;
   if (!is_large_mark(left.box)) return ordinary_phase_px;
-  return std::hypot(ordinary_phase_px, edge_phase_px * squared(moved_by_upright_edges(left)));
+  return std::hypot(ordinary_phase_px, edge_phase_px * square(moved_by_upright_edges(left)));
 }
 
 double disparity_if_covered_px(const SeenMark& left, const SeenMark& right) {
@@ -70,17 +70,17 @@ struct TiltError {
 TiltError error_by_tilt(const camera::StereoModel& model, const SeenMark& left, const FacePlane& plane, double range) {
   const double depth = model.base_line_mm / plane.along_sight;
   const double disparity = plane.along_sight * model.focal_px;
-  const double xx = squared(left.width_px);
+  const double xx = square(left.width_px);
   const double with_x = plane.across * xx + plane.down * left.slant_px2;
-  const double with_y = plane.across * left.slant_px2 + plane.down * squared(left.height_px);
-  const double by_noise = squared(plane.across_spread) * xx;
-  const double of_depth = std::max(0.0, plane.across * with_x + plane.down * with_y - by_noise) / squared(disparity);
+  const double with_y = plane.across * left.slant_px2 + plane.down * square(left.height_px);
+  const double by_noise = square(plane.across_spread) * xx;
+  const double of_depth = std::max(0.0, plane.across * with_x + plane.down * with_y - by_noise) / square(disparity);
   const double sight_x = (plane.x * depth - model.base_line_mm / 2) / range;
   const double sight_y = plane.y * depth / range;
   const double sight_z = depth / range;
   const double along = of_depth * (plane.x * sight_x + plane.y * sight_y + sight_z);
   const double beside = (sight_x * with_x + sight_y * with_y) / (model.focal_px * disparity);
-  const double noise = by_noise / squared(disparity);
+  const double noise = by_noise / square(disparity);
   return {-4 * depth * (along - beside), 4 * (2 * std::sqrt(of_depth * noise) + noise)};
 }
 
@@ -88,6 +88,14 @@ std::optional<SeenRange> range_of_tag(const camera::StereoModel& model, double f
   const std::optional<TagPose> pose = tag_pose(model, left.corners, side_of_square(face_mm));
   if (!pose) return std::nullopt;
   return SeenRange{pose->range_mm, std::hypot(spread_by_size * pose->range_mm, pose->range_spread_mm)};
+}
+
+SeenRange range_of_pose(const camera::StereoModel& model, const PlanePose& pose) {
+  const Eigen::Vector3d place(pose.place_mm[0] - model.base_line_mm / 2, pose.place_mm[1], pose.place_mm[2]);
+  const double range = place.norm();
+  const Eigen::Vector3d sight = place / range;
+  const double variance = sight.dot(pose.covariance.topLeftCorner<3, 3>() * sight);
+  return {range, std::hypot(spread_by_size * range, std::sqrt(variance))};
 }
 
 // A mark that is as high as it is wide is foreshortened along one line alone, so that its larger principal standard
@@ -109,27 +117,28 @@ SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const Se
   const camera::StereoDeviations& known = model.deviations;
   const double disparity = left.centre.x - right.centre.x;
   const double range = range_mm(model, left.centre, disparity);
-  double variance_px2 = squared(centre_noise_px(left, sight.noise())) + squared(centre_noise_px(right, sight.noise())) +
-                        squared(disparity_by_phase_px(left)) + squared(known.disparity_px);
-  if (confidence_in_whole < clearly_whole) variance_px2 += squared(disparity_if_covered_px(left, right));
+  double variance_px2 = square(centre_noise_px(left, sight.noise())) + square(centre_noise_px(right, sight.noise())) +
+                        square(disparity_by_phase_px(left)) + square(known.disparity_px);
+  if (confidence_in_whole < clearly_whole) variance_px2 += square(disparity_if_covered_px(left, right));
   const TiltError tilt = error_by_tilt(model, left, plane, range);
-  const double part = std::sqrt(variance_px2 / squared(disparity) + squared(known.focal_px / model.focal_px) +
-                                squared(known.base_line_mm / model.base_line_mm) + squared(tilt.part_spread));
+  const double part = std::sqrt(variance_px2 / square(disparity) + square(known.focal_px / model.focal_px) +
+                                square(known.base_line_mm / model.base_line_mm) + square(tilt.part_spread));
   return {range - tilt.mm, part * range};
 }
 
 std::optional<SeenRange> range_by_size(const camera::StereoModel& model, const LearnedObject& object,
-                                       const SeenMark& left) {
+                                       const SeenMark& left, const PlaneView* plane) {
   const auto size_of = [&](const LearnedSample& s) { return model.is_single() ? s.face_mm() : s.measured_face_mm(); };
   const auto sized = std::ranges::find_if(object.samples, [&](const LearnedSample& s) { return size_of(s) > 0; });
   if (sized == object.samples.end()) return std::nullopt;
-  return left.tag ? range_of_tag(model, size_of(*sized), left)
-                  : range_of_shape(model, size_of(*sized), front_slimness(object), left);
+  if (left.tag) return range_of_tag(model, size_of(*sized), left);
+  if (plane != nullptr && plane->pose) return range_of_pose(model, *plane->pose);
+  return range_of_shape(model, size_of(*sized), front_slimness(object), left);
 }
 
 std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
                                   double confidence) {
-  if (!pair.right) return range_by_size(sight.model(), object, pair.left);
+  if (!pair.right) return range_by_size(sight.model(), object, pair.left, pair.plane ? &*pair.plane : nullptr);
   const FacePlane plane = face_plane(sight.model(), pair.left, *pair.right);
   const double in_whole = confidence_in_whole(confidence, pair.left.tag ? 1 : pair.likeness.confidence());
   return range_by_pair(sight, pair.left, *pair.right, plane, in_whole);

@@ -36,9 +36,9 @@ SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const Se
 
 // The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how large it looks and how large it
 // was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
-// its size.
+// its size. `plane`: where it was looked for.
 std::optional<SeenRange> range_by_size(const camera::StereoModel& model, const LearnedObject& object,
-                                       const SeenMark& left);
+                                       const SeenMark& left, const PlaneView* plane = nullptr);
 
 // By the pair, or by its size where the right image does not show it. `confidence`: what of the likeness's is left.
 std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,

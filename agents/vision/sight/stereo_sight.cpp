@@ -142,11 +142,46 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
     if (best == nullptr) return std::nullopt;
     const SeenMark* partner = partner_of(*best);
     const Likeness likely = *recognise(*best, objects, object);
-    if (partner == nullptr && is_cut_off(object, *best)) return SeenPair{*best, std::nullopt, likely};
-    if (partner != nullptr && is_whole(model_, object, *best, *partner)) return SeenPair{*best, *partner, likely};
+    if (partner == nullptr && is_cut_off(object, *best))
+      return SeenPair{.left = *best, .right = std::nullopt, .likeness = likely};
+    if (partner != nullptr && is_whole(model_, object, *best, *partner))
+      return SeenPair{.left = *best, .right = *partner, .likeness = likely};
     candidates.erase(candidates.begin() + (best - candidates.data()));
   }
   return std::nullopt;
+}
+
+std::vector<SeenPair> StereoSight::looks_in_plane(ImageSegmentation& segmentation, Regions& regions,
+                                                  const LearnedObjects& objects, const LearnedObject& object) const {
+  std::vector<SeenPair> out;
+  for (const LearnedSample& sample : object.samples) {
+    std::optional<std::vector<LevelRegion>>& of_tone = regions[static_cast<std::size_t>(sample.tone)];
+    if (!of_tone) of_tone = level_regions(segmentation.image(), sample.tone);
+    for (const LevelRegion& region : *of_tone) {
+      std::optional<PlaneLook> look = seen_in_plane(segmentation.cut(), sample, region);
+      if (!look) continue;
+      look->mark.focal_px = model_.focal_px;
+      const std::optional<Likeness> likely = recognise(look->mark, objects, object);
+      if (likely) out.push_back({.left = std::move(look->mark), .right = std::nullopt, .likeness = *likely});
+    }
+  }
+  std::ranges::sort(out, {}, [](const SeenPair& seen) { return seen.likeness.error; });
+  return out;
+}
+
+std::vector<SeenPair> StereoSight::find_in_plane(const LearnedObjects& objects, const LearnedObject& object) {
+  std::vector<SeenPair> seen = looks_in_plane(left_segmentation(), left_regions_, objects, object);
+  if (model_.is_single() || seen.empty()) return seen;
+  const std::vector<SeenPair> in_right = looks_in_plane(right_segmentation(), right_regions_, objects, object);
+  std::erase_if(seen, [&](SeenPair& pair) {
+    for (const SeenPair& other : in_right) {
+      if (!are_partners(pair.left, other.left) || !is_whole(model_, object, pair.left, other.left)) continue;
+      pair.right = other.left;
+      return false;
+    }
+    return !is_cut_off(object, pair.left);
+  });
+  return seen;
 }
 
 std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect> area,
@@ -171,7 +206,7 @@ std::optional<SeenPair> StereoSight::pair_of(const Tag& tag, std::vector<SeenMar
     if (&other != &*left && !may_be_one_cube(*left, other, square)) return std::nullopt;
   }
   const Likeness likely{.error = 0, .doubt = left->tag_doubt, .unlearned = left->tag_doubt};
-  SeenPair out{std::move(*left), std::nullopt, likely};
+  SeenPair out{.left = std::move(*left), .right = std::nullopt, .likeness = likely};
   if (model_.is_single()) return out;
   const auto take_partner = [&](std::vector<SeenMark> right) {
     std::erase_if(right, [&](const SeenMark& mark) { return !are_tag_partners(out.left, mark); });

@@ -5,11 +5,13 @@
 //   StereoSight sight(left, right, model);
 //   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
 
+#include <array>
 #include <optional>
 #include <span>
 
 #include "agents/vision/marks/segmentation.hpp"
 #include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/sight/plane_view.hpp"
 #include "agents/vision/sight/stereo.hpp"
 
 namespace pizarra::vision {
@@ -18,6 +20,7 @@ struct SeenPair {
   SeenMark left;
   std::optional<SeenMark> right;  // absent where the right image does not show it
   Likeness likeness = {};
+  std::optional<PlaneView> plane = {};  // of the left image, where it was looked for
 };
 
 class StereoSight {
@@ -40,6 +43,10 @@ class StereoSight {
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0,
                                std::span<const cv::Point2d> others = {}, std::optional<cv::Point2d> seen_last = {});
+  // The object anywhere, more thoroughly: its outline is registered with every closed region of any light whose outline
+  // is about it. Where an image has a shadow's edge across the mark, and where it is far away or turned away far.
+  // The likest first.
+  std::vector<SeenPair> find_in_plane(const LearnedObjects& objects, const LearnedObject& object);
   // A tag in both images: within `area` of the left one where that is given, but at none of `others`; nowhere in the
   // right one where that does not show it. Where several cubes bear it, none of them.
   std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Rect> area = {},
@@ -53,6 +60,10 @@ class StereoSight {
  private:
   // In the right image; null: none.
   const SeenMark* partner_of(const SeenMark& left);
+  // In one image, the likest first; `regions` are computed once.
+  using Regions = std::array<std::optional<std::vector<LevelRegion>>, 2>;  // by tone
+  std::vector<SeenPair> looks_in_plane(ImageSegmentation& segmentation, Regions& regions, const LearnedObjects& objects,
+                                       const LearnedObject& object) const;
   // Of those that are seen in the left image the one that is meant, with its partner.
   std::optional<SeenPair> pair_of(const Tag& tag, std::vector<SeenMark> seen, std::optional<double> disparity_px) const;
 
@@ -62,6 +73,8 @@ class StereoSight {
   double noise_;
   std::optional<ImageSegmentation> left_segmentation_;
   std::optional<ImageSegmentation> right_segmentation_;
+  Regions left_regions_;
+  Regions right_regions_;
   std::optional<ImageSegmentation> right_rows_;  // beside the first mark whose partner was looked for
 };
 

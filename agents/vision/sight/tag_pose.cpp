@@ -1,6 +1,8 @@
 #include "agents/vision/sight/tag_pose.hpp"
 
+#include <Eigen/Dense>
 #include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 namespace pizarra::vision {
@@ -17,15 +19,25 @@ std::vector<cv::Point3d> square_of(double side_mm) {
   return {{-half, half, 0}, {half, half, 0}, {half, -half, 0}, {-half, -half, 0}};
 }
 
-// Of the range, by that of each corner: the first three unknowns are the turn, the next three the place.
-double variance_of_range(const cv::Mat& slopes, const cv::Vec3d& sight) {
-  const cv::Mat by_unknowns = slopes.colRange(0, 6);
-  const cv::Mat normal = by_unknowns.t() * by_unknowns;
-  const cv::Mat1d covariance = normal.inv(cv::DECOMP_SVD);
-  const cv::Mat1d of_place = covariance(cv::Rect(3, 3, 3, 3));
-  const cv::Mat1d along = cv::Mat(sight);
-  const cv::Mat1d variance = along.t() * of_place * along;
-  return corner_spread_px * corner_spread_px * variance(0, 0);
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// By that of each corner: half the inverse of the normal matrix of a small turn and step about the camera's axes.
+Matrix6 covariance_of(const std::vector<cv::Point3d>& square, const cv::Matx33d& turned, const cv::Vec3d& middle,
+                      double focal_px) {
+  Matrix6 normal = Matrix6::Zero();
+  for (const cv::Point3d& corner : square) {
+    const cv::Vec3d arm = turned * cv::Vec3d(corner.x, corner.y, corner.z);
+    const cv::Vec3d at = arm + middle;
+    Eigen::Matrix<double, 2, 3> by_place;
+    by_place << 1, 0, -at[0] / at[2], 0, 1, -at[1] / at[2];
+    by_place *= focal_px / at[2];
+    Eigen::Matrix3d by_turn;
+    by_turn << 0, arm[2], -arm[1], -arm[2], 0, arm[0], arm[1], -arm[0], 0;
+    Eigen::Matrix<double, 2, 6> slopes;
+    slopes << by_place, by_place * by_turn;
+    normal += slopes.transpose() * slopes;
+  }
+  return corner_spread_px * corner_spread_px * normal.inverse();
 }
 
 }  // namespace
@@ -45,8 +57,7 @@ std::optional<TagPose> tag_pose(const camera::StereoModel& model, const std::arr
   cv::Vec3d middle(places.front());
   cv::solvePnPRefineLM(square, seen, camera, cv::noArray(), turn, middle);
   std::vector<cv::Point2d> expected;
-  cv::Mat slopes;
-  cv::projectPoints(square, turn, middle, camera, cv::noArray(), expected, slopes);
+  cv::projectPoints(square, turn, middle, camera, cv::noArray(), expected);
   const double side_px = cv::arcLength(std::vector<cv::Point2f>(corners.begin(), corners.end()), true) / 4;
   const double off_px = cv::norm(expected, seen, cv::NORM_INF);
   if (!(middle[2] > 0) || !(off_px < most_off_share * side_px)) return std::nullopt;
@@ -54,8 +65,12 @@ std::optional<TagPose> tag_pose(const camera::StereoModel& model, const std::arr
   const double range = cv::norm(from_base);
   cv::Matx33d turned;
   cv::Rodrigues(turn, turned);
-  return TagPose{middle, turned * cv::Vec3d(0, 0, 1), range,
-                 std::sqrt(variance_of_range(slopes, from_base * (1 / range)))};
+  const Matrix6 covariance = covariance_of(square, turned, middle, model.focal_px);
+  const Eigen::Vector3d sight = Eigen::Vector3d(from_base[0], from_base[1], from_base[2]) / range;
+  const double variance = sight.dot(covariance.topLeftCorner<3, 3>() * sight);
+  // From up and towards the camera to down and away.
+  const cv::Matx33d read(1, 0, 0, 0, -1, 0, 0, 0, -1);
+  return TagPose{middle, turned * read, range, std::sqrt(variance), covariance};
 }
 
 }  // namespace pizarra::vision

@@ -3,12 +3,13 @@
 // Where a tag is and how it is turned, by its four corners in one image and the side of its square.
 //
 //   const std::optional<TagPose> pose = tag_pose(model, corners, 44);
-//   pose->middle_mm, pose->normal, pose->range_spread_mm
+//   pose->middle_mm, pose->turn, pose->range_spread_mm
 //
 // Of a plane's two poses that look nearly alike the likelier one (T. Collins, A. Bartoli, Infinitesimal plane-based
 // pose estimation, International Journal of Computer Vision 109, 2014), then Gauss-Newton steps on where its corners
 // are seen. How far that is off follows from how far corners are, to first order (JCGM 100:2008, 6.2).
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -19,10 +20,11 @@
 namespace pizarra::vision {
 
 struct TagPose {
-  cv::Vec3d middle_mm;     // from the left camera: x right, y down, z along its axis
-  cv::Vec3d normal;        // of its face, a unit vector towards the camera
-  double range_mm;         // from the middle of the base line
-  double range_spread_mm;  // a standard deviation, by how far its corners may be off
+  cv::Vec3d middle_mm;                     // from the left camera: x right, y down, z along its axis
+  cv::Matx33d turn;                        // its axes: right, down and away, as it is read
+  double range_mm;                         // from the middle of the base line
+  double range_spread_mm;                  // a standard deviation, by how far its corners may be off
+  Eigen::Matrix<double, 6, 6> covariance;  // of the middle, mm, then of a small turn about the camera's axes, rad
 };
 
 // `corners`: in the left image, clockwise from the tag's own upper left one. Nothing where they are no square's.

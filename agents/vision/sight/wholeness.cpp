@@ -1,6 +1,7 @@
 #include "agents/vision/sight/wholeness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "agents/vision/marks/mark_ground.hpp"
 #include "agents/vision/sight/covered_part.hpp"
@@ -10,9 +11,25 @@
 namespace pizarra::vision {
 namespace {
 
-// One camera does not know a face that is turned, or a triangle farther away than it was learned, from one that
-// something covers: where a look says no more than that, it is told at so much at least.
-constexpr double least_if_turned = 0.1;
+// One camera alone: of looks that a tilt, or a straight edge over a part, would make alike, and of triangles that look
+// smaller than they were learned, how many are tilted, or farther away, for each that is covered. Where nothing uneven
+// lies beside the mark, what covers it is as light as its ground, and lies along just such a line.
+struct Odds {
+  double tilted_for_one_covered;
+  double farther_for_one_covered;
+};
+constexpr Odds on_even_ground{20, 12};
+constexpr Odds on_uneven_ground{0.002, 0.05};
+// What is uneven beside an outline that is all there is a shadow's edge about as often as something that covers a part:
+// never sure.
+constexpr double shadow_share = 0.5;
+// An outline whose edges are elsewhere is hardly the mark's; one that is no plane's before this camera may be, where
+// the lens bends what is straight.
+constexpr double if_not_its_outline = 0.45;
+constexpr double if_no_plane = 0.85;
+// A look that is slimmer than this, of what it was learned, may be another object, ever so alike but for being slim.
+constexpr double least_of_slimness = 0.72;
+constexpr double if_slim = 0.87;
 
 void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
   if (whole) {
@@ -24,6 +41,35 @@ void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time capture
 
 FaceSize face_size(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
   return face_size(model, pair.left, *pair.right, front_slimness(object));
+}
+
+double most_by_plane(const PlaneView& plane, double of_learned_slimness) {
+  if (!plane.agrees) return if_not_its_outline;
+  if (plane.pose && plane.pose->is_contradicted()) return if_no_plane;
+  const bool tilt_shows = plane.pose && plane.pose->shows_perspective();
+  return of_learned_slimness < least_of_slimness && !tilt_shows ? if_slim : 1;
+}
+
+// By one camera: a look that is slimmer than the mark is one of all of it, tilted, or of a part of it; perspective says
+// how likely either is. Of what no edges registered nobody knows.
+double confidence_before_one(const LearnedObject& object, const SeenPair& pair, double most_off_px, const Odds& odds) {
+  const double slimness = front_slimness(object);
+  const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
+  const double most = plane != nullptr ? most_by_plane(*plane, pair.left.slimness / slimness) : 1;
+  const double of_whole = std::min(pair.likeness.confidence(), most);
+  const double bent_px = plane != nullptr ? off_if_bent_px(plane->fit) : 0;
+  const auto if_off = [&](double off_px) {
+    return confidence_if_off(of_whole, std::max(bent_px, off_px), most_off_px);
+  };
+  double covered = 1;
+  double covered_of_smaller = 1;
+  if (plane != nullptr && plane->pose) {
+    covered = covered_rather_than_tilted(*plane->pose, odds.tilted_for_one_covered);
+    covered_of_smaller = 1 / (1 + odds.farther_for_one_covered);
+  }
+  const double by_shape = std::lerp(if_off(0), if_off(may_be_off_by_shape_px(pair.left, slimness)), covered);
+  const double by_size = std::lerp(if_off(0), if_off(may_be_off_by_size_px(object, pair.left)), covered_of_smaller);
+  return std::min(by_shape, by_size);
 }
 
 }  // namespace
@@ -40,14 +86,16 @@ double ground_doubt(const StereoSight& sight, const SeenPair& pair) {
 double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
-  const double off_px = pair.right ? may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left)
-                                   : may_be_off_by_learned_px(object, pair.left);
-  const double by_form = confidence_if_off(of_whole, off_px, most_off_px(sight));
-  return pair.right ? by_form : std::max(by_form, least_if_turned * of_whole);
+  if (!pair.right) return confidence_before_one(object, pair, most_off_px(sight), on_even_ground);
+  const double off_px = may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left);
+  return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
 
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
-  return confidence_if_off(confidence_by_form(sight, object, pair), ground_doubt(sight, pair), 1);
+  const double by_ground = confidence_if_off(confidence_by_form(sight, object, pair), ground_doubt(sight, pair), 1);
+  if (pair.right || pair.left.tag || !pair.plane) return by_ground;
+  const double in_shadow = confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);
+  return std::max(by_ground, shadow_share * in_shadow);
 }
 
 Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& now,

@@ -61,7 +61,7 @@ TEST_P(CoveringATriangle, AlongASideLeavesNoTriangle) {
   }
 }
 
-std::string instance_name(const testing::TestParamInfo<Covering::ParamType>& one) {
+std::string covering_name(const testing::TestParamInfo<Covering::ParamType>& one) {
   std::string name = std::get<0>(one.param);
   std::erase(name, '-');
   return name + std::to_string(std::get<1>(one.param));
@@ -70,10 +70,10 @@ std::string instance_name(const testing::TestParamInfo<Covering::ParamType>& one
 INSTANTIATE_TEST_SUITE_P(Seeds, Covering,
                          testing::Combine(testing::Values("circle", "square", "cross", "triangle", "end-effector"),
                                           testing::Range(1, 3)),
-                         instance_name);
+                         covering_name);
 INSTANTIATE_TEST_SUITE_P(Seeds, CoveringATriangle,
                          testing::Combine(testing::Values("triangle", "end-effector"), testing::Range(1, 3)),
-                         instance_name);
+                         covering_name);
 
 }  // namespace
 }  // namespace pizarra::vision

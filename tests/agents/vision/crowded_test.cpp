@@ -9,8 +9,8 @@ namespace pizarra::vision {
 namespace {
 
 const cv::Size image_size(1280, 960);
-constexpr int dark = 40;
-constexpr int light = 190;
+constexpr int dark_grey = 40;
+constexpr int light_grey = 190;
 
 // Dots above, as wide as `dot_px`, and one square of 90 px below them.
 cv::Mat1b dots_above_a_square(int dots, int dot_px, int square_level, int dot_level) {
@@ -32,21 +32,21 @@ const SeenMark* mark_at(ImageSegmentation& segmentation, cv::Point2d place) {
 }
 
 TEST(CrowdedImage, ALargeMarkIsSeenBelowManySpecks) {
-  ImageSegmentation segmentation(dots_above_a_square(300, 16, dark, dark));
+  ImageSegmentation segmentation(dots_above_a_square(300, 16, dark_grey, dark_grey));
   EXPECT_NE(mark_at(segmentation, {549.5, 739.5}), nullptr);
   EXPECT_EQ(segmentation.marks().size(), most_marks);
   EXPECT_EQ(segmentation.left_out(), 301 - most_marks);
 }
 
 TEST(CrowdedImage, DarkSpecksKeepNoLightMarkFromBeingSeen) {
-  ImageSegmentation segmentation(dots_above_a_square(300, 16, light, dark));
+  ImageSegmentation segmentation(dots_above_a_square(300, 16, light_grey, dark_grey));
   const SeenMark* square = mark_at(segmentation, {549.5, 739.5});
   ASSERT_NE(square, nullptr);
   EXPECT_EQ(square->tone, MarkTone::light);
 }
 
 TEST(CrowdedImage, NothingIsLeftOutOfOneThatIsNot) {
-  ImageSegmentation segmentation(dots_above_a_square(100, 16, dark, dark));
+  ImageSegmentation segmentation(dots_above_a_square(100, 16, dark_grey, dark_grey));
   EXPECT_EQ(segmentation.marks().size(), 101);
   EXPECT_EQ(segmentation.left_out(), 0);
 }
@@ -68,9 +68,9 @@ std::string failure_of_learning(const cv::Mat1b& image, cv::Point2d click) {
 }
 
 TEST(CrowdedImage, AMarkIsLearnedBelowSpecksAndASpeckAmongLargerOnesIsToldWhyNot) {
-  EXPECT_EQ(failure_of_learning(dots_above_a_square(300, 16, dark, dark), {550, 740}), "none");
-  cv::Mat1b image = dots_above_a_square(300, 24, dark, dark);
-  cv::circle(image, {1000, 800}, 7, dark, cv::FILLED, cv::LINE_AA);
+  EXPECT_EQ(failure_of_learning(dots_above_a_square(300, 16, dark_grey, dark_grey), {550, 740}), "none");
+  cv::Mat1b image = dots_above_a_square(300, 24, dark_grey, dark_grey);
+  cv::circle(image, {1000, 800}, 7, dark_grey, cv::FILLED, cv::LINE_AA);
   EXPECT_EQ(failure_of_learning(image, {1000, 800}), "crowded");
 }
 

@@ -76,7 +76,7 @@ TEST(Finding, OfAHalfCoveredSquareIsNotSure) {
   EXPECT_GT(found_by_one, 10);
 }
 
-std::string instance_name(const testing::TestParamInfo<Meetings::ParamType>& one) {
+std::string meeting_name(const testing::TestParamInfo<Meetings::ParamType>& one) {
   const char* const ways[] = {"GoesBehindSlowly", "GoesBehindQuickly", "UnderAHand", "BothMove", "HiddenFromTheFirst"};
   std::string name = std::get<0>(one.param);
   std::erase(name, '-');
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Marks, Meetings,
                                           testing::Values(Meeting::Way::mark_slowly, Meeting::Way::mark_quickly,
                                                           Meeting::Way::hand, Meeting::Way::both,
                                                           Meeting::Way::hidden_from_the_first)),
-                         instance_name);
+                         meeting_name);
 
 }  // namespace
 }  // namespace pizarra::vision

@@ -200,7 +200,7 @@ TEST_P(PassingTriangle, IsSureByOneCameraWhileItLooksAsLargeAsItWasLearnedAndAsI
   }
 }
 
-std::string instance_name(const testing::TestParamInfo<Passing::ParamType>& one) {
+std::string passing_name(const testing::TestParamInfo<Passing::ParamType>& one) {
   std::string name = std::get<0>(one.param);
   std::erase(name, '-');
   return name + (std::get<1>(one.param) == Eyes::pair ? "ByAPair" : "ByOneCamera");
@@ -208,11 +208,11 @@ std::string instance_name(const testing::TestParamInfo<Passing::ParamType>& one)
 
 INSTANTIATE_TEST_SUITE_P(Marks, Passing,
                          testing::Combine(testing::ValuesIn(cell_marks()), testing::Values(Eyes::pair, Eyes::one)),
-                         instance_name);
+                         passing_name);
 INSTANTIATE_TEST_SUITE_P(Marks, PassingTriangle,
                          testing::Combine(testing::Values("triangle", "end-effector"),
                                           testing::Values(Eyes::pair, Eyes::one)),
-                         instance_name);
+                         passing_name);
 
 }  // namespace
 }  // namespace pizarra::vision

@@ -114,7 +114,7 @@ TEST_P(Resting, HandUnderWhichTheMarkWasTurnedAndPutElsewhereUncoversItThere) {
   }
 }
 
-std::string instance_name(const testing::TestParamInfo<Resting::ParamType>& one) {
+std::string resting_name(const testing::TestParamInfo<Resting::ParamType>& one) {
   std::string name = std::get<0>(one.param);
   std::erase(name, '-');
   return name + std::to_string(std::get<1>(one.param));
@@ -123,7 +123,7 @@ std::string instance_name(const testing::TestParamInfo<Resting::ParamType>& one)
 INSTANTIATE_TEST_SUITE_P(Seeds, Resting,
                          testing::Combine(testing::Values("circle", "square", "cross", "triangle", "end-effector"),
                                           testing::Range(1, 3)),
-                         instance_name);
+                         resting_name);
 
 }  // namespace
 }  // namespace pizarra::vision

@@ -13,7 +13,7 @@ constexpr double mark_mm = 44;
 constexpr double disparity_px = 12;
 constexpr double noise = 2;
 constexpr double blur_px = 0.7;
-constexpr double surely = 0.9;
+constexpr double told_surely = 0.9;
 constexpr double most_confidence_lost = 0.1;
 
 struct NamedShape {
@@ -109,7 +109,7 @@ class Turned : public testing::TestWithParam<int> {
       }
       EXPECT_EQ(missed, 0) << shape.name;
       EXPECT_EQ(mistaken, 0) << shape.name;
-      EXPECT_GT(least, surely) << shape.name;
+      EXPECT_GT(least, told_surely) << shape.name;
       EXPECT_LT(most - least, most_confidence_lost) << shape.name;
     }
   }

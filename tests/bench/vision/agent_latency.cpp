@@ -18,7 +18,7 @@ double ms(const std::vector<double>& us, double part) {
   return 1e-3 * percentile(std::span(us).subspan(std::min<std::size_t>(first_counted, us.size())), part);
 }
 
-// What an agent tells of a frame, as large and as often anew, under names of the bench's own.
+// The facts that an agent tells of a frame, as large and as often anew, under names of the bench's own.
 class Echo {
  public:
   static constexpr std::string_view contract = R"((contract bench

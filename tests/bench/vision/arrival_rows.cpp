@@ -1,5 +1,5 @@
-// From a frame's arrival in a vision agent's process to the fact that says what was seen in it at a watch in another
-// process, over a board server's socket, by the clock on the wall.
+// The time from a frame's arrival in a vision agent's process to the fact of what it shows at a watch in another
+// process, over a board server's socket, by the wall clock.
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

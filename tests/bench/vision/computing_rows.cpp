@@ -1,5 +1,5 @@
-// What a whole vision agent computes from a frame's arrival to the fact that says what was seen in it, on a board in
-// its own process: nobody else's work on the same core is counted.
+// The computing time of a whole vision agent from a frame's arrival to the fact of what it shows, on a board in its own
+// process: nobody else's work on the same core is counted.
 
 #include <ctime>
 #include <fmt/format.h>

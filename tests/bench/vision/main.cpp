@@ -15,10 +15,19 @@ struct Row {
 };
 
 using namespace pizarra::bench;
-constexpr std::array table = {Row{"find", find_time},  Row{"track", track_time},    Row{"tags", tag_time},
-                              Row{"scenes", recall},   Row{"solids", solids},       Row{"unlearned", unlearned},
-                              Row{"depth", depth},     Row{"sequences", sequences}, Row{"covering", coverings},
-                              Row{"arrival", arrival}, Row{"computing", computing}, Row{"memory", agent_memory}};
+constexpr std::array table = {Row{"find", find_time},
+                              Row{"track", track_time},
+                              Row{"tags", tag_time},
+                              Row{"scenes", recall},
+                              Row{"solids", solids},
+                              Row{"unlearned", unlearned},
+                              Row{"depth", depth},
+                              Row{"sequences", sequences},
+                              Row{"covering", coverings},
+                              Row{"arrival", arrival},
+                              Row{"computing", computing},
+                              Row{"memory", agent_memory},
+                              Row{"photographs", photographs}};
 
 }  // namespace
 
@@ -31,6 +40,8 @@ int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   int scenes = 10000;
   int runs = 1000;
+  int photograph_scenes = 40;
+  std::string photograph_folder;
   for (const Row& row : table) names.emplace_back(row.name);
   app.add_flag("--json", json, "one JSON object a line");
   app.add_option("--only", only, "these rows alone")->check(CLI::IsMember(names))->type_name("ROW");
@@ -40,6 +51,12 @@ int main(int argc, char** argv) {
   app.add_option("--runs", runs, "sequences of either kind to track them through")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  app.add_option("--photographs", photograph_scenes, "scenes of each condition to photograph")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  app.add_option("--photograph-folder", photograph_folder,
+                 "where photographs are, or are to be made and kept; without it they are removed afterwards")
+      ->type_name("FOLDER");
   app.add_option("--seed", seed, "what the scenes, the camera, its noise and what is learned are drawn from")
       ->check(pizarra::programs::seed_check())
       ->capture_default_str();
@@ -55,7 +72,8 @@ int main(int argc, char** argv) {
   pizarra::bench::Figures figures("vision",
                                   json ? pizarra::bench::Figures::Style::json : pizarra::bench::Figures::Style::plain);
   set_scene_seed(seed);
-  VisionBench bench{figures, tag_detectors(), learn_marks(seed), seed, scenes, runs};
+  VisionBench bench{figures, tag_detectors(),   learn_marks(seed), seed, scenes,
+                    runs,    photograph_scenes, photograph_folder};
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
     try {

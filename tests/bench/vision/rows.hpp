@@ -15,6 +15,8 @@ struct VisionBench {
   std::uint64_t seed = 1;
   int scenes = 10000;
   int runs = 1000;
+  int photograph_scenes = 40;
+  std::string photographs = {};  // a folder with some; else they are made
 };
 
 void find_time(VisionBench& bench);     // five objects in one image; and all that one FIND is
@@ -24,6 +26,7 @@ void recall(VisionBench& bench);        // over random scenes
 void solids(VisionBench& bench);        // the same with solid convex things among the clutter
 void unlearned(VisionBench& bench);     // shapes that are like the learned ones
 void depth(VisionBench& bench);         // at 0.6 m
+void photographs(VisionBench& bench);   // on photographs that are not of our renderer
 void sequences(VisionBench& bench);     // hidden for half a second, and moving fast
 void coverings(VisionBench& bench);     // partly covered by a hand
 void arrival(VisionBench& bench);       // from a frame to the fact that says what was seen, in another process

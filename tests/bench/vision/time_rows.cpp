@@ -1,4 +1,5 @@
-// What the eyes compute, in turns with the detectors of tags on the same scenes: one thread each, and its own time.
+// The computing time of the eyes, in turns with the detectors of tags on the same scenes: one thread each, and its own
+// time.
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

@@ -10,8 +10,8 @@ namespace pizarra::bench {
 
 struct UnlearnedShape {
   const char* name;
-  // What no view of a learned shape can be: by a parallelogram a camera cannot know that it is no turned square, by an
-  // ellipse that it is no turned circle, and a square with round corners is one that was badly cut, or is blurred.
+  // What no view of a learned shape can be: a parallelogram may be a turned square, and an ellipse a turned circle, as
+  // far as one camera can know. A square with round corners may be badly cut, or blurred.
   bool no_view_of_a_mark;
   Shape shape;  // about 44 mm across, around the centroid
 };

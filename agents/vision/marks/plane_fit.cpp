@@ -1,0 +1,273 @@
+#include "agents/vision/marks/plane_fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pizarra::vision {
+namespace {
+
+using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
+
+constexpr int steps = 6;
+// How far from where it is expected an edge is looked for: at first a part of the mark's standard deviation, px.
+constexpr double first_reach = 0.4;
+constexpr double least_reach_px = 2.5;
+constexpr int most_reach_px = 12;
+// An edge's change is added up so far to either side of its steepest place, while it is more than a part of that.
+constexpr int spread_px = 5;
+constexpr double least_share = 0.12;
+constexpr double least_contrast = 10;  // grey levels
+// Nearer to a corner than this blur bends a border: the image's, px, and the template's, as a part of the mark's
+// standard deviation.
+constexpr double corner_px = 2.5;
+constexpr double corner_share = 0.25;
+// Perspective: by how much of itself a mark grows over one standard deviation of it.
+constexpr double usual_perspective = 0.03;
+// Of an edge, px: at least so much.
+constexpr double least_edge_spread = 0.08;
+constexpr double biweight = 4.685;
+// What is farther off supports nothing, px and as a part of the mark's standard deviation.
+constexpr double most_off_px = 0.75;
+constexpr double most_off_share = 0.04;
+constexpr double least_found = 0.5;
+
+double level_at(const cv::Mat1b& image, double x, double y) {
+  const int left = static_cast<int>(x);
+  const int top = static_cast<int>(y);
+  const double a = x - left;
+  const double b = y - top;
+  const std::uint8_t* p = image.ptr<std::uint8_t>(top) + left;
+  const std::uint8_t* q = p + image.step;
+  return (1 - b) * ((1 - a) * p[0] + a * p[1]) + b * ((1 - a) * q[0] + a * q[1]);
+}
+
+bool is_within(const cv::Mat1b& image, double x, double y) {
+  return x >= 0 && y >= 0 && x < image.cols - 1 && y < image.rows - 1;
+}
+
+// The grey levels along a normal.
+class Profile {
+ public:
+  static constexpr int longest = 2 * (most_reach_px + spread_px) + 3;
+  Profile(const cv::Mat1b& image, cv::Point2d at, const cv::Vec2d& normal, int reach, double sign)
+      : reach_(reach), sign_(sign) {
+    const int all = reach + spread_px + 1;
+    const auto end = [&](int t) { return is_within(image, at.x + t * normal[0], at.y + t * normal[1]); };
+    while (reach_ > 0 && !(end(-all + reach - reach_) && end(all - reach + reach_))) --reach_;
+    if (reach_ == 0) return;
+    half_ = reach_ + spread_px + 1;
+    for (int t = -half_; t <= half_; ++t) {
+      levels_[static_cast<std::size_t>(t + half_)] = level_at(image, at.x + t * normal[0], at.y + t * normal[1]);
+    }
+  }
+  // Of the edge nearest and steepest; nothing where there is none.
+  bool find(double& off, double& inner, double& outer) const {
+    if (reach_ == 0) return false;
+    int best = 0;
+    double most = 0;
+    for (int t = -reach_; t <= reach_; ++t) {
+      const double far = static_cast<double>(t) / (reach_ + 1);
+      const double steep = change(t) * (1 - far * far / 2);
+      if (steep > most) {
+        most = steep;
+        best = t;
+      }
+    }
+    if (most <= 0) return false;
+    const double least = least_share * change(best);
+    int low = best;
+    int high = best;
+    while (low > best - spread_px && low > -half_ + 1 && change(low - 1) > least) --low;
+    while (high < best + spread_px && high < half_ - 1 && change(high + 1) > least) ++high;
+    double sum = 0;
+    double moment = 0;
+    for (int t = low; t <= high; ++t) {
+      sum += change(t);
+      moment += change(t) * t;
+    }
+    off = moment / sum;
+    inner = level(std::max(low - 1, -half_));
+    outer = level(std::min(high + 1, half_));
+    return sign_ * (outer - inner) >= least_contrast;
+  }
+
+ private:
+  double level(int t) const { return levels_[static_cast<std::size_t>(t + half_)]; }
+  double change(int t) const { return sign_ * (level(t + 1) - level(t - 1)) / 2; }
+  int reach_;
+  double sign_;
+  int half_ = 0;
+  std::array<double, longest> levels_{};
+};
+
+double weight_of(double off, double spread) {
+  const double part = off / (biweight * spread);
+  return part * part >= 1 ? 0 : (1 - part * part) * (1 - part * part);
+}
+
+class Registration {
+ public:
+  Registration(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start, MarkTone tone)
+      : image_(image), outline_(outline), sign_(tone == MarkTone::dark ? 1 : -1) {
+    fit_.to_image = (1 / start(2, 2)) * start;
+    const cv::Matx22d slope = fit_.slope();
+    size_px_ = std::sqrt(std::abs(cv::determinant(slope)));
+    fit_.edges.resize(outline.points.size());
+  }
+
+  bool run() {
+    for (int step = 0; step < steps; ++step) {
+      const double reach = std::max(least_reach_px, first_reach * size_px_ * std::pow(0.5, step));
+      if (!measure(std::min(most_reach_px, cvCeil(reach)))) return false;
+      if (!solve(step)) return false;
+    }
+    return judge();
+  }
+  PlaneFit take() { return std::move(fit_); }
+
+ private:
+  bool measure(int reach) {
+    std::size_t found = 0;
+    std::size_t counted = 0;
+    for (std::size_t i = 0; i < fit_.edges.size(); ++i) {
+      const PlaneOutline::Point& point = outline_.points[i];
+      PlaneEdge& edge = fit_.edges[i];
+      const cv::Matx22d slope = fit_.slope_at(point.at);
+      // A normal goes with the inverse transpose.
+      cv::Vec2d normal = slope.inv().t() * point.out;
+      const double length = cv::norm(normal);
+      if (!(length > 0) || !std::isfinite(length)) return false;
+      normal *= 1 / length;
+      const cv::Point2d at = fit_.in_image(point.at);
+      edge = PlaneEdge();
+      edge.point = i;
+      edge.normal = normal;
+      edge.counts = point.from_corner > std::max(corner_share, corner_px / size_px_);
+      edge.found = Profile(image_, at, normal, reach, sign_).find(edge.off_px, edge.inner, edge.outer);
+      edge.at = at + edge.off_px * cv::Point2d(normal[0], normal[1]);
+      if (!edge.counts) continue;
+      ++counted;
+      found += edge.found ? 1 : 0;
+    }
+    return counted >= 16 && static_cast<double>(found) >= least_found * static_cast<double>(counted);
+  }
+
+  // A robust standard deviation of the edges.
+  double spread() const {
+    std::vector<double> off;
+    for (const PlaneEdge& edge : fit_.edges) {
+      if (edge.found && edge.counts) off.push_back(std::abs(edge.off_px));
+    }
+    if (off.empty()) return least_edge_spread;
+    std::ranges::nth_element(off, off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2));
+    return std::max(least_edge_spread, 1.48 * off[off.size() / 2]);
+  }
+
+  bool solve(int step) {
+    const double scale = spread();
+    Matrix8 a = Matrix8::Zero();
+    Vector8 b = Vector8::Zero();
+    const cv::Matx33d& h = fit_.to_image;
+    for (const PlaneEdge& edge : fit_.edges) {
+      if (!edge.found || !edge.counts) continue;
+      const cv::Vec2d& p = outline_.points[edge.point].at;
+      const cv::Point2d x = fit_.in_image(p);
+      const double w = h(2, 0) * p[0] + h(2, 1) * p[1] + 1;
+      const double nx = edge.normal[0] / w;
+      const double ny = edge.normal[1] / w;
+      const double along = nx * x.x + ny * x.y;
+      Vector8 j;
+      j << nx * p[0], nx * p[1], nx, ny * p[0], ny * p[1], ny, -along * p[0], -along * p[1];
+      const double weight = weight_of(edge.off_px, scale) / (scale * scale);
+      a += weight * j * j.transpose();
+      b += weight * edge.off_px * j;
+    }
+    // Perspective once the place is about right.
+    const double free = step == 0 ? usual_perspective / 100 : usual_perspective;
+    const double prior = 1 / (free * free);
+    a(6, 6) += prior;
+    a(7, 7) += prior;
+    b(6) -= prior * h(2, 0);
+    b(7) -= prior * h(2, 1);
+    // What the outline leaves open, as a circle its turn, stays.
+    a.diagonal().head<6>().array() += 1e-4 * a.diagonal().head<6>().maxCoeff();
+    const Vector8 d = a.ldlt().solve(b);
+    if (!d.allFinite()) return false;
+    for (int i = 0; i < 8; ++i) fit_.to_image.val[i] += d[i];
+    const double size = std::sqrt(std::abs(cv::determinant(fit_.slope())));
+    if (!(size > size_px_ / 2) || !(size < 2 * size_px_)) return false;
+    size_px_ = size;
+    return true;
+  }
+
+  bool judge() {
+    if (!measure(cvCeil(least_reach_px))) return false;
+    const double most = std::max({most_off_px, most_off_share * size_px_, 3 * spread()});
+    double squares = 0;
+    int counted = 0;
+    int supporting = 0;
+    for (PlaneEdge& edge : fit_.edges) {
+      if (!edge.counts) continue;
+      ++counted;
+      edge.is_border = edge.found && std::abs(edge.off_px) < most;
+      if (!edge.is_border) continue;
+      ++supporting;
+      squares += edge.off_px * edge.off_px;
+    }
+    if (supporting == 0) return false;
+    fit_.rms_px = std::sqrt(squares / supporting);
+    fit_.supported = static_cast<double>(supporting) / counted;
+    return true;
+  }
+
+  const cv::Mat1b& image_;
+  const PlaneOutline& outline_;
+  const double sign_;  // 1 where the ground is lighter
+  double size_px_;
+  PlaneFit fit_;
+};
+
+}  // namespace
+
+cv::Point2d PlaneFit::in_image(const cv::Vec2d& p) const {
+  const cv::Matx33d& h = to_image;
+  const double w = h(2, 0) * p[0] + h(2, 1) * p[1] + h(2, 2);
+  return {(h(0, 0) * p[0] + h(0, 1) * p[1] + h(0, 2)) / w, (h(1, 0) * p[0] + h(1, 1) * p[1] + h(1, 2)) / w};
+}
+
+cv::Matx22d PlaneFit::slope_at(const cv::Vec2d& p) const {
+  const cv::Matx33d& h = to_image;
+  const double w = h(2, 0) * p[0] + h(2, 1) * p[1] + h(2, 2);
+  const cv::Point2d x = in_image(p);
+  return {(h(0, 0) - x.x * h(2, 0)) / w, (h(0, 1) - x.x * h(2, 1)) / w, (h(1, 0) - x.y * h(2, 0)) / w,
+          (h(1, 1) - x.y * h(2, 1)) / w};
+}
+
+cv::Matx33d affine_start(const Reach& seen, const Reach& learned, int turn) {
+  const double angle = 2 * std::numbers::pi * turn / Reach::turns;
+  const cv::Matx22d turned(std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle));
+  const cv::Matx22d linear = seen.spread * turned * learned.spread.inv();
+  const cv::Vec2d from = linear * cv::Vec2d(learned.middle.x, learned.middle.y);
+  return {linear(0, 0),
+          linear(0, 1),
+          seen.middle.x - from[0],
+          linear(1, 0),
+          linear(1, 1),
+          seen.middle.y - from[1],
+          0,
+          0,
+          1};
+}
+
+std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,
+                                  MarkTone tone) {
+  if (outline.points.size() < 32) return std::nullopt;
+  Registration registration(image, outline, start, tone);
+  if (!registration.run()) return std::nullopt;
+  return registration.take();
+}
+
+}  // namespace pizarra::vision

@@ -1,0 +1,50 @@
+#pragma once
+
+// The outline of a learned mark registered with an image: the homography of its plane, by the image's edges along the
+// outline's normals. Light may differ from one part of the mark to another: every edge is measured by itself.
+//
+//   std::optional<PlaneFit> fit = fit_plane(image, outline, affine_start(seen_reach, outline.reach, turn),
+//   MarkTone::dark); fit->to_image * (u, v, 1)            // a place of the mark, in standard deviations, to pixels
+//
+// Each edge is the centroid of the grey levels' change around its steepest place, so that neither blur nor motion moves
+// it where the border is straight; near corners it is left out. A few Gauss-Newton steps with the homography's own
+// derivatives, each edge weighted by how far it is off (J. W. Tukey's biweight). What a circle leaves open, and how
+// strong the perspective may be, a prior holds: no mark is as near as that.
+
+#include "agents/vision/marks/mark_patch.hpp"
+#include "agents/vision/marks/plane_outline.hpp"
+
+namespace pizarra::vision {
+
+struct PlaneEdge {
+  bool found = false;
+  std::size_t point = 0;  // of the outline
+  cv::Point2d at;         // px
+  cv::Vec2d normal;       // of the border where it was expected, out of the mark
+  double off_px = 0;      // along the normal, from where the fit puts the border
+  double inner = 0;       // grey levels on either side
+  double outer = 0;
+  bool is_border = false;  // supports the fit
+  bool counts = false;     // far enough from corners to be measured
+};
+
+struct PlaneFit {
+  cv::Matx33d to_image;
+  std::vector<PlaneEdge> edges;  // one for every point of the outline
+  double rms_px = 0;             // of the edges that support it
+  double supported = 0;          // the part of the outline that edges support, 0 to 1
+
+  cv::Point2d in_image(const cv::Vec2d& plane) const;
+  // How places near the mark's centroid move: px a standard deviation.
+  cv::Matx22d slope() const { return slope_at({0, 0}); }
+  cv::Matx22d slope_at(const cv::Vec2d& plane) const;
+};
+
+// By what the two reaches say, the seen one turned by so many of Reach::turns.
+cv::Matx33d affine_start(const Reach& seen, const Reach& learned, int turn);
+
+// Nothing where fewer than half of the edges are there.
+std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,
+                                  MarkTone tone);
+
+}  // namespace pizarra::vision

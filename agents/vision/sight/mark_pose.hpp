@@ -1,0 +1,30 @@
+#pragma once
+
+// Where a mark is and how it is turned: six numbers and how far they may be off.
+//
+//   if (const std::optional<MarkPose> pose = pose_of(sight.model(), object, pair, range)) pose->place_mm, pose->turn
+//
+// Of a tag by its corners, of a shape by its outline in the left image; where the pair knows the range, at that.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "agents/vision/objects/learned.hpp"
+#include "agents/vision/sight/stereo.hpp"
+
+namespace pizarra::vision {
+
+struct SeenPair;
+struct SeenRange;
+
+struct MarkPose {
+  cv::Vec3d place_mm;  // of its middle, from the middle of the base line: x right, y down, z ahead
+  cv::Matx33d turn;    // its axes, as it lay when it was learned: right, down, and away from who looks at it
+  Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of a small turn about the camera's axes, rad
+};
+
+// `range`: of it, where that is known. Nothing of a shape that is slim, as how it lies was not learned.
+std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair,
+                                const std::optional<SeenRange>& range);
+
+}  // namespace pizarra::vision

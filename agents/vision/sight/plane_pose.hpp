@@ -1,0 +1,51 @@
+#pragma once
+
+// Where the plane of a mark is in space, by the edges that registered its outline in one image (plane_fit.hpp), and
+// whether what looks tilted may be covered instead.
+//
+//   const std::optional<PlanePose> pose = plane_pose(model, sample.plane, fit, sample.face_mm());
+//   pose->place_mm, pose->turn, pose->covariance
+//   const double covered = covered_rather_than_tilted(*pose, 6);   // 0 to 1
+//
+// Six numbers, by Gauss-Newton steps on how far the edges are off along their normals, from both poses that a look
+// without perspective allows (D. Oberkampf, D. F. DeMenthon, L. S. Davis, Iterative pose estimation using coplanar
+// feature points, 1996). The covariance is the inverse of the normal matrix (JCGM 100:2008, 6.2), with how far the
+// edges themselves scatter.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "agents/vision/marks/plane_fit.hpp"
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra::vision {
+
+struct PlanePose {
+  cv::Vec3d place_mm;                      // of the mark's centroid: from the camera, x right, y down, z along its axis
+  cv::Matx33d turn;                        // the mark's axes: right, down and away from who sees it from the front
+  Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of the turn about the camera's axes, rad
+  // How badly each explains the edges: half of the squared deviations.
+  double misfit = 0;         // this pose
+  double other_misfit = 0;   // the other tilt that looks nearly alike
+  double affine_misfit = 0;  // a look without perspective, as of what is covered and faces the camera
+  double free_misfit = 0;    // any homography
+
+  double tilt_rad() const;  // from facing along the line of sight
+  bool is_ambiguous() const;
+  bool is_contradicted() const;    // another homography explains the edges far better
+  bool shows_perspective() const;  // it explains them far better than an affine map
+};
+
+// `unit_mm`: how long a standard deviation of the mark is. Nothing where the edges are no plane's in front of it.
+std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
+                                    double unit_mm);
+
+// How likely a look that is slimmer than the mark is one of a part of it, facing the camera, rather than of all of it,
+// tilted: perspective goes with a tilt. `tilted_for_one_covered`: where that says nothing.
+double covered_rather_than_tilted(const PlanePose& pose, double tilted_for_one_covered);
+
+// How far off the centre may be where a part beyond a straight edge is hidden that the fit took up, px: that leaves
+// edges that are off together, side by side, where noise leaves each off by itself.
+double off_if_bent_px(const PlaneFit& fit);
+
+}  // namespace pizarra::vision

@@ -1,0 +1,24 @@
+#include "agents/vision/sight/plane_view.hpp"
+
+#include "agents/vision/objects/mark_match.hpp"
+
+namespace pizarra::vision {
+
+std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,
+                                    const SeenMark& mark) {
+  const LearnedSample* sample = match_of(mark, object).sample;
+  if (sample == nullptr || mark.contour.empty()) return std::nullopt;
+  const std::optional<Reach> reach = reach_of(std::vector<cv::Point2d>(mark.contour.begin(), mark.contour.end()));
+  if (!reach) return std::nullopt;
+  std::optional<PlaneFit> fit = fit_region(cut, *sample, *reach);
+  if (!fit) return std::nullopt;
+  const bool agrees = is_outline_of(*fit);
+  PlaneView out{std::move(*fit), agrees, std::nullopt};
+  if (!agrees) return out;
+  // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
+  const double unit_mm = sample->face_mm();
+  if (unit_mm > 0 && sample->slimness >= least_round) out.pose = plane_pose(model, sample->plane, out.fit, unit_mm);
+  return out;
+}
+
+}  // namespace pizarra::vision

@@ -1,0 +1,23 @@
+#pragma once
+
+// A mark that one image shows, as the plane of its learned object: registered, and placed in space.
+//
+//   std::optional<PlaneView> view = view_plane(segmentation.cut(), model, object, mark);
+//   view->fit.in_image({0, 0})           // where the mark's centroid is seen, whatever its tilt
+
+#include "agents/vision/objects/plane_look.hpp"
+#include "agents/vision/sight/plane_pose.hpp"
+
+namespace pizarra::vision {
+
+struct PlaneView {
+  PlaneFit fit;
+  bool agrees;                    // the edges are those of the outline; else it is something that is like it
+  std::optional<PlanePose> pose;  // where they agree
+};
+
+// Of its likest sample; nothing of a tag, and where there are too few edges.
+std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,
+                                    const SeenMark& mark);
+
+}  // namespace pizarra::vision

@@ -1,0 +1,168 @@
+// A mark's outline registered with an image, and where that puts its plane: of squares, triangles and crosses that are
+// projected from known poses, with nothing of the cell's renderers.
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/marks/segmentation.hpp"
+#include "agents/vision/objects/plane_look.hpp"
+#include "agents/vision/sight/plane_pose.hpp"
+#include "blackboard/time/random.hpp"
+
+namespace pizarra::vision {
+namespace {
+
+using Corners = std::vector<cv::Point2d>;
+
+constexpr int finer = 8;
+constexpr double half_mm = 20;
+
+const Corners square = {{-half_mm, -half_mm}, {half_mm, -half_mm}, {half_mm, half_mm}, {-half_mm, half_mm}};
+
+camera::StereoModel one_camera() {
+  return {.width = 640, .height = 480, .focal_px = 600, .centre_x_px = 319.5, .centre_y_px = 239.5, .base_line_mm = 0};
+}
+
+cv::Matx33d turned_about(const cv::Vec3d& rad) {
+  cv::Matx33d out;
+  cv::Rodrigues(rad, out);
+  return out;
+}
+
+// Dark on light, each pixel the mean of what it covers.
+cv::Mat1b filled(const Corners& corners, Random& random, double noise = 1) {
+  const cv::Rect around = cv::boundingRect(std::vector<cv::Point2f>(corners.begin(), corners.end())) + cv::Size(8, 8);
+  std::vector<cv::Point> fine;
+  constexpr int bits = 8;
+  for (const cv::Point2d& p : corners) {
+    const cv::Point2d at = finer * (p - cv::Point2d(around.tl()) + cv::Point2d(0.5, 0.5)) - cv::Point2d(0.5, 0.5);
+    fine.emplace_back(cvRound(at.x * (1 << bits)), cvRound(at.y * (1 << bits)));
+  }
+  cv::Mat1f large(around.height * finer, around.width * finer, 200.F);
+  cv::fillPoly(large, std::vector<std::vector<cv::Point>>{fine}, 25, cv::LINE_8, bits);
+  cv::Mat1f image(480, 640, 200.F);
+  cv::resize(large, image(around), around.size(), 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(image, image, {}, 0.7, 0.7);
+  for (float& level : image) level += static_cast<float>(random.uniform(-1.7, 1.7) * noise);
+  cv::Mat1b out;
+  image.convertTo(out, CV_8U);
+  return out;
+}
+
+Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d& place) {
+  Corners out;
+  for (const cv::Point2d& p : plane) {
+    const cv::Vec3d at = turn * cv::Vec3d(p.x, p.y, 0) + place;
+    out.emplace_back(319.5 + 600 * at[0] / at[2], 239.5 + 600 * at[1] / at[2]);
+  }
+  return out;
+}
+
+// As a click on it from the front would.
+LearnedSample learned(const Corners& plane, Random& random) {
+  const cv::Mat1b image = filled(projected(plane, cv::Matx33d::eye(), {0, 0, 500}), random);
+  ImageSegmentation segmentation(image);
+  LearnedSample out;
+  for (const SeenMark& mark : segmentation.marks()) {
+    out.set_picture(template_from_picture(portray_mark(segmentation.cut(), mark.contour, mark.tone)->picture));
+    out.size_mm = std::sqrt(mark.width_px * mark.height_px) * 500 / 600;
+    out.size_by = LearnedSample::SizeBy::guessed_face;
+    out.slimness = mark.slimness;
+  }
+  return out;
+}
+
+struct Registered {
+  PlaneFit fit;
+  PlanePose pose;
+};
+
+std::optional<Registered> registered(const cv::Mat1b& image, const LearnedSample& sample) {
+  const ImageCut cut = look_at(image, {0, 0, image.cols, image.rows}, noise_of(image));
+  for (const LevelRegion& region : level_regions(cut.pixels, sample.tone)) {
+    const std::optional<PlaneFit> fit = fit_region(cut, sample, region.reach);
+    if (!fit || !is_outline_of(*fit)) continue;
+    const std::optional<PlanePose> pose = plane_pose(one_camera(), sample.plane, *fit, sample.face_mm());
+    if (pose) return Registered{*fit, *pose};
+  }
+  return std::nullopt;
+}
+
+double degrees_between(const cv::Matx33d& a, const cv::Matx33d& b) {
+  const cv::Vec3d one(a(0, 2), a(1, 2), a(2, 2));
+  const cv::Vec3d other(b(0, 2), b(1, 2), b(2, 2));
+  return std::acos(std::min(1.0, one.dot(other))) * 180 / CV_PI;
+}
+
+TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
+  Random random(5);
+  const LearnedSample sample = learned(square, random);
+  double squares = 0;
+  constexpr int tries = 40;
+  for (int i = 0; i < tries; ++i) {
+    SCOPED_TRACE(i);
+    const double tilt = random.uniform(25, 55) * CV_PI / 180;
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * tilt) *
+                             turned_about({0, 0, random.uniform(-0.5, 0.5)});
+    const cv::Vec3d place(random.uniform(-120, 120), random.uniform(-80, 80), random.uniform(400, 700));
+    const std::optional<Registered> seen = registered(filled(projected(square, turn, place), random), sample);
+    ASSERT_TRUE(seen);
+    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
+    EXPECT_LT(cv::norm(seen->fit.in_image({0, 0}) - middle), 0.3);
+    EXPECT_NEAR(cv::norm(seen->pose.place_mm), cv::norm(place), 0.02 * cv::norm(place));
+    const double off = degrees_between(seen->pose.turn, turn);
+    squares += off * off;
+    EXPECT_LT(covered_rather_than_tilted(seen->pose, 1), 0.3);
+  }
+  EXPECT_LT(std::sqrt(squares / tries), 3);
+}
+
+TEST(Plane, OfAPartOfASquareThatLooksTiltedHasNoPerspective) {
+  Random random(6);
+  const LearnedSample sample = learned(square, random);
+  for (const double left : {0.6, 0.75}) {
+    Corners part = square;
+    part[1].x = part[2].x = -half_mm + 2 * half_mm * left;
+    const std::optional<Registered> seen =
+        registered(filled(projected(part, turned_about({0, 0, 0.2}), {0, 0, 500}), random), sample);
+    ASSERT_TRUE(seen);
+    EXPECT_GT(covered_rather_than_tilted(seen->pose, 6), 0.9);
+  }
+}
+
+TEST(Plane, ToldWithTwoSpreadsHoldsMostRanges) {
+  Random random(7);
+  const LearnedSample sample = learned(square, random);
+  int within = 0;
+  constexpr int tries = 60;
+  for (int i = 0; i < tries; ++i) {
+    const double tilt = random.uniform(20, 50) * CV_PI / 180;
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * tilt);
+    const cv::Vec3d place(random.uniform(-100, 100), random.uniform(-60, 60), random.uniform(400, 700));
+    const std::optional<Registered> seen = registered(filled(projected(square, turn, place), random), sample);
+    if (!seen) continue;
+    const double spread = std::hypot(std::sqrt(seen->pose.covariance(2, 2)), 0.01 * place[2]);
+    within += std::abs(seen->pose.place_mm[2] - place[2]) < 2 * spread ? 1 : 0;
+  }
+  EXPECT_GE(within, 0.9 * tries);
+}
+
+TEST(Plane, AHardShadowAcrossTheSheetHidesNoOutline) {
+  Random random(8);
+  const LearnedSample sample = learned(square, random);
+  cv::Mat1b image = filled(projected(square, turned_about({0, 0, 0.3}), {10, 5, 500}), random);
+  // Six tenths of the light are gone to the left of the mark's middle.
+  cv::Mat1b dark = image.colRange(0, 335);
+  dark = dark * 0.4;
+  const std::optional<Registered> seen = registered(image, sample);
+  ASSERT_TRUE(seen);
+  const cv::Point2d middle = projected({{0, 0}}, cv::Matx33d::eye(), {10, 5, 500}).front();
+  EXPECT_LT(cv::norm(seen->fit.in_image({0, 0}) - middle), 0.4);
+}
+
+}  // namespace
+}  // namespace pizarra::vision
