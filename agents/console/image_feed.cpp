@@ -1,6 +1,8 @@
 #include "agents/console/image_feed.hpp"
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 namespace pizarra::console {
@@ -8,14 +10,25 @@ namespace pizarra::console {
 namespace {
 
 constexpr int jpeg_quality = 80;
+constexpr int light_quality = 40;
+constexpr int light_width = 320;
 constexpr Duration encoding_cost = 3ms;
 
-std::string jpeg_of(const Image& image) {
-  const cv::Mat pixels(image.height, image.width, CV_8UC(image.channels),
-                       const_cast<std::uint8_t*>(image.pixels.data()));
+std::string jpeg_of(const cv::Mat& pixels, int quality) {
   std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", pixels, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
+  cv::imencode(".jpg", pixels, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
   return {bytes.begin(), bytes.end()};
+}
+
+void encode_picture(ImageFeeds::Picture& into, const Image& image, bool full, bool light) {
+  cv::Mat pixels(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  if (full) into.jpeg = jpeg_of(pixels, jpeg_quality);
+  if (!light) return;
+  cv::Mat small = pixels;
+  if (image.width > light_width) {
+    cv::resize(pixels, small, {light_width, image.height * light_width / image.width}, 0, 0, cv::INTER_AREA);
+  }
+  into.light = jpeg_of(small, light_quality);
 }
 
 bool can_be_encoded(const Image& image) {
@@ -34,8 +47,9 @@ class ImageFeeds::Feed {
 
   void add(std::uint64_t number, Receiver receiver) {
     if (shown_) receiver(shown_);
-    receivers_.emplace(number, std::move(receiver));
+    receivers_.emplace(number, Looking{std::move(receiver)});
   }
+  void set_light(std::uint64_t number, bool light) { receivers_.at(number).light = light; }
   // Whether nobody looks any more.
   bool remove(std::uint64_t number) {
     receivers_.erase(number);
@@ -57,16 +71,25 @@ class ImageFeeds::Feed {
       made->captured = frame.captured;
       made->width = frame.image->width;
       made->height = frame.image->height;
+      const bool light = std::ranges::any_of(receivers_, [](const auto& entry) { return entry.second.light; });
+      const bool full = std::ranges::any_of(receivers_, [](const auto& entry) { return !entry.second.light; });
       const std::function<void(const std::function<bool()>&)> work =
-          [made, image = frame.image](const std::function<bool()>&) { made->jpeg = jpeg_of(*image); };
+          [made, full, light, image = frame.image](const std::function<bool()>&) {
+            encode_picture(*made, *image, full, light);
+          };
       co_await executor_.offload(work, encoding_cost);
       shown_ = made;
-      for (const auto& [number, receiver] : receivers_) receiver(shown_);
+      for (const auto& [number, receiver] : receivers_) receiver.show(shown_);
     }
   }
 
+  struct Looking {
+    Receiver show;
+    bool light = false;
+  };
+
   Executor& executor_;
-  std::map<std::uint64_t, Receiver> receivers_;
+  std::map<std::uint64_t, Looking> receivers_;
   std::optional<StreamFrame> newest_;
   std::shared_ptr<const Picture> shown_;
   Job encoding_;
@@ -86,6 +109,8 @@ std::unique_ptr<ImageFeeds::Look> ImageFeeds::look(const std::string& stream, Re
 
 ImageFeeds::Look::Look(ImageFeeds& feeds, std::string stream, std::uint64_t number)
     : feeds_(feeds), stream_(std::move(stream)), number_(number) {}
+
+void ImageFeeds::Look::set_light(bool light) { feeds_.feeds_.at(stream_)->set_light(number_, light); }
 
 ImageFeeds::Look::~Look() {
   const auto feed = feeds_.feeds_.find(stream_);

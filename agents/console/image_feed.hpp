@@ -1,10 +1,12 @@
 #pragma once
 
 // Image streams as JPEGs, each frame encoded once for all who look, away from the agents' thread. Only the newest frame
-// is encoded: what comes meanwhile takes the place of what waits.
+// is encoded: what comes meanwhile takes the place of what waits. Who has a slow line looks at a light picture: 320 px
+// wide at most, and of less quality.
 //
 //   ImageFeeds feeds(executor, streams);
 //   auto look = feeds.look("vision-colour", [](const ImageFeeds::Picture& picture) { ... });
+//   look->set_light(true);
 //
 // A stream is subscribed to while somebody looks. The feeds outlive the looks, and the streams the feeds.
 
@@ -27,7 +29,8 @@ class ImageFeeds {
     Time captured{};
     int width = 0;
     int height = 0;
-    std::string jpeg;
+    std::string jpeg;   // empty where nobody looks at it
+    std::string light;  // the same
   };
   using Receiver = std::function<void(const std::shared_ptr<const Picture>&)>;
 
@@ -39,6 +42,8 @@ class ImageFeeds {
     Look(const Look&) = delete;
     Look& operator=(const Look&) = delete;
     ~Look();
+    // From the next picture on.
+    void set_light(bool light);
 
    private:
     ImageFeeds& feeds_;

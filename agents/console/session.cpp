@@ -50,6 +50,7 @@ std::span<const Session::Verb> Session::Verb::all() {
   static const std::vector<Verb> verbs = {{"follow", {number, form}, &Session::follow},
                                           {"watch", {number, text}, &Session::watch},
                                           {"unwatch", {number}, &Session::unwatch},
+                                          {"then", {number, form, number}, &Session::then},
                                           {"request", {number, name, form}, &Session::request},
                                           {"goal", {number, text}, &Session::goal},
                                           {"stop", {number, text}, &Session::stop},
@@ -57,6 +58,10 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"command", {number, name}, &Session::command},
                                           {"take-over", {number, name}, &Session::take_over},
                                           {"let-go", {number, name}, &Session::let_go},
+                                          {"stamp", {number}, &Session::stamp},
+                                          {"jog", {number, name, name, number}, &Session::jog},
+                                          {"hold-on", {number}, &Session::hold_on},
+                                          {"release", {}, &Session::release},
                                           {"look", {name}, &Session::look},
                                           {"look-away", {name}, &Session::look_away},
                                           {"drawn", {name}, &Session::drawn},
@@ -69,7 +74,8 @@ Session::Session(Setup setup, UpgradedSocket socket)
       context_{setup_.name, "localhost", setup_.executor, *setup_.board, Random(1)},
       service_(context_, runtime::contract_from_text("(contract console)").value()),
       caller_(context_, service_),
-      room_(setup_.executor) {
+      room_(setup_.executor),
+      hands_changed_(setup_.executor) {
   WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
                            .room = [this] { room_.set(); },
                            .ended = [this] { leave(); }};
@@ -77,6 +83,7 @@ Session::Session(Setup setup, UpgradedSocket socket)
   opening_ = setup_.executor.spawn(open());
   running_out_ = setup_.executor.spawn(run_out());
   arms_ = setup_.executor.spawn(follow_arms());
+  hands_ = setup_.executor.spawn(follow_hands());
 }
 
 Session::~Session() = default;
@@ -87,6 +94,10 @@ void Session::leave() {
   opening_ = Job();
   running_out_ = Job();
   arms_ = Job();
+  beating_ = Job();
+  hands_ = Job();
+  holding_ = Job();
+  letting_go_ = Job();
   watches_.clear();
   requests_.clear();
   streams_.clear();
@@ -108,6 +119,7 @@ Task<void> Session::open() {
     co_return;
   }
   say(hello_text(setup_.cell, setup_.name));
+  beating_ = setup_.executor.spawn(keep_beating());
 }
 
 Task<void> Session::run_out() {

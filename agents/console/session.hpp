@@ -7,19 +7,25 @@
 //   (follow N QUERY)            what holds of the query and every change, also of relations that are yet to come
 //   (watch N "QUERY")           the same of what a person typed: refused where it cannot be read or is not known
 //   (unwatch N)
+//   (then N QUERY TIME-US)      what held of the query then, where the board keeps a journal
 //   (request N AGENT OPERATION) asks an agent, as any client does
 //   (goal N "TEXT")             accepted, and then how it ended: two answers, the
 //                               second the state it ended in, or its refusal
 //   (stop N "REASON")           a stop fact; needs nothing but the right to tell it
 //   (clear-stops N)             takes every stop back; who does so has an arm in hand
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
+//   (stamp N)                   the page has the stamp N (pulse.hpp)
+//   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release), its answer says how it ended
+//   (hold-on STAMP), (release)                   what keeps it moving, said every 50 ms, and what ends it
 //   (look STREAM), (look-away STREAM), (drawn STREAM)            images; each that was drawn makes room for the next
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
-// and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...}, {"reply":N,...}, {"arm":NAME,...}; images as
-// binary: a line `(image STREAM NUMBER AGE-US WIDTH HEIGHT)`, and the JPEG behind it.
+// and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
+// {"reply":N,...}, {"arm":NAME,...},
+// {"pulse":STAMP,"deadline":MS,"rtt":MS}; images as
+// binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it.
 //
-// What is bounded: 64 watches, 16 requests in hand, 4 streams with two images under way each. A page that does not take
-// in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
+// What is bounded: 64 watches, 16 requests in hand, 4 streams, images under way (four of each, 64 kB of all). A page
+// that does not take in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
 
 #include <deque>
 #include <functional>
@@ -30,6 +36,7 @@
 #include <vector>
 
 #include "agents/console/image_feed.hpp"
+#include "agents/console/pulse.hpp"
 #include "agents/console/web_socket.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/time/latch.hpp"
@@ -51,7 +58,9 @@ class Session {
   static constexpr std::size_t max_watches = 64;
   static constexpr std::size_t max_requests = 16;
   static constexpr std::size_t max_looks = 4;
-  static constexpr int max_images_under_way = 2;
+  // As many images as the round trip needs are under way of a stream, and this many bytes of all.
+  static constexpr std::size_t max_images_under_way = 4;
+  static constexpr std::size_t max_image_bytes_under_way = 64 << 10;
   // What it is asked or shows at once comes behind this much at most, also of what the system holds for the page.
   static constexpr std::size_t max_unheard_bytes = 256 << 10;
 
@@ -77,11 +86,23 @@ class Session {
   struct Verb;
   // What is under way of one stream.
   struct Stream {
+    struct UnderWay {
+      std::size_t bytes;
+      Time sent;
+    };
     std::shared_ptr<const ImageFeeds::Picture> newest;  // not sent yet
-    int under_way = 0;
+    std::deque<UnderWay> under_way;
+    std::size_t full_bytes = 0;  // of the newest of each that was sent
+    std::size_t light_bytes = 0;
     std::unique_ptr<ImageFeeds::Look> look;
   };
   using Number = std::int64_t;
+  // A jog that the page holds on to. What it says counts while it is younger than the deadline.
+  struct Jog {
+    Datum robot;
+    Duration deadline;
+    bool released = false;
+  };
 
   void hear(std::string_view message);
   void say(std::string text);
@@ -91,6 +112,7 @@ class Session {
   void follow(const Datum& form);
   void watch(const Datum& form);
   void unwatch(const Datum& form);
+  void then(const Datum& form);
   void request(const Datum& form);
   void goal(const Datum& form);
   void stop(const Datum& form);
@@ -98,12 +120,18 @@ class Session {
   void command(const Datum& form);
   void take_over(const Datum& form);
   void let_go(const Datum& form);
+  void stamp(const Datum& form);
+  void jog(const Datum& form);
+  void hold_on(const Datum& form);
+  void release(const Datum& form);
   void look(const Datum& form);
   void look_away(const Datum& form);
   void drawn(const Datum& form);
   void heard(const Datum& form);
   void say_fact(std::string text);
   void show_newest(const std::string& name, Stream& stream);
+  std::size_t images_at_once() const;
+  void weigh_line(const Stream& stream, Duration took);
 
   Task<void> open();
   Task<void> run_out();
@@ -111,9 +139,18 @@ class Session {
   Task<void> say_goodbye();
   Task<void> start_watch(Number number, Query query, bool when_declared);
   Task<void> send_changes(Number number, std::unique_ptr<Watch> watch);
+  Task<void> ask_then(Number number, Query query);
+  void say_arms(const std::vector<Answer>& answers, const std::string& past);
   Task<void> room();
   Task<void> follow_arms();
   Task<void> ask_agent(Number number, std::string agent, Datum operation);
+  Task<Result<Datum>> answer_of(std::string agent, Datum operation);
+  Task<void> keep_beating();
+  Task<void> follow_hands();
+  Task<void> jog_while_held(Number number, Datum robot, Datum direction, Duration deadline);
+  Task<Result<Revision>> tell_hold(Datum robot);
+  Task<void> renew_hold(Datum robot);
+  Task<void> take_hold_back(Datum robot);
   Task<void> pursue(Number number, std::string text);
   Task<void> say_end_of_goal(Number number, Datum goal, std::string text);
   Task<bool> being_taught();
@@ -128,11 +165,23 @@ class Session {
   std::deque<std::size_t> unheard_;  // messages of facts, by their bytes
   std::size_t unheard_bytes_ = 0;
   bool leaving_ = false;
+  Pulse pulse_;
+  bool in_hand_ = false;  // an arm is
+  WaitList hands_changed_;
+  std::optional<Jog> jog_;
+  std::int64_t holds_told_ = 0;
   std::map<std::string, std::unique_ptr<Stream>> streams_;
+  std::size_t image_bytes_under_way_ = 0;
+  Duration image_wait_{};  // how much longer than the line an image took, smoothed
+  bool light_images_ = false;
   std::unique_ptr<WebSocket> socket_;
   Job opening_;
   Job running_out_;
   Job arms_;
+  Job beating_;
+  Job hands_;
+  Job holding_;     // the newest hold on its way to the board
+  Job letting_go_;  // its end
   Job closing_;
   std::map<Number, Job> watches_;
   std::map<Number, Job> requests_;

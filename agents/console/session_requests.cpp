@@ -5,7 +5,9 @@
 #include "agents/console/change_text.hpp"
 #include "agents/console/session.hpp"
 #include "agents/runtime/declared.hpp"
+#include "agents/runtime/roles.hpp"
 #include "lisp/forms/goal.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -53,14 +55,17 @@ void Session::request(const Datum& form) {
 }
 
 Task<void> Session::ask_agent(Number number, std::string agent, Datum operation) {
+  const Result<Datum> answer = co_await answer_of(std::move(agent), std::move(operation));
+  say(answer ? reply_text(number, *answer) : refusal_text(number, answer.error()));
+}
+
+Task<Result<Datum>> Session::answer_of(std::string agent, Datum operation) {
   const Datum presence = list("agent"_sym, Datum::symbol(agent), any, any);
   const Result<std::vector<Fact>> present = co_await context_.board.facts(presence);
-  if (!present || present->empty()) {
-    refuse(number, "absent", fmt::format("no agent {} is present", agent));
-    co_return;
-  }
-  const Result<Datum> answer = co_await caller_.call(agent, operation, request_timeout);
-  say(answer ? reply_text(number, *answer) : refusal_text(number, answer.error()));
+  const bool there = present && !present->empty();
+  if (!there) co_return fail("absent", fmt::format("no agent {} is present", agent));
+  Result<Datum> answer = co_await caller_.call(agent, operation, request_timeout);
+  co_return answer;
 }
 
 void Session::goal(const Datum& form) {
@@ -78,13 +83,15 @@ Task<void> Session::pursue(Number number, std::string text) {
     refuse(number, "not-ready", "the objects are still being taught");
     co_return;
   }
-  const Datum coordinator = list("agent"_sym, "coordinator"_sym, any, any);
-  const Result<std::vector<Fact>> present = co_await context_.board.facts(coordinator);
-  if (!present || present->empty()) {
+  const runtime::Role role = runtime::coordinator_role();
+  const Result<runtime::Holder> coordinator = co_await runtime::holder_of(context_.board, context_.name, role);
+  if (!coordinator || !coordinator->is_present()) {
     refuse(number, "absent", "no coordinator is present, so nobody would pursue a goal");
     co_return;
   }
-  const Result<Datum> accepted = co_await caller_.call("coordinator", *form, request_timeout);
+  // A fact of the board, as a request is one, holds no variables.
+  const Datum wanted = forms::without_variables(*form);
+  const Result<Datum> accepted = co_await caller_.call(coordinator->server, wanted, request_timeout);
   if (!accepted) {
     say(refusal_text(number, accepted.error()));
     co_return;

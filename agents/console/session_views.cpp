@@ -1,5 +1,6 @@
 // What a page is shown: answers and their changes, arms, images; never more than it takes in.
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "agents/console/change_text.hpp"
@@ -44,6 +45,11 @@ std::optional<arm::Joints> joints_in(const Datum& readings, const arm::ArmModel&
   return joints;
 }
 
+// An object that says of which moment it is; as it is where that is now.
+std::string of_the_past(std::string object, const std::string& past) {
+  return past.empty() ? object : fmt::format("{{\"past\":{},{}", past, object.substr(1));
+}
+
 }  // namespace
 
 Task<void> Session::room() {
@@ -78,13 +84,18 @@ Task<void> Session::follow_arms() {
     const Result<Change> change = co_await (*watch)->next();
     if (!change) co_return;
     co_await room();
-    for (const Answer& answer : change->added) {
-      const Datum& fact = answer.facts.front().datum;
-      const auto known = setup_.cell.arms.find(std::string(fact[1].text()));
-      if (known == setup_.cell.arms.end()) continue;
-      const std::optional<arm::Joints> joints = joints_in(fact[2], known->second);
-      if (joints) say_fact(arm_text(known->first, known->second, *joints));
-    }
+    say_arms(change->added, {});
+  }
+}
+
+void Session::say_arms(const std::vector<Answer>& answers, const std::string& past) {
+  for (const Answer& answer : answers) {
+    const Datum& fact = answer.facts.front().datum;
+    if (!fact.is_form("arm-joints")) continue;
+    const auto known = setup_.cell.arms.find(std::string(fact[1].text()));
+    if (known == setup_.cell.arms.end()) continue;
+    const std::optional<arm::Joints> joints = joints_in(fact[2], known->second);
+    if (joints) say_fact(of_the_past(arm_text(known->first, known->second, *joints), past));
   }
 }
 
@@ -112,6 +123,29 @@ void Session::watch(const Datum& form) {
     return say(failed_watch_text(number, {"too-many", "too many questions are watched already", {}, {}}));
   }
   watches_.emplace(number, setup_.executor.spawn(start_watch(number, std::move(*query), false)));
+}
+
+void Session::then(const Datum& form) {
+  const Number number = form[1].integer();
+  const Result<Query> read = query_from_datum(form[2]);
+  if (!read) return refuse(number, read.error().symbol, read.error().sentence);
+  Query query = *read;
+  query.at = Moment{};
+  query.at->time = Time(Duration(std::max<Number>(0, form[3].integer())));
+  begin_request(number, ask_then(number, std::move(query)));
+}
+
+Task<void> Session::ask_then(Number number, Query query) {
+  const std::string past = std::to_string(query.at->time.time_since_epoch().count());
+  Result<Answers> answers = co_await context_.board.ask(std::move(query));
+  if (!answers) {
+    say(of_the_past(failed_watch_text(number, answers.error()), past));
+    co_return;
+  }
+  const Change change{answers->revision, true, std::move(answers->answers), {}};
+  co_await room();
+  say_fact(of_the_past(change_text(number, change), past));
+  say_arms(change.added, past);
 }
 
 void Session::unwatch(const Datum& form) { watches_.erase(form[1].integer()); }
@@ -152,25 +186,66 @@ void Session::look(const Datum& form) {
     stream.newest = picture;
     show_newest(name, stream);
   });
+  stream.look->set_light(light_images_);
 }
 
-void Session::look_away(const Datum& form) { streams_.erase(std::string(form[1].text())); }
+void Session::look_away(const Datum& form) {
+  const auto stream = streams_.find(std::string(form[1].text()));
+  if (stream == streams_.end()) return;
+  for (const Stream::UnderWay& sent : stream->second->under_way) image_bytes_under_way_ -= sent.bytes;
+  streams_.erase(stream);
+}
 
 void Session::drawn(const Datum& form) {
   const auto stream = streams_.find(std::string(form[1].text()));
-  if (stream == streams_.end() || stream->second->under_way == 0) return;
-  --stream->second->under_way;
+  if (stream == streams_.end() || stream->second->under_way.empty()) return;
+  const Stream::UnderWay sent = stream->second->under_way.front();
+  stream->second->under_way.pop_front();
+  image_bytes_under_way_ -= sent.bytes;
+  weigh_line(*stream->second, setup_.executor.now() - sent.sent);
+  // Those that waited for this one come first.
+  for (auto& [name, other] : streams_) {
+    if (other != stream->second) show_newest(name, *other);
+  }
   show_newest(stream->first, *stream->second);
 }
 
+std::size_t Session::images_at_once() const {
+  constexpr Duration for_each = 50ms;
+  const std::optional<Duration> line = pulse_.line();
+  if (!line) return 2;
+  return std::min<std::size_t>(max_images_under_way, 2 + static_cast<std::size_t>(*line / for_each));
+}
+
+// Light pictures where images wait for the line, and full ones again where they would hardly wait.
+void Session::weigh_line(const Stream& stream, Duration took) {
+  constexpr Duration too_long = 150ms;
+  constexpr Duration short_enough = 40ms;
+  constexpr int smoothing = 8;
+  const Duration waited = std::max(Duration(0), took - pulse_.line().value_or(Duration(0)));
+  image_wait_ += (waited - image_wait_) / smoothing;
+  const bool known = stream.full_bytes > 0 && stream.light_bytes > 0;
+  const double larger = known ? static_cast<double>(stream.full_bytes) / static_cast<double>(stream.light_bytes) : 1;
+  const bool full_would_do =
+      static_cast<double>(image_wait_.count()) * larger < static_cast<double>(short_enough.count());
+  const bool light = light_images_ ? !full_would_do : image_wait_ > too_long;
+  if (light == light_images_) return;
+  light_images_ = light;
+  for (const auto& [name, each] : streams_) each->look->set_light(light);
+}
+
 void Session::show_newest(const std::string& name, Stream& stream) {
-  if (!stream.newest || stream.under_way >= max_images_under_way) return;
+  if (!stream.newest || stream.under_way.size() >= images_at_once()) return;
+  const bool light = (light_images_ && !stream.newest->light.empty()) || stream.newest->jpeg.empty();
+  const std::string& jpeg = light ? stream.newest->light : stream.newest->jpeg;
+  if (image_bytes_under_way_ > 0 && image_bytes_under_way_ + jpeg.size() > max_image_bytes_under_way) return;
   const auto picture = std::exchange(stream.newest, nullptr);
-  ++stream.under_way;
-  const auto age = (setup_.executor.now() - picture->captured).count();
-  std::string message =
-      fmt::format("(image {} {} {} {} {})\n", name, picture->number, age, picture->width, picture->height);
-  socket_->send(WebSocket::Class::images, message += picture->jpeg);
+  (light ? stream.light_bytes : stream.full_bytes) = jpeg.size();
+  stream.under_way.push_back({jpeg.size(), setup_.executor.now()});
+  image_bytes_under_way_ += jpeg.size();
+  std::string message = fmt::format("(image {} {} {} {} {})\n", name, picture->number,
+                                    picture->captured.time_since_epoch().count(), picture->width, picture->height);
+  socket_->send(WebSocket::Class::images, message += jpeg);
 }
 
 }  // namespace pizarra::console

@@ -71,12 +71,17 @@ export function ownFolder() {
 export function start(words, folder) {
   const child = spawn(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
   let said = '';
+  const addresses = [];
   const line = new Promise((resolveLine, reject) => {
     child.stdout.on('data', (data) => {
       said += data;
+      if (words[1] === 'up') addresses.push(...(String(data).match(/http:\/\/\S+#\w+/g) ?? []));
       if (said.includes('\n')) resolveLine(said.split('\n')[0]);
     });
-    child.stderr.on('data', (data) => process.stderr.write(data));
+    child.stderr.on('data', (data) => {
+      process.stderr.write(data);
+      addresses.push(...(String(data).match(/http:\/\/\S+#\w+/g) ?? []));
+    });
     child.on('exit', (code) => reject(new Error(`${words.join(' ')} ended with ${code}: ${said}`)));
   });
   line.catch(() => {});
@@ -86,7 +91,12 @@ export function start(words, folder) {
     child.kill('SIGINT');
     return ended;
   };
-  return { line, end, ended };
+  // The address for the browser that comes after so many.
+  const next = async (count) => {
+    while (addresses.length < count) await new Promise((later) => setTimeout(later, 20));
+    return addresses[count - 1];
+  };
+  return { line, next, end, ended };
 }
 
 export function say(words, folder) {

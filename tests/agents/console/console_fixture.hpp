@@ -1,7 +1,7 @@
 #pragma once
 
-// A console on a board of this process, and what a browser does to get in. What a client does runs on a thread of its
-// own while the console serves.
+// A console on a board of this process, and what a browser does to get in. The client runs on a thread of its own while
+// the console serves.
 
 #include <future>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a page that was let in may do, and how much of it.
+// The rights and limits of a page that was let in.
 
 #include <fmt/format.h>
 

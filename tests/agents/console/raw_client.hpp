@@ -37,8 +37,9 @@ class RawClient {
   void send(const std::string& bytes);
   void send_frame(int kind, const std::string& payload);
   std::string read_head();
-  // Waits ten seconds at most.
+  // Waits ten seconds at most. Stamps, which come whenever they will, are passed over.
   std::optional<Frame> read_frame();
+  std::optional<Frame> read_any_frame();
 
  private:
   bool fill(std::size_t size);

@@ -15,10 +15,14 @@ export class Connection {
   #looks = new Map();
   #pause = 500;
   #heard = 0;
+  #stamp = 0;
+  #moment = null; // what is shown is of then, in microseconds; null: of now
+  #asked = new Map(); // questions of the past, by their watches
 
   onState = () => {}; // 'connecting', 'live', 'lost', 'refused'
   onHello = () => {};
   onArm = () => {};
+  onPulse = () => {}; // { deadline, rtt } in ms; rtt is negative before it is known
 
   // The token behind the # is of use once, and is not left where others could read it.
   async open() {
@@ -43,6 +47,9 @@ export class Connection {
   async #lost() {
     this.#socket = null;
     this.#heard = 0;
+    this.#stamp = 0;
+    for (const answered of this.#asked.values()) answered({ error: { symbol: 'unreachable' } });
+    this.#asked.clear();
     for (const request of this.#requests.values()) {
       request.reject({ symbol: 'unreachable', sentence: 'the console has gone; whether it was done is not known' });
     }
@@ -70,11 +77,17 @@ export class Connection {
       for (const [number, watch] of this.#watches) this.#ask(number, watch);
       for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
     } else if (message.arm) {
-      this.onArm(message);
+      if ((message.past ?? null) === this.#moment) this.onArm(message);
       this.#takenIn();
     } else if (message.watch) {
-      this.#watches.get(message.watch)?.take(message);
+      const watch = this.#watches.get(message.watch);
+      if ((message.past ?? null) === (watch?.always ? null : this.#moment)) watch?.take(message);
       if (!message.error) this.#takenIn();
+      if (message.past) this.#asked.get(message.watch)?.(message);
+    } else if (message.pulse) {
+      this.#stamp = message.pulse;
+      this.#say(sym('stamp'), message.pulse);
+      this.onPulse(message);
     } else if (message.reply) {
       this.#requests.get(message.reply)?.take(message);
     }
@@ -94,11 +107,11 @@ export class Connection {
     else this.#say(sym('follow'), number, read(watch.query));
   }
 
-  #begin(query, typed, listener, refused) {
+  #begin(query, typed, listener, refused, always = false) {
     const number = this.#next++;
     const answers = new LiveAnswers(listener);
     const take = (message) => (message.error ? refused(message.error) : answers.change(message));
-    this.#watches.set(number, { query, typed, take });
+    this.#watches.set(number, { query, typed, take, always });
     this.#ask(number, this.#watches.get(number));
     return () => {
       this.#watches.delete(number);
@@ -106,12 +119,47 @@ export class Connection {
     };
   }
 
-  // Both answer how to end it.
+  // All answer how to end it. What is to be known of now, whatever moment is shown, is always followed.
   follow(query, listener) {
     return this.#begin(query, false, listener, () => {});
   }
+  followAlways(query, listener) {
+    return this.#begin(query, false, listener, () => {}, true);
+  }
   watch(query, listener, refused) {
     return this.#begin(query, true, listener, refused);
+  }
+
+  // Shows what held at that time, everywhere; null: what holds now, and goes on. Answers a failure where there is one.
+  async showMoment(microseconds) {
+    this.#moment = microseconds;
+    if (microseconds === null) {
+      for (const [number, watch] of this.#watches) {
+        if (watch.always) continue;
+        this.#say(sym('unwatch'), number);
+        this.#ask(number, watch);
+      }
+      return null;
+    }
+    const waiting = [...this.#watches].filter(([, watch]) => !watch.always);
+    let failure = null;
+    const next = async () => {
+      while (waiting.length && this.#moment === microseconds) {
+        const [number, watch] = waiting.shift();
+        const answer = await this.#then(number, watch.query, microseconds);
+        const undeclared = answer.error?.symbol === 'undeclared-relation';
+        if (undeclared) watch.take({ resynchronised: true, cut: 0, removed: [], added: [] });
+        else failure ??= answer.error ?? null;
+      }
+    };
+    await Promise.all([next(), next(), next(), next()]);
+    return failure;
+  }
+  #then(number, query, microseconds) {
+    return new Promise((resolve) => {
+      this.#asked.set(number, resolve);
+      if (!this.#say(sym('then'), number, read(query), microseconds)) resolve({ error: { symbol: 'unreachable' } });
+    });
   }
 
   // `more` hears what comes after the first answer.
@@ -153,6 +201,17 @@ export class Connection {
     return this.#call(null, verb, sym(robot));
   }
 
+  // The arm moves while holdOn() comes in time, and until release(); answers when it has ended.
+  jog(robot, direction) {
+    return this.#call(null, 'jog', sym(robot), sym(direction), this.#stamp);
+  }
+  holdOn() {
+    this.#say(sym('hold-on'), this.#stamp);
+  }
+  release() {
+    this.#say(sym('release'));
+  }
+
   look(stream, show) {
     this.#looks.set(stream, show);
     this.#say(sym('look'), sym(stream));
@@ -162,18 +221,18 @@ export class Connection {
     };
   }
 
-  // `(image STREAM NUMBER AGE-US WIDTH HEIGHT)`, a newline, a JPEG.
+  // `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, a newline, a JPEG.
   async #show(buffer) {
     const bytes = new Uint8Array(buffer);
     const end = bytes.indexOf(10);
-    const [, stream, number, age, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
+    const [, stream, number, captured, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
     const name = text(stream);
     const bitmap = await createImageBitmap(new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' })).catch(
       () => null,
     );
     // A hidden page draws nothing, and so is sent nothing.
     requestAnimationFrame(() => {
-      if (bitmap) this.#looks.get(name)?.({ bitmap, number, age, width, height });
+      if (bitmap) this.#looks.get(name)?.({ bitmap, number, captured, width, height });
       bitmap?.close();
       this.#say(sym('drawn'), sym(name));
     });

@@ -1,9 +1,15 @@
-// The arm in hand: spring slides that send what they show when they are let go, and the operations that need no number.
-// Nothing here moves an arm that is not in these hands: its agent refuses who is not its commander.
+// The arm in hand: jogs, spring slides, and the operations that need no number. Nothing here moves an arm that is not in
+// these hands: its agent refuses who is not its commander.
 
-import { clipped, element, failureText, find, clock } from './dom.js';
-import { read, write } from './datum.js';
+import { CommandLog } from './command_log.js';
+import { element, failureText, find } from './dom.js';
+import { fact } from './live_answers.js';
+import { makeJog } from './jog.js';
+import { settingSlide, springSlide } from './slides.js';
+import { sym, text, write } from './datum.js';
 
+const pair = (operation, positive, negative) => (v) =>
+  `(${operation} ${v > 0 ? positive : negative} ${Math.abs(v)})`;
 const slides = [
   {
     label: 'Retract / extend',
@@ -11,85 +17,67 @@ const slides = [
     most: 100,
     form: (v) => (v > 0 ? `(extend keep-height ${v})` : `(retract ${-v})`),
   },
-  { label: 'Turn left / right', unit: '°', most: 45, form: (v) => `(turn ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})` },
-  {
-    label: 'Move left / right',
-    unit: 'mm',
-    most: 100,
-    form: (v) => `(move-h ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})`,
-  },
-  { label: 'Move down / up', unit: 'mm', most: 100, form: (v) => `(move-v ${v > 0 ? 'up' : 'down'} ${Math.abs(v)})` },
-  { label: 'Tool down / up', unit: '°', most: 45, form: (v) => `(turn-ef ${v > 0 ? 'up' : 'down'} ${Math.abs(v)})` },
-  {
-    label: 'Wrist left / right',
-    unit: '°',
-    most: 90,
-    form: (v) => `(turn-wrist ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})`,
-  },
+  { label: 'Turn left / right', unit: '°', most: 45, form: pair('turn', 'right', 'left') },
+  { label: 'Move left / right', unit: 'mm', most: 100, form: pair('move-h', 'right', 'left') },
+  { label: 'Move down / up', unit: 'mm', most: 100, form: pair('move-v', 'up', 'down') },
+  { label: 'Tool down / up', unit: '°', most: 45, form: pair('turn-ef', 'up', 'down') },
+  { label: 'Wrist left / right', unit: '°', most: 90, form: pair('turn-wrist', 'right', 'left') },
 ];
+const gripper = { label: 'Gripper', unit: 'mm', least: 0, most: 100, value: 80, form: (v) => `(gripper ${v})` };
+const speed = { label: 'Speed', unit: '%', least: 1, most: 100, value: 50, form: (v) => `(speed ${v})` };
 
-export function showDrive(connection, hands) {
-  const panel = find('drive');
-  const log = element('ol', { class: 'log', 'aria-label': 'What was sent, newest first' });
-  const controls = [];
-
-  const send = async (form) => {
-    const item = element('li', {}, element('time', {}, clock(Date.now() * 1000)), element('code', {}, form), ' …');
-    log.prepend(item);
-    while (log.children.length > 40) log.lastChild.remove();
-    try {
-      const values = await connection.request(hands.robot, read(form));
-      item.lastChild.textContent = ` ${clipped(values.join(' ') || 'ok', 200)}`;
-    } catch (failure) {
-      item.lastChild.textContent = ` ${failureText(failure)}`;
-      item.className = 'bad';
-    }
-  };
-  const button = (label, form) => {
-    const made = element('button', { type: 'button', onclick: () => send(form) }, label);
-    controls.push(made);
-    return made;
-  };
-
-  const slide = ({ label, unit, most, form }) => {
-    const shown = element('output', {}, `0 ${unit}`);
-    const input = element('input', { type: 'range', min: -most, max: most, value: 0, 'aria-label': label });
-    const show = () => (shown.textContent = `${input.value} ${unit}`);
-    input.addEventListener('input', show);
-    input.addEventListener('change', () => {
-      const value = Number(input.value);
-      input.value = 0;
-      show();
-      if (value !== 0) send(form(value));
-    });
-    controls.push(input);
-    return element('label', { class: 'slide' }, element('span', {}, label), input, shown);
-  };
-
-  // One that stands where it is put.
-  const setting = ({ label, unit, least, most, value, form }) => {
-    const shown = element('output', {}, `${value} ${unit}`);
-    const input = element('input', { type: 'range', min: least, max: most, value, 'aria-label': label });
-    const show = () => (shown.textContent = `${input.value} ${unit}`);
-    input.addEventListener('input', show);
-    input.addEventListener('change', () => send(form(input.value)));
-    controls.push(input);
-    const put = (given) => {
-      input.value = given;
-      show();
-    };
-    return { row: element('label', { class: 'slide' }, element('span', {}, label), input, shown), put };
-  };
-  const opening = setting({
-    label: 'Gripper',
-    unit: 'mm',
-    least: 0,
-    most: 100,
-    value: 80,
-    form: (v) => `(gripper ${v})`,
+// Where the axes are, as MONITOR answers, live.
+function showAxes(connection, hands) {
+  const row = element('output', { class: 'axes', 'aria-label': 'Axis positions' }, 'no arm has told its joints yet');
+  connection.follow('(arm-joints ?robot ?joints)', (answers) => {
+    const told = answers.map(fact).find((joints) => text(joints[1]) === hands.robot);
+    if (told) row.textContent = told[2].map((value, i) => `j${i + 1} ${value.toFixed(1)}`).join('   ');
   });
-  const speed = setting({ label: 'Speed', unit: '%', least: 1, most: 100, value: 50, form: (v) => `(speed ${v})` });
+  return row;
+}
 
+// SAVE and GOTO, with the names of what was saved.
+function variablesForm(connection, hands, log) {
+  const known = element('datalist', { id: 'variables' });
+  const name = element('input', {
+    id: 'variable',
+    list: 'variables',
+    maxlength: 32,
+    size: 12,
+    spellcheck: 'false',
+    placeholder: 'p1',
+    'aria-label': 'Name of a place',
+    pattern: '[a-z][a-z0-9\\-]*',
+    title: 'a letter, then letters, digits and hyphens',
+  });
+  const send = (operation) => () => name.value && name.reportValidity() && log.send(`(${operation} ${name.value})`);
+  const save = element('button', { type: 'button', onclick: send('learn') }, 'Save');
+  const go = element('button', { type: 'button', onclick: send('goto') }, 'Go to');
+  connection.follow('(robot-variable ?robot ?name ?joints)', (answers) => {
+    const names = answers.map(fact).filter((saved) => text(saved[1]) === hands.robot);
+    known.replaceChildren(...names.map((saved) => element('option', { value: text(saved[2]) })));
+  });
+  return { parts: [name, known, save, go], controls: [name, save, go] };
+}
+
+function actionForm(log) {
+  const input = element('input', {
+    id: 'action',
+    maxlength: 4000,
+    spellcheck: 'false',
+    placeholder: '(move 350 0 300)   or   CIRCLE p1, p2, p3',
+    'aria-label': 'Action',
+  });
+  const go = element('button', { type: 'submit' }, 'Do action');
+  const form = element('form', { class: 'row' }, input, go);
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    if (input.value) log.send(write([sym('do-action'), input.value]));
+  });
+  return { form, controls: [input, go] };
+}
+
+function takeButton(hands, controls) {
   const note = element('span', { class: 'quiet' });
   const take = element('button', { type: 'button', id: 'take-arm', class: 'strong' }, 'Take the arm in hand');
   take.addEventListener('click', () => hands.toggle().catch((failure) => (note.textContent = failureText(failure))));
@@ -102,26 +90,68 @@ export function showDrive(connection, hands) {
         : 'Anybody may move the arm: a goal, a prompt.';
     for (const control of controls) {
       control.disabled = !mine;
-      control.title = mine ? '' : 'Take the arm in hand first';
+      if (!control.dataset.title) control.dataset.title = control.title || ' ';
+      control.title = mine ? control.dataset.title.trim() : 'Take the arm in hand first';
     }
   });
+  return element('div', { class: 'row' }, take, note);
+}
 
-  panel.append(
-    element('div', { class: 'row' }, take, note),
+export function showDrive(connection, hands) {
+  const log = new CommandLog(
+    connection,
+    () => hands.robot,
+    () => hands.me,
+    'Commands that the arm received, newest first',
+  );
+  const send = (form) => log.send(form);
+  const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
+  const commands = [
+    button('Home', '(home)'),
+    button('Ready', '(ready)'),
+    button('Get control', '(get-control)'),
+    button('Finish: stop', '(finish stop)'),
+  ];
+  // Open to all.
+  const questions = [
+    button('Monitor', '(monitor)'),
+    button('Finish: report', '(finish report)'),
+    button('Status', '(get-status)'),
+  ];
+  const jog = makeJog(connection, hands, log);
+  const springs = slides.map((slide) => springSlide(slide, send));
+  const opening = settingSlide(gripper, send);
+  const percent = settingSlide(speed, send);
+  const variables = variablesForm(connection, hands, log);
+  const action = actionForm(log);
+  const controls = [
+    ...commands,
+    ...jog.buttons,
+    ...[...springs, opening, percent].map((slide) => slide.input),
+    ...variables.controls,
+    ...action.controls,
+  ];
+
+  find('drive').append(
+    takeButton(hands, controls),
+    element('div', { class: 'row' }, ...commands, ...questions),
     element(
       'div',
-      { class: 'row' },
-      button('Home', '(home)'),
-      button('Ready', '(ready)'),
-      button('Get control', '(get-control)'),
-      button('Monitor', '(monitor)'),
-      button('Finish: stop', '(finish stop)'),
+      { class: 'driving' },
+      element('div', {}, ...jog.parts),
+      element('div', { class: 'slides' }, ...springs.map((slide) => slide.row), opening.row, percent.row),
     ),
-    element('div', { class: 'slides' }, ...slides.map(slide), opening.row, speed.row),
-    log,
+    element('div', { class: 'row' }, ...variables.parts, showAxes(connection, hands)),
+    action.form,
+    element('h2', {}, 'Commands received'),
+    log.list,
   );
   connection.follow('(robot-speed ?robot ?percent)', (answers) => {
-    const told = answers.map((answer) => read(answer.facts[0].text)).find((row) => write(row[1]) === hands.robot);
-    if (told) speed.put(told[2]);
+    const told = answers.map(fact).find((row) => text(row[1]) === hands.robot);
+    if (told) percent.put(told[2]);
+  });
+  connection.follow('(gripper ?robot ?opening)', (answers) => {
+    const told = answers.map(fact).find((row) => text(row[1]) === hands.robot);
+    if (told) opening.put(Math.round(told[2]));
   });
 }

@@ -1,21 +1,54 @@
-// Teaching: a click into the camera's image is where LEARN begins; FIND, TRACK and END TRACK of what is known.
+// The eyes: their mode and who holds it, teaching, and FIND, TRACK and END TRACK of what is known.
 
 import { clipped, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { LearnedObjects } from './learned_objects.js';
 import { sym, text } from './datum.js';
+import { Teaching } from './teach.js';
+import { templatePicture } from './template_picture.js';
 
-export function showEyes(connection, images) {
+// Why a button is off; '' where it is not. `held`: [client, mode] of all who hold one.
+function reasons(present, held, me) {
+  const none = 'no eyes are present';
+  if (!present) return { train: none, forget: none, track: none, end: none };
+  const by = (mode) => held.filter(([, holds]) => holds === mode).map(([client]) => client);
+  const trackers = by('tracking');
+  const learners = by('learning');
+  const tracks = trackers.length ? `${trackers.join(', ')} tracks, which excludes learning: end that first` : '';
+  const learns = learners.length ? `${learners[0]} is learning` : '';
+  return {
+    train: tracks || (learners.includes(me) ? '' : learns),
+    forget: tracks || learns,
+    track: learns,
+    end: trackers.includes(me) ? '' : trackers.length ? `${trackers[0]} tracks, and ends it itself` : 'nothing is tracked',
+  };
+}
+
+function set(control, reason) {
+  control.disabled = reason !== '';
+  control.title = reason;
+}
+
+export function showEyes(connection, images, me) {
   const panel = find('eyes');
-  const answer = element('pre', { class: 'answer', role: 'status', hidden: true });
-  const mode = element('span', { class: 'quiet' });
+  const answer = element('pre', { class: 'answer', id: 'eyes-answer', role: 'status', hidden: true });
+  const mode = element('span', { id: 'eyes-mode', class: 'chip' }, 'no eyes');
+  const holders = element('span', { class: 'quiet' });
+  const tracking = element('pre', { class: 'answer', 'aria-label': 'What TRACK says', hidden: true });
+  const objects = new LearnedObjects(connection);
   let eyes = 'vision';
+  let present = false;
+  let held = [];
+  let failed = '';
 
+  const request = (...operation) => connection.request(eyes, operation);
   const ask = async (...operation) => {
     answer.hidden = false;
     answer.textContent = '…';
     try {
-      const values = await connection.request(eyes, operation);
-      answer.textContent = clipped(values.join('\n') || 'ok', 2000);
+      const values = await request(...operation);
+      const why = / FAIL\)/.test(values[0] ?? '') && failed ? `\n${failed}` : '';
+      answer.textContent = clipped((values.join('\n') || 'ok') + why, 2000);
     } catch (failure) {
       answer.textContent = failureText(failure);
     }
@@ -23,78 +56,91 @@ export function showEyes(connection, images) {
   const button = (label, ...operation) =>
     element('button', { type: 'button', onclick: () => ask(...operation) }, label);
 
-  const name = element('input', { id: 'learn-name', maxlength: 64, spellcheck: 'false', placeholder: 'name' });
-  const where = element('output', {}, 'click on a shape in the camera’s image');
-  const learn = element('button', { type: 'submit', disabled: true }, 'Learn');
-  let point = null;
-  const form = element('form', { class: 'row' }, element('label', { for: 'learn-name' }, 'Learn'), name, learn, where);
-  form.addEventListener('submit', (event) => {
-    event.preventDefault();
-    if (point) ask(sym('learn'), point.x, point.y, name.value);
+  const connect = button('Connect', sym('connect'));
+  const disconnect = button('Disconnect', sym('disconnect'));
+  const end = button('End track', sym('end-track'));
+  const teaching = new Teaching({
+    ask: request,
+    objects,
+    provisional: () => `unnamed-${me().replace(/\D+/g, '-').replace(/^-/, '')}`,
+    why: () => failed,
   });
-  const ready = () => (learn.disabled = !point || !name.value);
-  name.addEventListener('input', ready);
-
-  const { plain } = images;
-  plain.canvas.classList.add('clickable');
-  plain.canvas.addEventListener('click', (event) => {
-    if (!plain.shown) return;
-    const box = plain.canvas.getBoundingClientRect();
-    point = {
-      x: Math.round(((event.clientX - box.left) / box.width) * plain.shown.width),
-      y: Math.round(((event.clientY - box.top) / box.height) * plain.shown.height),
-    };
-    where.textContent = `at ${point.x}, ${point.y} of frame ${plain.shown.number}`;
-    ready();
-  });
-
-  const list = element('ul', { class: 'objects' });
+  images.onPoint((point) => teaching.take(point));
+  const list = element('ul', { class: 'objects', 'aria-label': 'Learned objects' });
   panel.append(
-    element(
-      'div',
-      { class: 'row' },
-      button('Connect', sym('connect')),
-      button('Disconnect', sym('disconnect')),
-      button('End track', sym('end-track')),
-      mode,
-    ),
-    form,
+    element('div', { class: 'row' }, mode, holders),
+    element('div', { class: 'row' }, connect, disconnect, end),
+    teaching.panel,
     answer,
+    tracking,
     list,
   );
 
-  let learned = [];
   const tracked = new Map();
-  const draw = () => {
-    const names = new Map();
-    for (const sample of learned) names.set(text(sample[2]), (names.get(text(sample[2])) ?? 0) + 1);
-    const rows = [...names].slice(0, 64).map(([object, samples]) => {
-      const seen = tracked.get(object);
-      const state = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
-      return element(
-        'li',
+  const row = (name, why) => {
+    const samples = objects.samples(name);
+    const seen = tracked.get(name);
+    const state = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
+    const track = button('Track', sym('track'), name);
+    const forget = button('Forget', sym('forget'), name);
+    set(track, why.track);
+    set(forget, why.forget);
+    const alike = objects.alike(name).map((sentence) => element('small', { class: 'warn' }, clipped(sentence, 160)));
+    return element(
+      'li',
+      {},
+      element(
+        'span',
+        { class: 'templates' },
+        ...samples.map((one) => templatePicture(one.picture, one.tone, `Sample ${one.num} of ${clipped(name, 64)}`)),
+      ),
+      element(
+        'span',
         {},
-        element('strong', {}, clipped(object, 64)),
-        element('span', { class: 'quiet' }, `${samples} sample${samples > 1 ? 's' : ''}; ${state}`),
-        button('Find', sym('find'), object),
-        button('Track', sym('track'), object),
-      );
-    });
-    list.replaceChildren(...rows);
+        element('strong', {}, clipped(name, 64)),
+        element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''}; ${state}`),
+        ...alike,
+      ),
+      button('Find', sym('find'), name),
+      track,
+      forget,
+    );
   };
+  const draw = () => {
+    const why = reasons(present, held, me());
+    const connected = held.some(([client, holds]) => client === me() && holds === 'connected');
+    set(connect, !present ? 'no eyes are present' : connected ? 'you are connected' : '');
+    set(disconnect, connected ? '' : 'you are not connected');
+    set(end, why.end);
+    set(teaching.training, why.train);
+    holders.textContent = held.map(([client, holds]) => `${client}: ${holds}`).join(', ');
+    list.replaceChildren(...objects.names().slice(0, 64).map((name) => row(name, why)));
+  };
+  objects.onChange(draw);
   connection.follow('(vision-mode ?eyes ?mode ?connected)', (answers) => {
-    if (!answers.length) return void (mode.textContent = 'no eyes are present');
-    const [, who, doing, connected] = fact(answers[0]);
-    eyes = text(who);
-    mode.textContent = `${eyes}: ${text(doing)}, ${text(connected) === 'yes' ? 'connected' : 'not connected'}`;
+    present = answers.length > 0;
+    const told = present ? fact(answers[0]) : undefined;
+    eyes = told ? text(told[1]) : eyes;
+    const doing = told ? text(told[2]) : 'no eyes';
+    mode.textContent = told ? `${eyes}: ${doing}` : doing;
+    mode.className = `chip ${present ? (doing === 'idle' ? '' : 'busy') : 'bad'}`;
+    document.body.dataset.eyes = doing;
+    draw();
   });
-  connection.follow('(learned ?eyes ?name ?num ? ? ? ? ? ?)', (answers) => {
-    learned = answers.map(fact);
+  connection.follow('(vision-held ?eyes ?client ?mode)', (answers) => {
+    held = answers.map(fact).map((one) => [text(one[2]), text(one[3])]);
     draw();
   });
   connection.follow('(tracked ?eyes ?name ?state ?frame ?confidence)', (answers) => {
     tracked.clear();
-    for (const row of answers.map(fact)) tracked.set(text(row[2]), row);
+    for (const one of answers.map(fact)) tracked.set(text(one[2]), one);
     draw();
+  });
+  connection.follow('(vision-failed ?eyes ?frame ?text ?symbol ?sentence)', (answers) => {
+    failed = answers.length ? text(fact(answers.at(-1))[5]) : '';
+  });
+  connection.follow('(look ?eyes ?frame ?text ?of)', (answers) => {
+    tracking.hidden = answers.length === 0;
+    if (answers.length) tracking.textContent = clipped(text(fact(answers[0])[3]), 1000);
   });
 }

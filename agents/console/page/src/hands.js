@@ -14,7 +14,7 @@ export class Hands {
 
   constructor(connection) {
     this.#connection = connection;
-    connection.follow('(commander ?robot ?client)', (answers) => {
+    connection.followAlways('(commander ?robot ?client)', (answers) => {
       this.#holders = answers.map(fact);
       this.changed();
     });

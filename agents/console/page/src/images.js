@@ -1,4 +1,5 @@
-// The image streams: the left one plain, and with what the eyes make of it. A stream is chosen by its kind.
+// The image streams: the left one plain, and with what the eyes make of it. A stream is chosen by its kind. A click into
+// the plain one says where and in which frame, to who asked first for such points and takes this one.
 
 import { element, find } from './dom.js';
 import { fact } from './live_answers.js';
@@ -27,12 +28,24 @@ function draw(view, picture) {
     canvas.width = picture.width;
     canvas.height = picture.height;
   }
-  canvas.getContext('2d').drawImage(picture.bitmap, 0, 0);
+  canvas.getContext('2d').drawImage(picture.bitmap, 0, 0, picture.width, picture.height);
   view.shown = { number: picture.number, width: picture.width, height: picture.height };
   view.note.textContent = `frame ${picture.number}`;
+  // For who measures.
+  canvas.dataset.captured = picture.captured;
+  canvas.dataset.frame = picture.number;
 }
 
-// Answers the views, so that others may take clicks on them.
+// Of the image that is shown, though it is drawn with room around it.
+function pointIn(view, event) {
+  const { width, height, number } = view.shown;
+  const box = view.canvas.getBoundingClientRect();
+  const scale = Math.min(box.width / width, box.height / height);
+  const x = Math.round((event.clientX - box.left - (box.width - scale * width) / 2) / scale);
+  const y = Math.round((event.clientY - box.top - (box.height - scale * height) / 2) / scale);
+  return x >= 0 && y >= 0 && x < width && y < height ? { x, y, frame: number } : null;
+}
+
 export function showImages(connection) {
   const views = wanted.map((want) => makeView(want.title));
   find('images').append(...views.map((view) => view.card));
@@ -49,5 +62,12 @@ export function showImages(connection) {
       if (!name) view.note.textContent = 'no such stream';
     });
   });
-  return { plain: views[0], annotated: views[1] };
+  const takers = [];
+  const [plain] = views;
+  plain.canvas.classList.add('clickable');
+  plain.canvas.addEventListener('click', (event) => {
+    const point = plain.shown && pointIn(plain, event);
+    if (point) takers.some((take) => take(point));
+  });
+  return { onPoint: (take) => takers.push(take) };
 }

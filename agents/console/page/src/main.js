@@ -7,7 +7,9 @@ import { showAgents } from './agents.js';
 import { showDrive } from './drive.js';
 import { showEyes } from './eyes.js';
 import { showFacts } from './facts.js';
+import { showHead } from './head.js';
 import { showImages } from './images.js';
+import { showPast } from './past.js';
 import { showScene } from './scene.js';
 import { showServo } from './servo_plot.js';
 import { showStop } from './stop.js';
@@ -26,10 +28,12 @@ const images = showImages(connection);
 showWant(connection);
 showServo(connection);
 showStory(connection);
-showEyes(connection, images);
+showHead(connection, images, () => hands.me);
+showEyes(connection, images, () => hands.me);
 showDrive(connection, hands);
 showFacts(connection);
 showAgents(connection);
+showPast(connection);
 
 connection.onArm = scene.moveArm;
 connection.onHello = (hello) => {

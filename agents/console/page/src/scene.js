@@ -53,11 +53,22 @@ function frustum(camera, model) {
   );
 }
 
+// A processor that draws in the place of a graphics card has other work: frames are then few while something moves.
+const pauseWithoutCard = 80;
+
+function drawnByProcessor(renderer) {
+  const context = renderer.getContext();
+  const named = context.getExtension('WEBGL_debug_renderer_info');
+  const name = context.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
 class View {
   #dirty;
   constructor(renderer, canvas) {
     this.canvas = canvas;
     this.renderer = renderer;
+    this.pause = drawnByProcessor(renderer) ? pauseWithoutCard : 0;
     this.#dirty = eachFrame(() => this.draw());
     this.moving = () => false;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -96,7 +107,9 @@ class View {
   draw() {
     const more = this.moving();
     this.renderer.render(this.scene, this.camera);
-    if (more) this.ask();
+    if (!more) return;
+    if (this.pause) setTimeout(() => this.ask(), this.pause);
+    else this.ask();
   }
 }
 

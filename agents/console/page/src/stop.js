@@ -38,7 +38,7 @@ export function showStop(connection, hands) {
     clear.title = mine ? '' : 'Take the arm in hand first (Drive): who clears a stop sets it free';
   });
 
-  connection.follow('(stop ?who ?reason)', (answers) => {
+  connection.followAlways('(stop ?who ?reason)', (answers) => {
     find('stopped').hidden = answers.length === 0;
     const said = answers.map((answer) => `${text(fact(answer)[1])}: ${text(fact(answer)[2])}`);
     find('stopped-by').textContent = clipped(said.join('; '));

@@ -2,6 +2,7 @@
 
 import { clipped, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { showTowers } from './towers.js';
 import { text, write } from './datum.js';
 
 // `done` before the one in hand, its state for that one.
@@ -23,6 +24,7 @@ function showPlan(plan, inHand) {
 }
 
 export function showWant(connection) {
+  const towers = showTowers();
   const answer = find('goal-answer');
   const say = (sentence, kind = '') => {
     answer.hidden = false;
@@ -81,6 +83,7 @@ export function showWant(connection) {
   connection.follow('(learned ?eyes ?name 1 ? ? ? ? ? ?)', (answers) => {
     const names = [...new Set(answers.map((learned) => text(fact(learned)[2])))].slice(0, 12);
     const goals = names.flatMap((a) => names.filter((b) => b !== a).map((b) => `(on ${a} ${b})`));
+    towers.setNames(names.filter((name) => name !== 'end-effector'));
     find('goal-words').replaceChildren(...goals.map((goal) => element('option', { value: goal })));
   });
 }

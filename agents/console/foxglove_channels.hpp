@@ -1,0 +1,43 @@
+#pragma once
+
+// A cell as Foxglove and its kin show one: channels of JSON messages with the public schemas (foxglove.Log and others),
+// made of facts. Lengths are metres there; the frame is `base`.
+//
+//   /tf       foxglove.FrameTransform   where each arm's grip is, from arm-pose
+//   /scene    foxglove.SceneUpdate      the objects where they are believed to be, from place
+//   /story    foxglove.Log              from event
+//   /facts    pizarra.Fact              every fact that is followed, told or gone, as its text
+//
+//   for (const FoxgloveMessage& message : foxglove_messages(fact)) write(message.channel, fact.when, message.json);
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "blackboard/fact.hpp"
+
+namespace pizarra::console {
+
+struct FoxgloveChannel {
+  std::string_view topic;
+  std::string_view schema_name;
+  std::string_view schema;  // JSON
+};
+
+// In the order of their numbers.
+std::span<const FoxgloveChannel> foxglove_channels();
+
+struct FoxgloveMessage {
+  std::size_t channel;
+  std::string json;
+};
+
+// Of a fact that was told, and of one that is gone since `when`.
+std::vector<FoxgloveMessage> foxglove_messages(const Fact& fact);
+std::vector<FoxgloveMessage> foxglove_messages_of_gone(const Fact& fact, Time when);
+
+// What is followed for that: patterns of relations.
+std::span<const std::string_view> foxglove_patterns();
+
+}  // namespace pizarra::console

@@ -1,0 +1,111 @@
+// The head that the cameras stand on, where the cell has one: slides, places, speeds, resets, and to look where the
+// image is clicked.
+
+import { CommandLog } from './command_log.js';
+import { element, find } from './dom.js';
+import { fact } from './live_answers.js';
+import { settingSlide, springSlide } from './slides.js';
+import { text } from './datum.js';
+
+const axes = [
+  { name: 'pan', label: 'Pan left / right', index: 1 },
+  { name: 'tilt', label: 'Tilt down / up', index: 2 },
+];
+
+// An axis: a spring slide for a step, a field for a place, its speed and its reset.
+function axisControls({ name, label }, send) {
+  const spring = springSlide({ label, unit: '°', most: 30, form: (v) => `(set-${name}-rel-pos ${v})` }, send);
+  const percent = settingSlide(
+    {
+      label: `${label.split(' ')[0]} speed`,
+      unit: '%',
+      least: 1,
+      most: 100,
+      value: 20,
+      form: (v) => `(set-${name}-speed ${v})`,
+    },
+    send,
+  );
+  const place = element('input', {
+    type: 'number',
+    id: `${name}-place`,
+    step: 'any',
+    required: true,
+    size: 6,
+    'aria-label': `${name} to, degrees`,
+  });
+  const go = element('button', { type: 'submit' }, 'Move to');
+  const reset = element('button', { type: 'button', onclick: () => send(`(reset-${name})`) }, `Reset ${name}`);
+  const form = element('form', { class: 'row' }, element('label', { for: place.id }, name), place, '°', go, reset);
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    send(`(set-${name}-pos ${Number(place.value)})`);
+  });
+  return { rows: [spring.row, percent.row], form, percent, controls: [spring.input, percent.input, place, go, reset] };
+}
+
+// How far off the middle a pixel is, degrees, positive to the right and upwards.
+function offMiddle(model, at) {
+  const [, , , , focal, cx, cy] = model;
+  const degrees = (px) => (Math.atan(px / focal) * 180) / Math.PI;
+  return { pan: degrees(at.x - cx), tilt: -degrees(at.y - cy) };
+}
+
+export function showHead(connection, images, me) {
+  const panel = find('head');
+  const log = new CommandLog(connection, () => 'pan-tilt', me, 'Commands that the head received, newest first');
+  const send = (form) => log.send(form);
+  const light = element('span', { id: 'head-light', class: 'chip' }, 'no head');
+  const where = element('output', { 'aria-label': 'Where the head looks' }, '');
+  const parts = axes.map((axis) => axisControls(axis, send));
+  const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
+  const buttons = [
+    button('Connect', '(pt-init)'),
+    button('Disconnect', '(pt-close)'),
+    button('Reset both', '(reset-all)'),
+    button('Look ahead', '(look-ahead)'),
+  ];
+  const clicks = element('input', { type: 'checkbox', id: 'click-to-look' });
+  const controls = [...buttons, clicks, ...parts.flatMap((part) => part.controls)];
+  panel.append(
+    element('div', { class: 'row' }, light, where, ...buttons),
+    element('div', { class: 'slides' }, ...parts.flatMap((part) => part.rows)),
+    ...parts.map((part) => part.form),
+    element('label', { class: 'row' }, clicks, 'A click in the camera’s image turns the head there'),
+    element('h2', {}, 'Commands received'),
+    log.list,
+  );
+
+  let head;
+  let model;
+  images.onPoint((at) => {
+    if (!clicks.checked || !head || !model) return false;
+    const off = offMiddle(model, at);
+    send(`(set-pan-pos ${(head[1] + off.pan).toFixed(2)})`);
+    send(`(set-tilt-pos ${(head[2] + off.tilt).toFixed(2)})`);
+    return true;
+  });
+  connection.follow('(head ?pan ?tilt ?state)', (answers) => {
+    head = answers.length ? fact(answers[0]) : undefined;
+    where.textContent = head ? `pan ${head[1].toFixed(1)}°, tilt ${head[2].toFixed(1)}°, ${text(head[3])}` : '';
+  });
+  connection.follow('(camera-model ?eyes ?width ?height ?focal ?cx ?cy ?base)', (answers) => {
+    const told = answers.length ? fact(answers[0]) : undefined;
+    model = told && [...told];
+  });
+  const show = (told) => {
+    const state = told ? text(told[1]) : 'no head';
+    light.textContent = told && text(told[2]) ? `${state}: ${text(told[2])}` : state;
+    light.className = `chip ${state === 'ready' ? 'good' : 'bad'}`;
+    for (const control of controls) {
+      control.disabled = !told;
+      control.title = told ? '' : 'This cell has no head that turns, or its agent is away';
+    }
+  };
+  show();
+  connection.follow('(pan-tilt ?state ?trouble)', (answers) => show(answers.length ? fact(answers[0]) : undefined));
+  connection.follow('(head-speed ?pan ?tilt)', (answers) => {
+    if (!answers.length) return;
+    axes.forEach((axis, i) => parts[i].percent.put(fact(answers[0])[axis.index]));
+  });
+}

@@ -1,0 +1,65 @@
+// What the eyes know: every learned sample by name and number, with its parameters (the thesis' Table C.1), its picture
+// and what it may be mixed up with.
+//
+//   const objects = new LearnedObjects(connection);
+//   objects.onChange(() => objects.names());
+//   objects.sample('circle', 1)      { num, parameters, picture, tone }
+
+import { fact } from './live_answers.js';
+import { text } from './datum.js';
+
+const parameters = ['Area', 'Perimeter', 'NF', 'M0', 'M1', 'M2'];
+
+export class LearnedObjects {
+  #learned = [];
+  #templates = new Map();
+  #alike = [];
+  #listeners = [];
+
+  constructor(connection) {
+    connection.follow('(learned ?eyes ?name ?num ?area ?perimeter ?nf ?m0 ?m1 ?m2)', (answers) => {
+      this.#learned = answers.map(fact);
+      this.#changed();
+    });
+    connection.follow('(learned-template ?eyes ?name ?num ?tone ? ? ? ? ? ? ?picture)', (answers) => {
+      this.#templates = new Map(answers.map(fact).map((row) => [`${row[2]} ${row[3]}`, row]));
+      this.#changed();
+    });
+    connection.follow('(look-alike ?eyes ?name ?other ?error ?sentence)', (answers) => {
+      this.#alike = answers.map(fact);
+      this.#changed();
+    });
+  }
+
+  onChange(listener) {
+    this.#listeners.push(listener);
+  }
+  #changed() {
+    for (const listener of this.#listeners) listener();
+  }
+
+  names() {
+    return [...new Set(this.#learned.map((row) => text(row[2])))].sort();
+  }
+  samples(name) {
+    return this.#learned.filter((row) => text(row[2]) === name).map((row) => this.#shown(row));
+  }
+  newest(name) {
+    return this.samples(name).reduce((a, b) => (!a || b.num > a.num ? b : a), undefined);
+  }
+  // Sentences.
+  alike(name) {
+    return this.#alike.filter((row) => [text(row[2]), text(row[3])].includes(name)).map((row) => text(row[5]));
+  }
+
+  #shown(row) {
+    const template = this.#templates.get(`${row[2]} ${row[3]}`);
+    const values = row.slice(4).map((value, i) => [parameters[i], Number.isInteger(value) ? value : value.toFixed(3)]);
+    return {
+      num: row[3],
+      parameters: values,
+      picture: template ? text(template.at(-1)) : '',
+      tone: template ? text(template[4]) : 'dark',
+    };
+  }
+}

@@ -1,0 +1,41 @@
+// A slider back into the journal: what was known then, in the same views, while the cell goes on. Its board must keep a
+// journal. STOP, and whatever is sent, is of now.
+
+import { clock, element, failureText, find } from './dom.js';
+
+export function showPast(connection) {
+  const bar = find('past');
+  const slider = element('input', {
+    type: 'range',
+    id: 'moment',
+    min: 0,
+    max: 1000,
+    value: 1000,
+    'aria-label': 'Back in time',
+  });
+  const note = element('output', { id: 'moment-note', for: 'moment' }, 'now');
+  const now = element('button', { type: 'button', id: 'back-to-now', disabled: true }, 'Now');
+  bar.append(element('label', { for: 'moment' }, 'Time'), slider, note, now);
+
+  let first = 0;
+  const at = () => Math.round(first + ((Date.now() * 1000 - first) * Number(slider.value)) / 1000);
+  const show = async (moment) => {
+    document.body.classList.toggle('past', moment !== null);
+    now.disabled = moment === null;
+    note.textContent = moment === null ? 'now' : `${clock(moment)} …`;
+    const failure = await connection.showMoment(moment);
+    if (moment !== null) note.textContent = failure ? failureText(failure) : `as it was at ${clock(moment)}`;
+  };
+  slider.addEventListener('input', () => (note.textContent = first ? clock(at()) : 'now'));
+  slider.addEventListener('change', () => show(Number(slider.value) === 1000 || !first ? null : at()));
+  now.addEventListener('click', () => {
+    slider.value = 1000;
+    show(null);
+  });
+  // As far back as anything that is known was told.
+  const since = (answers) => {
+    for (const { facts } of answers) first = first ? Math.min(first, facts[0].when) : facts[0].when;
+  };
+  connection.followAlways('(agent ?name ?kind ?host)', since);
+  connection.followAlways('(event ?n ?kind ?sentence ?detail)', since);
+}

@@ -1,0 +1,111 @@
+// The arm in the page's hands: how long the line is, and jogs that last while the page holds on.
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/console/change_text.hpp"
+#include "agents/console/session.hpp"
+#include "agents/runtime/declared.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+double milliseconds(Duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
+
+Datum hold_fact(const Datum& robot, const std::string& client, const Datum& count) {
+  return list("hold"_sym, robot, Datum::symbol(client), count);
+}
+
+}  // namespace
+
+// A page that takes in nothing gets no stamps, and what it says counts as late.
+Task<void> Session::keep_beating() {
+  while (true) {
+    if (socket_->waiting() < WebSocket::low_mark) {
+      const std::optional<Duration> measured = pulse_.round_trip();
+      say(fmt::format("{{\"pulse\":{},\"deadline\":{:.0f},\"rtt\":{:.1f}}}", pulse_.beat(setup_.executor.now()),
+                      milliseconds(pulse_.deadline()), measured ? milliseconds(*measured) : -1.0));
+    }
+    const Time next = setup_.executor.now() + (in_hand_ ? Pulse::quick : Pulse::slow);
+    co_await hands_changed_.wait(next);
+  }
+}
+
+Task<void> Session::follow_hands() {
+  const Datum ours = list("commander"_sym, "?robot"_sym, Datum::symbol(setup_.name));
+  const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query_for(ours));
+  if (!watch) co_return;
+  std::size_t arms = 0;
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return;
+    if (change->resynchronised) arms = 0;
+    arms = arms + change->added.size() - std::min(arms + change->added.size(), change->removed.size());
+    in_hand_ = arms > 0;
+    hands_changed_.wake_all();
+  }
+}
+
+void Session::stamp(const Datum& form) { pulse_.came_back(form[1].integer(), setup_.executor.now()); }
+
+void Session::jog(const Datum& form) {
+  const Duration deadline = pulse_.deadline();
+  if (!pulse_.is_fresh(form[4].integer(), setup_.executor.now(), deadline)) {
+    return refuse(form[1].integer(), "late", "this came too late to move the arm for");
+  }
+  begin_request(form[1].integer(), jog_while_held(form[1].integer(), form[2], form[3], deadline));
+}
+
+Task<void> Session::jog_while_held(Number number, Datum robot, Datum direction, Duration deadline) {
+  if (jog_) {
+    refuse(number, "busy", "this page holds on to a jog already");
+    co_return;
+  }
+  jog_ = Jog{robot, deadline};
+  const Datum operation = list("jog"_sym, direction, milliseconds(deadline));
+  const std::string agent(robot.text());
+  Result<Datum> ended = Datum();
+  const Result<Revision> held = co_await tell_hold(robot);
+  if (!held) ended = fail(held);
+  const bool wanted = held && !jog_->released;
+  if (wanted) ended = co_await answer_of(agent, operation);
+  co_await take_hold_back(robot);
+  jog_.reset();
+  say(ended ? reply_text(number, *ended) : refusal_text(number, ended.error()));
+}
+
+Task<Result<Revision>> Session::tell_hold(Datum robot) {
+  Transaction telling;
+  telling.tell(hold_fact(robot, setup_.name, to_datum(++holds_told_)), {}, service_.presence());
+  Result<Revision> told = co_await context_.board.transact(std::move(telling));
+  co_return told;
+}
+
+Task<void> Session::renew_hold(Datum robot) {
+  const Result<Revision> told = co_await tell_hold(robot);
+  // The arm stops where none has come.
+  if (!told) co_return;
+}
+
+Task<void> Session::take_hold_back(Datum robot) {
+  const Datum pattern = hold_fact(robot, setup_.name, "?"_sym);
+  const Result<Revision> taken = co_await context_.board.retract(pattern);
+  // It goes with the page's presence then.
+  if (!taken) co_return;
+}
+
+// One at a time is on its way to the board: where that is slow, the arm stops.
+void Session::hold_on(const Datum& form) {
+  const bool counts =
+      jog_ && !jog_->released && pulse_.is_fresh(form[1].integer(), setup_.executor.now(), jog_->deadline);
+  if (counts && holding_.done()) holding_ = setup_.executor.spawn(renew_hold(jog_->robot));
+}
+
+void Session::release(const Datum&) {
+  if (!jog_ || jog_->released) return;
+  jog_->released = true;
+  letting_go_ = setup_.executor.spawn(take_hold_back(jog_->robot));
+}
+
+}  // namespace pizarra::console

@@ -1,0 +1,57 @@
+// node sketched_goal.mjs PIZARRA-CELL SCRATCH: a goal by the mouse alone: towers sketched by dragging, and pursued.
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { ask, expect, launch, openPage, ownFolder, start } from './browser.mjs';
+
+const [cell, scratch] = process.argv.slice(2);
+const browser = await launch(scratch);
+const folder = ownFolder();
+const pictures = join(scratch, 'console-screenshots');
+mkdirSync(pictures, { recursive: true });
+const served = start([cell, 'console'], folder);
+const page = await openPage(browser, await served.line);
+await page.waitForSelector('body[data-state=live]');
+await ask(page, '(person done ?objects)');
+await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
+  timeout: 120_000,
+});
+await page.click('#sketch-toggle');
+const block = (name) => page.locator(`[data-block=${name}]`);
+const middle = async (name) => {
+  const box = await block(name).boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+};
+const drag = async (name, to) => {
+  await page.mouse.move(...(await middle(name)));
+  await page.mouse.down();
+  await page.mouse.move(...(await to()), { steps: 5 });
+  await page.mouse.up();
+};
+const goal = () => page.inputValue('#goal-text');
+expect((await block('end-effector').count()) === 0, 'the gripper is no block');
+await drag('triangle', () => middle('square'));
+expect((await goal()) === '(on triangle square)', 'a block dragged onto another');
+await drag('circle', () => middle('square'));
+const both = ['(on triangle square)', '(on circle triangle)'];
+const tower = await goal();
+expect(
+  both.every((fact) => tower.includes(fact)),
+  `on top of what is there: ${tower}`,
+);
+await page.screenshot({ path: join(pictures, 'sketch.png') });
+await drag('circle', async () => {
+  const box = await page.locator('.towers').boundingBox();
+  return [box.x + box.width - 6, box.y + 12];
+});
+expect((await goal()) === '(on triangle square)', 'and back to the table');
+await block('circle').click();
+await block('triangle').click();
+expect((await goal()).includes('(on circle triangle)'), 'by two clicks, too');
+await page.click('#goal-form button[type=submit]');
+await page.waitForSelector('#plan li.running', { timeout: 60_000 });
+expect(await page.isHidden('#sketch'), 'the plan takes its place');
+expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
+expect((await served.end()) === 0, 'it ends in order');
+await browser.close();
+process.exit(0);
