@@ -95,7 +95,8 @@ Task<std::vector<std::string>> Story::why() const {
   bool outcome_told = states.empty() || states.back()[2].is_symbol("running");
   for (std::size_t i = from; i < events.size(); ++i) {
     const std::string_view kind = events[i][2].text();
-    const bool tells = kind == "difference" || kind == "plan" || kind == "result" || operation == i;
+    const bool tells =
+        kind == "difference" || kind == "plan" || kind == "result" || kind == "missing" || operation == i;
     if (tells) sentences.emplace_back(events[i][3].text());
     outcome_told = outcome_told || kind == "result";
   }

@@ -26,7 +26,7 @@ class Story {
 
   // Goes on with the numbers of the events that stand on the board.
   Task<void> resume();
-  // KIND: goal, plan, operation, servo, difference, agent or result.
+  // KIND: goal, plan, operation, servo, difference, missing, agent or result.
   void add(Transaction& transaction, std::string_view kind, std::string_view sentence, const Datum& detail,
            std::vector<FactId> because = {});
   Task<Result<Revision>> tell(std::string_view kind, std::string_view sentence, const Datum& detail,

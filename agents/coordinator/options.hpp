@@ -40,9 +40,8 @@ struct CoordinatorOptions {
   std::optional<double> cube_mm;  // none: those that the domain was written for
   double travel_height_mm = 300;  // of the grip: clears a tower of four
   double release_mm = 1.5;        // above the support, where a held cube is let go
-  std::string robot = "robot";
-  std::string vision = "vision";
-  std::string planner = "planner";
+  // The first plan is carried out blindly: nothing is checked or planned again. To compare with; never of use.
+  bool open_loop = false;
 
   int belief_looks = 3;             // in a row, before a difference counts
   int grace_looks = 10;             // unseen for as long, an object's facts go

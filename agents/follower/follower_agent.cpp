@@ -24,7 +24,7 @@ constexpr Duration longest_leg = 60s;   // more than any move within an arm's re
 constexpr Duration stopping_time = 6s;  // more than a robot agent waits for its arm to stand
 constexpr Duration busy_pause = 100ms;  // before the slave is asked again
 
-// What the slave answers where it cannot be, rather than cannot go on.
+// The slave's answers where it cannot be at a place, rather than cannot go on.
 bool is_limit(const Failure& failure) {
   constexpr std::array limits = {"joint-limit", "unreachable", "out-of-room"};
   return std::ranges::find(limits, failure.symbol) != limits.end();

@@ -12,6 +12,7 @@
 #include "agents/person/person_agent.hpp"
 #include "agents/planner/agent/planner_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
+#include "agents/scheme/scheme_agent.hpp"
 #include "agents/speech/speech_agent.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "drivers/arm/arm_file.hpp"
@@ -98,6 +99,7 @@ coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription
   options.cube_mm = description.cube_mm;
   options.gripper.openings = description.openings;
   options.row = description.row;
+  options.open_loop = description.open_loop;
   return options;
 }
 
@@ -118,7 +120,15 @@ Result<std::unique_ptr<BuiltAgent>> build_second(const std::string& kind, runtim
   const Result<arm::ArmModel> model = arm::read_arm_file(slave.arm_file);
   if (!model) return fail(model);
   return std::make_unique<BuiltRobot>(std::move(context), slave.line, *model,
-                                      robot::RobotOptions{room_from(slave.room), slave.rate_hz}, link, "second-arm");
+                                      robot::RobotOptions{room_from(slave.room), slave.rate_hz, "second-arms"}, link,
+                                      "second-arm");
+}
+
+scheme::SchemeOptions scheme_options(const forms::CellSchemeAgent& agent) {
+  return {.file = agent.file,
+          .limits = {.time = std::chrono::milliseconds(agent.time_ms), .memory_mb = agent.memory_mb},
+          .messages_per_s = agent.messages_per_s,
+          .log = nullptr};
 }
 
 std::unique_ptr<BuiltAgent> build_person(runtime::AgentContext context, const forms::CellDescription& description,
@@ -134,14 +144,6 @@ bool has_agent(const forms::CellDescription& description, const std::string& kin
   return std::ranges::find(named, kind) != named.end();
 }
 
-// The coordinator brings the gripper over an object by turning axis 1.
-Result<void> check_suits(const forms::CellDescription& description, const arm::ArmModel& arm) {
-  if (arm.axis_of(arm::Role::turn) || !has_agent(description, "coordinator")) return {};
-  return fail("bad-cell",
-              fmt::format("the coordinator needs an arm that turns, and the arm {} has no such axis", arm.type),
-              Datum::symbol(arm.type));
-}
-
 // In the order in which they are listed.
 constexpr const char* usual_kinds[] = {"robot", "vision", "pan-tilt", "planner", "coordinator", "person"};
 // A cell has these only where its file says so.
@@ -149,7 +151,15 @@ constexpr const char* further_kinds[] = {"speech", "slave", "follower"};
 
 }  // namespace
 
-std::string kind_fault(const std::string& typed) {
+std::string kind_of_agent(const std::string& name) {
+  const std::size_t dash = name.rfind('-');
+  const std::string_view number = std::string_view(name).substr(dash == std::string::npos ? name.size() : dash + 1);
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !number.empty() && std::ranges::all_of(number, digit) ? name.substr(0, dash) : name;
+}
+
+std::string kind_fault(const std::string& name) {
+  const std::string typed = kind_of_agent(name);
   std::vector<std::string> kinds(std::begin(usual_kinds), std::end(usual_kinds));
   kinds.insert(kinds.end(), std::begin(further_kinds), std::end(further_kinds));
   if (std::ranges::find(kinds, typed) != kinds.end()) return {};
@@ -165,6 +175,9 @@ std::vector<std::string> agent_kinds(const forms::CellDescription& description) 
   for (const char* kind : further_kinds) {
     if (has_agent(description, kind)) kinds.push_back(kind);
   }
+  for (const std::string& name : named_agents(description)) {
+    if (kind_of_agent(name) != name || forms::scheme_agent_called(description, name)) kinds.push_back(name);
+  }
   return kinds;
 }
 
@@ -175,8 +188,11 @@ std::vector<std::string> named_agents(const forms::CellDescription& description)
   return kinds;
 }
 
-bool needs_world(const std::string& kind, const forms::CellDescription& description) {
-  if (kind == "robot") return description.arm_line.protocol.empty();
+bool has_arm_plugin(const forms::CellDescription& description) { return description.arm_line.protocol == "plugin"; }
+
+bool needs_world(const std::string& agent, const forms::CellDescription& description) {
+  const std::string kind = kind_of_agent(agent);
+  if (kind == "robot") return description.arm_line.protocol.empty() || has_arm_plugin(description);
   if (kind == "slave") return description.slave && description.slave->line.protocol.empty();
   if (kind == "pan-tilt") return description.pan_tilt.kind.empty();
   if (kind == "vision") return description.eyes.is_simulated();
@@ -187,8 +203,6 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   simulation::WorldConfig config;
   Result<arm::ArmModel> arm = arm::read_arm_file(description.arm_file);
   if (!arm) return fail(arm);
-  const Result<void> suits = check_suits(description, *arm);
-  if (!suits) return fail(suits);
   config.arm = std::move(*arm);
   if (description.slave) {
     Result<arm::ArmModel> second = arm::read_arm_file(description.slave->arm_file);
@@ -217,9 +231,10 @@ Task<void> BuiltAgent::run() {
   ended_ = std::move(ended);
 }
 
-Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, runtime::AgentContext context,
+Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtime::AgentContext context,
                                                 const forms::CellDescription& description, simulation::Link& link,
                                                 Streams* streams, const CameraMaker& own_cameras) {
+  const std::string kind = kind_of_agent(agent);
   if (kind == "robot") {
     Result<arm::ArmModel> model = arm::read_arm_file(description.arm_file);
     if (!model) return fail(model);
@@ -257,6 +272,10 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, runtime
     return std::make_unique<WithoutDevice>(std::make_unique<speech::SpeechAgent>(std::move(context)));
   }
   if (kind == "person") return build_person(std::move(context), description, link);
+  if (const forms::CellSchemeAgent* file = forms::scheme_agent_called(description, agent)) {
+    return std::make_unique<WithoutDevice>(
+        std::make_unique<scheme::SchemeAgent>(std::move(context), scheme_options(*file)));
+  }
   return fail("unknown-agent", fmt::format("there is no agent {}", kind), Datum::symbol(kind));
 }
 

@@ -19,7 +19,9 @@
 
 namespace pizarra::launcher {
 
-// What is wrong with what somebody typed for a kind of agent: empty where there is such a kind.
+// The kind of the agent that a cell lists under this name: another of a kind is called KIND-NUMBER, as vision-2.
+std::string kind_of_agent(const std::string& name);
+// The fault in a typed kind of agent; empty where there is such a kind.
 std::string kind_fault(const std::string& typed);
 // Those that the cell has devices for, and the further ones that it names: who plays a story in the simulated world.
 std::vector<std::string> agent_kinds(const forms::CellDescription& description);
@@ -27,7 +29,10 @@ std::vector<std::string> agent_kinds(const forms::CellDescription& description);
 std::vector<std::string> named_agents(const forms::CellDescription& description);
 
 // Whether the agent has a device in the simulated world, which is reached over its socket, on this machine alone.
-bool needs_world(const std::string& kind, const forms::CellDescription& description);
+bool needs_world(const std::string& agent, const forms::CellDescription& description);
+
+// Whether the arm's driver is a plug-in, whose process the robot agent reaches as it would the simulated world.
+bool has_arm_plugin(const forms::CellDescription& description);
 
 // The simulated world of the cell, checked. Failures: bad-cell, and those of the arm file.
 Result<simulation::WorldConfig> world_config(const forms::CellDescription& description, std::uint64_t seed);
@@ -52,7 +57,7 @@ using CameraMaker = std::function<std::unique_ptr<camera::StereoCamera>(Executor
 
 // Link and streams outlive the agent. `own_cameras` may be none where the cell's eyes are simulated. Failures:
 // unknown-agent, no-camera, and those of the arm file.
-Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, runtime::AgentContext context,
+Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtime::AgentContext context,
                                                 const forms::CellDescription& description, simulation::Link& link,
                                                 Streams* streams, const CameraMaker& own_cameras = {});
 

@@ -23,11 +23,14 @@ LocalCell::LocalCell(Executor& executor, forms::CellDescription description, std
 
 LocalCell::~LocalCell() = default;
 
-Result<void> LocalCell::start(const std::string& kind) {
+Result<void> LocalCell::start(const std::string& kind, const std::string& host) {
   if (agents_.contains(kind)) return fail("already-running", fmt::format("the {} agent runs already", kind));
+  if (kind == "robot" && has_arm_plugin(description_)) {
+    return fail("no-plugin", "the arm's plug-in has a process of its own: ./pizarra up runs it", Datum::symbol(kind));
+  }
   auto running = std::make_unique<Running>();
   running->view = board_.view(kind);
-  runtime::AgentContext context{kind, "localhost", executor_, *running->view, random_.split(kind)};
+  runtime::AgentContext context{kind, host, executor_, *running->view, random_.split(kind)};
   const auto own_cameras = [](Executor& executor, const forms::CameraSetup& setup) {
     return std::make_unique<camera::VideoCamera>(executor, setup, camera::make_any_source);
   };

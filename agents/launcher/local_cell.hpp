@@ -36,8 +36,9 @@ class LocalCell {
   const forms::CellDescription& description() const { return description_; }
   Random random(std::string_view purpose) const { return random_.split(purpose); }
 
-  // Failures: unknown-agent, already-running, and what keeps the agent from being made.
-  Result<void> start(const std::string& kind);
+  // By its kind, or as another of it (kind_of_agent). Failures: unknown-agent, already-running, and what keeps the
+  // agent from being made.
+  Result<void> start(const std::string& kind, const std::string& host = "localhost");
   // Not from inside the agent's own task. Failure: not-running.
   Result<void> kill(const std::string& kind);
   // Why an agent that was started has ended by itself; nothing while it runs.

@@ -16,7 +16,7 @@ constexpr Duration devices_timeout = 10s;
 constexpr Duration teaching_timeout = 120s;
 constexpr Duration declared_pause = 100ms;
 
-// What an agent tells once it has come to its device, and what until then.
+// The facts that an agent tells once it has come to its device, and until then.
 struct Device {
   std::string_view agent;
   std::string_view name;

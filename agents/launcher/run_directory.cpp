@@ -97,7 +97,7 @@ void remove_those(const std::string& path, const std::function<bool(const std::f
   }
 }
 
-// What a supervisor that was killed left in its folder: its state and the sockets, which nobody serves any more. Its
+// The files that a killed supervisor left in its folder: its state and the sockets, which nobody serves any more. Its
 // logs stay, to be read, until the next begins.
 void clean(const std::string& path) {
   remove_those(path, [](const auto& file) { return file.filename() == state_name || file.extension() == ".ipc"; });

@@ -106,7 +106,7 @@ Task<void> HeadControl::lose(Failure why) {
   changed_.wake_all();
 }
 
-// What a board that is away misses is told at the next change or look.
+// Facts that a board misses while it is away are told at the next change or look.
 Task<void> HeadControl::tell() {
   const Result<void> told = co_await facts_.tell();
   static_cast<void>(told);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the board is told of the head, each fact when it changed, under the agent's presence, so that they go with it.
+// The facts about the head, each told when it changed, under the agent's presence, so that they go with it.
 //
 //   facts.set_state("ready", "");
 //   facts.set_pose(reading, moving);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the pan-tilt agent offers, posts, reads, lets you configure and monitor.
+// The pan-tilt agent's contract: operations, facts, settings.
 
 #include <string_view>
 

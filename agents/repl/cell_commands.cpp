@@ -4,8 +4,10 @@
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
+#include "agents/repl/why_fact.hpp"
 #include "agents/runtime/declared.hpp"
 #include "lisp/forms/goal.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -19,7 +21,8 @@ constexpr Duration accept_timeout = 120s;
 
 Task<Evaluation> Interpreter::goal(Datum form) {
   if (form.size() < 2) co_return usage("goal");
-  const bool pursued = co_await is_agent("coordinator");
+  const std::string coordinator = co_await serving(runtime::coordinator_role());
+  const bool pursued = co_await is_agent(coordinator);
   if (!pursued) {
     const Failure alone{
         "absent", "no coordinator is present, so nobody would pursue a goal; (agents) shows who is", {}, {}};
@@ -31,7 +34,9 @@ Task<Evaluation> Interpreter::goal(Datum form) {
         "not-ready", "the objects are still being taught; (ask (person done ?)) says yes when they are", {}, {}};
     co_return show(early_goal, Evaluation::refused);
   }
-  const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
+  // A fact of the board, as a request is one, holds no variables.
+  const Datum wanted = forms::without_variables(form);
+  const Result<Datum> accepted = co_await caller_.call(coordinator, wanted, accept_timeout);
   if (!accepted) {
     const bool text = !accepted.error().place.empty();
     co_return show(accepted.error(), text ? Evaluation::malformed : Evaluation::failed);
@@ -58,7 +63,8 @@ Task<Evaluation> Interpreter::wait_for_end(Datum number, std::string typed) {
       if (fact[2].is_symbol("running")) continue;
       say_end(fact, typed);
       if (fact[2].is_symbol("refused")) co_return Evaluation::refused;
-      co_return fact[2].is_symbol("reached") ? Evaluation::done : Evaluation::failed;
+      const bool is_so = fact[2].is_symbol("reached") || fact[2].is_symbol("kept");
+      co_return is_so ? Evaluation::done : Evaluation::failed;
     }
   }
 }
@@ -83,17 +89,37 @@ Task<bool> Interpreter::being_taught() {
 }
 
 Task<Evaluation> Interpreter::cancel(Datum form) {
-  const Evaluation outcome = co_await request("coordinator", form);
+  const std::string coordinator = co_await serving(runtime::coordinator_role());
+  const Evaluation outcome = co_await request(coordinator, form);
   co_return outcome;
 }
 
+Task<Evaluation> Interpreter::why_fact(Datum pattern) {
+  const Result<std::vector<std::string>> lines = co_await why_facts(context_.board, pattern);
+  if (!lines) co_return show(lines.error());
+  if (style_ == Style::json) {
+    std::vector<Datum> texts;
+    for (const std::string& line : *lines) texts.push_back(Datum::string(line));
+    output_(fmt::format("{{\"why\":{}}}", json_values(texts)));
+    co_return Evaluation::done;
+  }
+  if (lines->empty()) output_(fmt::format("{} does not hold", write(pattern)));
+  for (const std::string& line : *lines) output_(line);
+  co_return Evaluation::done;
+}
+
 Task<Evaluation> Interpreter::why(Datum form) {
-  const bool known = co_await is_agent("coordinator");
+  if (form.size() == 2) {
+    const Evaluation shown = co_await why_fact(form[1]);
+    co_return shown;
+  }
+  const std::string coordinator = co_await serving(runtime::coordinator_role());
+  const bool known = co_await is_agent(coordinator);
   if (!known) {
     const Failure alone{"absent", "no coordinator is present, so nobody knows why; (agents) shows who is", {}, {}};
     co_return show(alone);
   }
-  const Evaluation outcome = co_await request("coordinator", form);
+  const Evaluation outcome = co_await request(coordinator, form);
   co_return outcome;
 }
 

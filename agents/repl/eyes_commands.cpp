@@ -65,7 +65,8 @@ Task<Evaluation> Interpreter::objects(Datum) {
   if (!learned) co_return show(learned.error());
   const std::vector<Fact> places = co_await facts_of(context_.board, read_pattern("(place ? ? ? ? ?)"));
   const std::vector<Fact> looks = co_await facts_of(context_.board, read_pattern("(look ? ? ? ?)"));
-  const bool pursued = co_await is_agent("coordinator");
+  const std::string coordinator = co_await serving(runtime::coordinator_role());
+  const bool pursued = co_await is_agent(coordinator);
   if (learned->empty()) output_("nothing has been learned");
   std::set<std::string> said;
   for (const Fact& object : *learned) {

@@ -37,7 +37,12 @@ std::string bindings_text(const Answer& answer) {
 
 Interpreter::Interpreter(runtime::AgentContext& context, const runtime::Service& service, Output output,
                          Patience patience, Style style)
-    : context_(context), caller_(context, service), output_(std::move(output)), patience_(patience), style_(style) {
+    : context_(context),
+      caller_(context, service),
+      naming_(context, service),
+      output_(std::move(output)),
+      patience_(patience),
+      style_(style) {
   for (const Command& command : Command::all()) words_.emplace(command.name);
 }
 

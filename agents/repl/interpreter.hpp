@@ -16,7 +16,8 @@
 #include <string>
 #include <string_view>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/naming.hpp"
+#include "agents/runtime/roles.hpp"
 
 namespace pizarra::repl {
 
@@ -65,9 +66,17 @@ class Interpreter {
   Task<Evaluation> objects(Datum form);
   Task<Evaluation> plan(Datum form);
   Task<Evaluation> why(Datum form);
+  Task<Evaluation> why_fact(Datum pattern);
   Task<Evaluation> agents(Datum form);
   Task<Evaluation> cancel(Datum form);
   Task<Evaluation> quit(Datum form);
+  Task<Evaluation> find(Datum form);
+  Task<Evaluation> wire(Datum form);
+  Task<Evaluation> list_wiring();
+  Task<Result<Datum>> role_of(Datum client, Datum role);
+  Task<Result<std::string>> remark_on_server(Datum server, Datum present);
+  // The agent that plays this role for the prompt.
+  Task<std::string> serving(runtime::Role role);
   Task<Evaluation> request(std::string agent, Datum operation);
   // Sentences that an answer of the eyes has no room for: why it is FAIL, and what the learned object looks like.
   Task<std::vector<Datum>> remarks_on(std::string agent, Datum operation, Datum answer);
@@ -93,6 +102,7 @@ class Interpreter {
 
   runtime::AgentContext& context_;
   runtime::Caller caller_;
+  runtime::Naming naming_;
   Output output_;
   Patience patience_;
   Style style_;

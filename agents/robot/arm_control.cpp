@@ -16,7 +16,7 @@ constexpr double arrived = 0.5;          // degrees or mm: how far a controller 
 constexpr Duration gripping_time = 20s;  // at most
 constexpr Duration full_telling = 1s;    // a board that restarted has forgotten what it was told
 
-// What the driver refuses for want of control, with the word that asks for it.
+// The driver's refusal for want of control, with the operation that asks for it.
 std::unexpected<Failure> refused(Failure why) {
   if (why.symbol == "not-in-control") why.sentence += "; (get-control) takes it back";
   return std::unexpected(std::move(why));

@@ -10,8 +10,8 @@
 // A motion of which no state comes is stopped (silence.hpp), and stopped again for as long as nobody sees that it has
 // ended: by the driver's stop() where a stop was not taken, and at every attempt to meet the controller anew.
 //
-// What moves with no motion in hand moves for nobody (an order that came late, another's program): it is stopped, and
-// told. What somebody moves by the pendant is theirs.
+// An arm that moves with no motion in hand moves for nobody (an order that came late, another's program): it is
+// stopped, and told. What somebody moves by the pendant is theirs.
 //
 // Lifecycle: find(), where what moves should stop before anybody may be obeyed; connect(); keep_watch() runs beside it
 // for as long as it lives (tells what changes by itself, connects again after the controller was away). A motion:

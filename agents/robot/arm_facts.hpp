@@ -63,7 +63,7 @@ std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& j
 // What each axis reads, axis 1 first: 0.001 degree or mm.
 std::vector<Datum> joint_numbers(const arm::Joints& joints);
 
-// What the axes read as a list, exactly, and back; nothing where it is no such list.
+// The axes' positions as a list, exactly, and back; nothing where it is no such list.
 Datum joints_to_datum(const arm::Joints& joints);
 std::optional<arm::Joints> joints_from_datum(const Datum& datum);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a motion operation means for an arm that stands somewhere: the waypoints to follow, or why not. Pure: the same
-// arm, place and variables give the same motion.
+// The meaning of a motion operation for an arm at its present place: the waypoints to follow, or why not. Pure: the
+// same arm, place and variables give the same motion.
 //
 // Extend and retract move in the plane that axis 1 turns, and are clamped to what the arm can reach, as are the turns;
 // move-h and move-v name a place (the current one plus the increment), to which a track may help, and are refused when

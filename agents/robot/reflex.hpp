@@ -1,6 +1,6 @@
 #pragma once
 
-// What stops an arm without its commander being asked, and who may command it at all.
+// The events that stop an arm without its commander being asked, and the choice of the commander.
 //
 //   - a fact `(stop WHO REASON)`, told by anyone: the motion in hand ends, and none begins while such a fact stands
 //   - a board that has not answered for four beats of the reflex's own timer (80 ms)
@@ -9,7 +9,7 @@
 //
 // Of the clients that hold a `(commander ROBOT CLIENT)`, told by themselves, and are present, the first to have told it
 // commands; while there is none, anyone may but those that hold one and are not present. Monitoring and stopping are
-// open to all. What was stopped goes on only when asked for again.
+// open to all. A stopped motion goes on only when it is asked for again.
 //
 // Lifecycle: constructed beside the ArmControl; begin() once the relations are declared; known() before anybody is
 // obeyed; a Watching for as long as a motion is in hand.

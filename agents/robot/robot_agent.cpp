@@ -1,12 +1,16 @@
 #include "agents/robot/robot_agent.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 #include "agents/robot/arm_control.hpp"
+#include "agents/robot/holds.hpp"
+#include "agents/robot/jog.hpp"
 #include "agents/robot/motion.hpp"
 #include "agents/robot/reflex.hpp"
 #include "agents/robot/robot_contract.hpp"
 #include "agents/runtime/service.hpp"
+#include "drivers/arm/placement.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::robot {
@@ -37,6 +41,12 @@ struct EarlierMotion {
   Result<Datum> answer;
 };
 
+runtime::Contract contract_in(const std::string& context) {
+  runtime::Contract contract = runtime::contract_from_text(robot_contract).value();
+  contract.context = context;
+  return contract;
+}
+
 }  // namespace
 
 struct RobotAgent::State {
@@ -48,7 +58,8 @@ struct RobotAgent::State {
         facts(context, service),
         control(context, driver, model, room, options.told_per_s, facts),
         reflex(context, control),
-        service(context, runtime::contract_from_text(robot_contract).value()) {}
+        holds(context, control),
+        service(context, contract_in(options.context)) {}
 
   runtime::AgentContext context;
   const Datum name;  // the first argument of all that it tells
@@ -57,6 +68,7 @@ struct RobotAgent::State {
   ArmFacts facts;
   ArmControl control;
   Reflex reflex;
+  Holds holds;
   ArmVariables variables;
   double speed_percent = 100;
   std::optional<EarlierMotion> earlier;
@@ -66,6 +78,7 @@ struct RobotAgent::State {
   Task<Result<void>> run();
   Task<Result<std::vector<Fact>>> known(Datum pattern);
   Task<Result<void>> restore();
+  Task<void> tell_properties();
   Task<Result<void>> connect();
 
   Task<Result<Datum>> handle(Fact request);
@@ -73,6 +86,9 @@ struct RobotAgent::State {
   Task<Result<Datum>> answer_with(Result<Datum> known);
   Task<Result<Datum>> get_status();
   Task<Result<Datum>> move(Fact request);
+  Task<Result<Datum>> jog(Fact request);
+  Task<Result<void>> follow_while_held(std::string client, Duration deadline, arm::Joints from,
+                                       std::vector<arm::Joints> waypoints);
   Task<Result<Datum>> gripper(Fact request);
   Task<Result<Datum>> carry_out(Fact request, Task<Result<void>> motion);
   Task<Result<Datum>> speed(Datum operation);
@@ -101,11 +117,13 @@ Task<Result<void>> RobotAgent::State::run() {
   if (!started) co_return started;
   const Result<void> restored = co_await restore();
   if (!restored) co_return restored;
+  co_await tell_properties();
   const Result<void> connected = co_await connect();
   if (!connected) co_return connected;
   watch = context.executor.spawn(control.keep_watch());
   reflex.begin();
-  // Who stops it and who commands it is known before anybody is obeyed.
+  holds.begin();
+  // The agent knows who stops it and who commands it before it obeys anybody.
   co_await reflex.known();
   runtime::RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   co_return co_await service.serve_requests(std::move(handler));
@@ -115,6 +133,21 @@ Task<Result<std::vector<Fact>>> RobotAgent::State::known(Datum pattern) {
   while (true) {
     const Result<std::vector<Fact>> found = co_await context.board.facts(pattern);
     if (found || found.error().symbol != "unreachable") co_return found;
+    co_await sleep(context.executor, retry_pause);
+  }
+}
+
+// By which it is found among others of its kind. Where the board refuses them, as when its disk is full, it serves all
+// the same.
+Task<void> RobotAgent::State::tell_properties() {
+  Transaction properties;
+  properties.tell(
+      list("property"_sym, name, "reach"_sym, static_cast<std::int64_t>(std::lround(arm::longest_reach_mm(model)))));
+  properties.tell(list("property"_sym, name, "axes"_sym, static_cast<std::int64_t>(model.axes.size())));
+  properties.tell(list("property"_sym, name, "arm"_sym, Datum::symbol(model.type)));
+  while (true) {
+    const Result<Revision> told = co_await context.board.transact(properties);
+    if (told || told.error().symbol != "unreachable") co_return;
     co_await sleep(context.executor, retry_pause);
   }
 }
@@ -168,6 +201,7 @@ Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
   const Result<void> allowed = reflex.allows(request.teller);
   if (!allowed) return answer_with(fail(allowed));
   if (is_motion(operation)) return move(std::move(request));
+  if (operation.is_form("jog")) return jog(std::move(request));
   if (operation.is_form("gripper")) return gripper(std::move(request));
   if (operation.is_form("speed")) return speed(std::move(operation));
   if (operation.is_form("learn")) return learn(std::move(operation));
@@ -204,6 +238,40 @@ Task<Result<Datum>> RobotAgent::State::move(Fact request) {
   const double speed_part = speed_percent / 100;
   Task<Result<void>> following = control.follow(at, std::move(motion->waypoints), speed_part);
   co_return co_await carry_out(std::move(request), std::move(following));
+}
+
+Task<Result<Datum>> RobotAgent::State::jog(Fact request) {
+  const Datum operation = request.datum[3];
+  const double least_ms = std::chrono::duration<double, std::milli>(Holds::least_deadline).count();
+  const double longest_ms = std::chrono::duration<double, std::milli>(Holds::longest_deadline).count();
+  const Result<double> given_ms = amount_in(operation[2], least_ms, longest_ms, "ms");
+  if (!given_ms) co_return fail(given_ms);
+  const auto deadline = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(*given_ms));
+  const Result<InHand> in_hand = control.take_in_hand(operation);
+  if (!in_hand) co_return fail(in_hand);
+  const Result<void> held = co_await holds.await(request.teller, deadline);
+  if (!held) co_return fail(held);
+  const Result<arm::ArmReading> reading = co_await control.read();
+  if (!reading) co_return fail(reading);
+  const arm::Joints at = reading->joints;
+  Result<Motion> motion = plan_jog(model, room, operation[1].text(), at);
+  if (!motion) co_return fail(motion);
+  if (motion->at_limit) co_return answer(false);
+  Task<Result<void>> following = follow_while_held(request.teller, deadline, at, std::move(motion->waypoints));
+  co_return co_await carry_out(std::move(request), std::move(following));
+}
+
+// To let go is how a jog ends.
+Task<Result<void>> RobotAgent::State::follow_while_held(std::string client, Duration deadline, arm::Joints from,
+                                                        std::vector<arm::Joints> waypoints) {
+  const Result<void> held = co_await holds.await(client, deadline);
+  if (!held) co_return held;
+  const double speed_part = std::min(speed_percent / 100, jog_speed(model, from, waypoints, deadline));
+  const Holds::Watching watching(holds, client, deadline);
+  Result<void> moved = co_await control.follow(from, std::move(waypoints), speed_part);
+  const bool released = !moved && moved.error().symbol == Holds::released;
+  if (released) co_return Result<void>();
+  co_return moved;
 }
 
 Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// The robot agent: the thesis' seventeen operations, and `get-control`, over any ArmDriver, the same for every arm.
+// The robot agent: the thesis' seventeen operations, `get-control` and held jogs (holds.hpp), over any ArmDriver, the
+// same for every arm.
 //
 // Lifecycle: constructed, run() spawned. It asks the controller which arm it is of (one that says another than
 // the cell describes ends run() with `unknown-arm`; most protocols say less, see the drivers) and stops what moves
@@ -12,7 +13,7 @@
 // One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
 // monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a
 // refused motion has moved nothing. Every motion is done once: the durable fact `(robot-motion ROBOT REQUEST OUTCOME)`
-// says which was begun last and how it ended, so that the successor of an agent that died in mid-motion answers that
+// says which motion was begun last and how it ended. So the successor of an agent that died in mid-motion answers that
 // request, `stopped` or as it ended, and does not move for it.
 //
 //   RobotAgent robot(AgentContext{"robot", "localhost", executor, board, random}, arm, model);
@@ -30,6 +31,7 @@ namespace pizarra::robot {
 struct RobotOptions {
   std::optional<Room> room = {};  // where its grip centre stays
   double told_per_s = 10;         // how often pose and joints are told while they change
+  std::string context = "arms";   // in which its name is bound: of those that can take its place
 };
 
 class RobotAgent : public runtime::Agent {

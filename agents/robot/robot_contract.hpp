@@ -1,6 +1,6 @@
 #pragma once
 
-// What the robot agent offers, posts, reads, lets you configure and monitor.
+// The robot agent's contract: operations, facts, settings.
 
 #include <string_view>
 
@@ -15,7 +15,7 @@ inline constexpr std::string_view robot_contract = R"scheme(
           (turn-ef (direction symbol) (degrees number)) (turn-wrist (direction symbol) (degrees number))
           (home) (ready) (speed (percent number)) (learn (variable symbol)) (goto (variable symbol))
           (gripper (mm number)) (monitor) (finish (option symbol))
-          (get-control))
+          (get-control) (jog (direction symbol) (deadline number)))
   (posts (relation arm ((robot symbol) (state symbol) (action string)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
                    (key robot))
@@ -24,10 +24,12 @@ inline constexpr std::string_view robot_contract = R"scheme(
          (relation gripped ((robot symbol) (whether symbol)) (key robot))
          (relation stop ((who symbol) (reason string)) (key who) (durable))
          (relation commander ((robot symbol) (client symbol)) (key robot client))
+         (relation hold ((robot symbol) (client symbol) (count integer)) (key robot client))
          (relation robot-variable ((robot symbol) (name symbol) (joints list)) (key robot name) (durable))
          (relation robot-speed ((robot symbol) (percent number)) (key robot) (durable))
+         (relation property ((agent symbol) (name symbol) (value datum)) (key agent name) (durable))
          (relation robot-motion ((robot symbol) (request symbol) (outcome list)) (key robot) (durable)))
-  (reads robot-variable robot-speed robot-motion stop commander agent)
+  (reads robot-variable robot-speed robot-motion stop commander hold agent)
   (configures speed learn)
   (monitors get-status monitor finish))
 )scheme";

@@ -25,8 +25,9 @@ struct LineEnd {
 class ToolPath {
  public:
   static constexpr double step_mm = 5;
-  // A quarter, half and three quarters of the way between two waypoints the grip centre is no further from the line,
-  // and the tool no further from the directions that it has at both; which keeps all the way within 0.1 mm.
+  // The path is checked at a quarter, half and three quarters of the way between two waypoints. There the grip centre
+  // is no further from the line, and the tool no further from the directions that it has at both ends; which keeps all
+  // the way within 0.1 mm.
   static constexpr double deviation_mm = 0.05;
   static constexpr double tilt_rad = 1e-3;
   // How near to a limit a line is followed, and how near to each other waypoints are put.

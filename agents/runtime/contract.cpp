@@ -38,6 +38,16 @@ Result<void> read_part(Contract& contract, const Datum& part) {
   return {};
 }
 
+Result<void> check_arguments(const Operation& offered, const Datum& operation) {
+  Relation shape{.name = offered.name, .arguments = offered.arguments, .key = {}, .durable = false, .lease = {}};
+  if (offered.repeats) {
+    const Argument repeated = shape.arguments.back();
+    shape.arguments.pop_back();
+    if (operation.size() > shape.arguments.size() + 1) shape.arguments.resize(operation.size() - 1, repeated);
+  }
+  return check_shape(shape, operation);
+}
+
 }  // namespace
 
 Result<Contract> contract_from_text(std::string_view text) {
@@ -46,7 +56,7 @@ Result<Contract> contract_from_text(std::string_view text) {
   if (!form->is_form("contract") || form->size() < 2 || !(*form)[1].is_symbol()) {
     return fail("bad-contract", "a contract is (contract KIND PART ...)", *form);
   }
-  Contract contract{.kind = std::string((*form)[1].text()), .offers = {}, .posts = {}, .form = *form};
+  Contract contract{.kind = std::string((*form)[1].text()), .offers = {}, .posts = {}, .context = {}, .form = *form};
   constexpr std::string_view parts[] = {"offers", "posts", "reads", "configures", "monitors"};
   for (const Datum& part : form->items().subspan(2)) {
     if (std::ranges::find(parts, part.head()) == std::end(parts)) {
@@ -59,23 +69,22 @@ Result<Contract> contract_from_text(std::string_view text) {
 }
 
 Result<void> check_operation(const Contract& contract, const Datum& operation) {
-  const auto offered = std::ranges::find(contract.offers, operation.head(), &Operation::name);
-  if (operation.head().empty() || offered == contract.offers.end()) {
-    std::vector<std::string> names;
-    for (const Operation& known : contract.offers) names.push_back(known.name);
-    const std::string nearest = nearest_name(operation.head(), names);
-    return fail("unknown-operation",
-                fmt::format("{} does not offer {}{}", contract.kind, write(operation),
-                            nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)),
-                operation);
+  Result<void> checked = fail("unknown-operation", "");
+  for (const Operation& offered : contract.offers) {
+    if (offered.name != operation.head()) continue;
+    Result<void> fits = check_arguments(offered, operation);
+    if (fits) return fits;
+    // Of several shapes the first one is told of.
+    if (checked.error().symbol == "unknown-operation") checked = std::move(fits);
   }
-  Relation shape{.name = offered->name, .arguments = offered->arguments, .key = {}, .durable = false, .lease = {}};
-  if (offered->repeats) {
-    const Argument repeated = shape.arguments.back();
-    shape.arguments.pop_back();
-    if (operation.size() > shape.arguments.size() + 1) shape.arguments.resize(operation.size() - 1, repeated);
-  }
-  return check_shape(shape, operation);
+  if (checked.error().symbol != "unknown-operation") return checked;
+  std::vector<std::string> names;
+  for (const Operation& known : contract.offers) names.push_back(known.name);
+  const std::string nearest = nearest_name(operation.head(), names);
+  return fail("unknown-operation",
+              fmt::format("{} does not offer {}{}", contract.kind, write(operation),
+                          nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)),
+              operation);
 }
 
 std::vector<Relation> runtime_relations() {

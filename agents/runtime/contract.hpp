@@ -26,13 +26,15 @@ struct Contract {
   std::string kind;
   std::vector<Operation> offers;
   std::vector<Relation> posts;
+  std::string context = {};  // where it binds its name, within (cell); empty: where its kind does (own_name.hpp)
   Datum form;
 };
 
 // A malformed contract is a bug of the agent's author; the failure says where.
 Result<Contract> contract_from_text(std::string_view text);
 
-// Whether the operation is offered and its arguments fit. Failures: unknown-operation (names the nearest), wrong-shape.
+// Whether it is offered and its arguments fit, in a shape of it. Failures: unknown-operation (the nearest),
+// wrong-shape.
 Result<void> check_operation(const Contract& contract, const Datum& operation);
 
 // The relations all agents share: agent, contract, request, reply.

@@ -10,7 +10,7 @@
 
 namespace pizarra::runtime {
 
-// Who may not ask about relations takes them for declared.
+// A client that may not ask about relations takes them for declared.
 Task<Result<bool>> is_declared(Board& board, std::string relation);
 // Every fact that fits, and none where its relation is not declared.
 Task<Result<std::vector<Fact>>> facts_if_declared(Board& board, Datum pattern);

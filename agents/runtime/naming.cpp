@@ -11,7 +11,7 @@ namespace pizarra::runtime {
 
 namespace {
 
-constexpr Duration presence_look = 500ms;
+constexpr Duration binding_look = 500ms;
 const Datum any = "?"_sym;
 
 bool is_plain_name(const std::string& name) {
@@ -246,7 +246,7 @@ Task<Result<Listing>> Naming::find(std::string kind) {
   co_return listing_of(*facts);
 }
 
-// What somebody else bound in the meantime, while this was away, is theirs.
+// A binding that somebody else made while this was away is theirs.
 Task<Result<void>> Naming::tell_bindings() {
   const std::map<Path, Reference> bindings = bound_;
   for (const auto& [path, reference] : bindings) {
@@ -262,7 +262,7 @@ Task<Result<void>> Naming::tell_bindings() {
 
 Task<void> Naming::keep_bindings() {
   while (true) {
-    co_await sleep(context_.executor, presence_look);
+    co_await sleep(context_.executor, binding_look);
     const LeaseId presence = service_.presence();
     if (presence == told_under_) continue;
     const Result<void> told = co_await tell_bindings();

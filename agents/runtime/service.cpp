@@ -4,6 +4,8 @@
 #include <deque>
 #include <fmt/format.h>
 
+#include "agents/runtime/naming.hpp"
+#include "agents/runtime/own_name.hpp"
 #include "blackboard/teller.hpp"
 #include "blackboard/time/latch.hpp"
 
@@ -20,13 +22,13 @@ Datum reply_datum(const Datum& id, const Result<Datum>& result) {
   return list("reply"_sym, id, Datum::list(std::move(ok)));
 }
 
-// What declares the relations of a board that has them in another shape is most often its journal.
+// A relation's other shape on the board most often comes from its journal.
 Failure of_another_version(Failure failure) {
   failure.sentence += ", by another version of the agents: begin with a board, and a journal, of its own";
   return failure;
 }
 
-// What the board refuses now and need not refuse later.
+// Refusals that may pass with time.
 bool may_pass(const Failure& failure) { return failure.symbol == "unreachable" || failure.symbol == "too-many"; }
 
 }  // namespace
@@ -109,8 +111,24 @@ Task<Result<void>> Service::start() {
     if (why != "precondition-failed" && why != "unreachable") co_return announced;
     co_await sleep(context_.executor, retry_pause);
   }
+  co_await bind_own_name();
   running_->renewal = context_.executor.spawn(keep_presence());
   co_return {};
+}
+
+// A key that was made for less need not let it; then nobody finds it by its kind, and who knows its name does.
+Task<void> Service::bind_own_name() {
+  if (contract_.offers.empty() || !may_bind_) co_return;
+  if (!names_declared_) {
+    std::vector<Relation> relations = naming_relations();
+    const Result<void> declared = co_await context_.board.declare(std::move(relations));
+    may_bind_ = declared || declared.error().symbol != "not-permitted";
+    if (!declared) co_return;
+    names_declared_ = true;
+  }
+  Transaction binding = own_binding(context_.name, contract_, presence_);
+  const Result<Revision> bound = co_await context_.board.transact(std::move(binding));
+  may_bind_ = bound || bound.error().symbol != "not-permitted";
 }
 
 Task<void> Service::keep_presence() {
@@ -118,10 +136,11 @@ Task<void> Service::keep_presence() {
     co_await sleep(context_.executor, presence_renewal);
     const Result<void> renewed = co_await context_.board.renew(presence_);
     if (renewed) {
-      // Told again, which changes nothing unless somebody retracted it: who lives is present. What fails now is tried
-      // again at the next renewal.
+      // Told again, which changes nothing unless somebody retracted it: who lives is present. A renewal that fails is
+      // tried again at the next one.
       Transaction presence = presence_facts(presence_);
       [[maybe_unused]] const Result<Revision> stands = co_await context_.board.transact(std::move(presence));
+      co_await bind_own_name();
       continue;
     }
     if (renewed.error().symbol != "unknown-lease") continue;
@@ -131,6 +150,7 @@ Task<void> Service::keep_presence() {
       co_await sleep(context_.executor, retry_pause);
       announced = co_await announce();
     }
+    co_await bind_own_name();
   }
 }
 
@@ -250,7 +270,7 @@ Task<Result<Revision>> Service::deliver(Datum reply) {
 
 // Tells the request and waits for its reply; tells it again when the caller's presence began anew, because a board that
 // restarted has forgotten both.
-Task<Result<Answer>> Caller::ask(Datum request, Time deadline) {
+Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
   const Query replied = query_for(list("reply"_sym, request[1], "?result"_sym));
   Result<Answer> answer = fail("timeout", "there was no time to ask");
   while (context_.executor.now() < deadline) {
@@ -265,23 +285,26 @@ Task<Result<Answer>> Caller::ask(Datum request, Time deadline) {
       continue;
     }
     bool waiting = true;
+    bool given_up = false;
     while (waiting) {
       const Time look_up = std::min(deadline, context_.executor.now() + presence_look);
       answer = co_await await_answer(context_.board, replied, look_up, context_.executor);
       const bool in_vain = !answer && answer.error().symbol == "timeout";
-      waiting = in_vain && look_up < deadline && service_.presence() == presence;
+      given_up = in_vain && give_up && give_up();
+      waiting = in_vain && !given_up && look_up < deadline && service_.presence() == presence;
     }
+    if (given_up) co_return fail("replaced", "nobody waits for this answer any more");
     const bool lost = !answer && (answer.error().symbol == "timeout" || answer.error().symbol == "unreachable");
     if (!lost) co_return answer;
   }
   co_return answer;
 }
 
-Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout) {
+Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout, GiveUp give_up) {
   const Datum id = Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_));
   const Datum request = list("request"_sym, id, Datum::symbol(agent), operation);
   const Time deadline = context_.executor.now() + timeout;
-  const Result<Answer> answer = co_await ask(request, deadline);
+  const Result<Answer> answer = co_await ask(request, deadline, std::move(give_up));
   Transaction clean_up;
   clean_up.retract(list("request"_sym, id, "?"_sym, "?"_sym));
   clean_up.retract(list("reply"_sym, id, "?"_sym));
@@ -289,6 +312,8 @@ Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration ti
   if (!answer && answer.error().symbol == "timeout") {
     co_return fail("timeout", fmt::format("{} did not answer in {:.1f} s", agent, timeout.count() / 1e6), operation);
   }
+  const bool replaced = !answer && answer.error().symbol == "replaced";
+  if (replaced) co_return fail("replaced", agent + " is gone, and another serves in its place", operation);
   if (!answer) co_return fail(answer);
   if (!cleaned) co_return fail(cleaned);
   const Datum result = answer->facts.front().datum[2];

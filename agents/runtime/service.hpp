@@ -38,7 +38,8 @@ class Service {
   Service(AgentContext& context, Contract contract);
   ~Service();
 
-  // Declares the runtime's and the contract's relations, waits until the name is free, tells presence and contract.
+  // Declares the runtime's and the contract's relations, waits until the name is free, tells presence and contract. Who
+  // offers anything is bound by its name (own_name.hpp), where its key lets it.
   Task<Result<void>> start();
   // Serves until destroyed, or until the board or the presence is lost for good.
   Task<Result<void>> serve(Handler handler);
@@ -54,12 +55,15 @@ class Service {
   AgentContext& context_;
   Contract contract_;
   LeaseId presence_ = 0;
+  bool names_declared_ = false;
+  bool may_bind_ = true;
   std::unique_ptr<Running> running_;
 
   Task<Result<void>> declare();
   Transaction presence_facts(LeaseId lease) const;
   Task<Result<void>> announce();
   Task<void> keep_presence();
+  Task<void> bind_own_name();
   Task<Result<void>> follow(Watch& watch);
   Task<Result<std::optional<Fact>>> take(Datum request);
   Task<void> answer_request(Fact request);
@@ -73,11 +77,15 @@ class Service {
 // empty contract.
 class Caller {
  public:
+  // Whether nobody waits for the answer any more; asked about once a second.
+  using GiveUp = std::function<bool()>;
+
   Caller(AgentContext& context, const Service& service) : context_(context), service_(service) {}
-  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout);
+  // Given up, the request is withdrawn and the failure is `replaced`.
+  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout, GiveUp give_up = {});
 
  private:
-  Task<Result<Answer>> ask(Datum request, Time deadline);
+  Task<Result<Answer>> ask(Datum request, Time deadline, GiveUp give_up);
 
   AgentContext& context_;
   const Service& service_;

@@ -6,9 +6,10 @@
 //   (request r1 speech (say "move left 5 centimetres"))    -> (reply r1 (ok "(move-h left 50)" true))
 //   (request r2 speech (say "pick up the circle"))         -> (reply r2 (ok "(goal (holding circle))" 1))
 //
+// Which robot and which coordinator: those that play its roles `robot` and `coordinator`.
 // The answer is what was understood, and what the agent asked answered. Failures: not-understood, and the agent's own.
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/roles.hpp"
 
 namespace pizarra::speech {
 
@@ -23,6 +24,7 @@ class SpeechAgent : public runtime::Agent {
   runtime::AgentContext context_;
   runtime::Service service_;
   runtime::Caller caller_;
+  runtime::Roles roles_;
 };
 
 }  // namespace pizarra::speech

@@ -41,7 +41,7 @@ Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
   return Eigen::Vector3d(centre - domain_.cube_mm() / 2 * scene_.view()->away());
 }
 
-// What is held faces the camera, whatever the one below it does: middle goes over middle.
+// The held object faces the camera, whichever way the one below it is turned: middle goes over middle.
 Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
   const Result<Eigen::Vector3d> mark = seen(lower);
   if (!mark) return mark;
@@ -81,7 +81,7 @@ Result<Aim> Aims::at(const Datum& target) {
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
   const std::string_view held = target[1].text();
-  const bool held_is_seen = scene_.sightings().recent(held, 1);
+  const bool held_is_seen = !options_.open_loop && scene_.sightings().recent(held, 1);
   const Eigen::Vector3d followed = held_is_seen ? scene_.sightings().find(held)->place_mm : *grip;
   Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
   if (target.is_form("on-top") && target.size() == 3) {

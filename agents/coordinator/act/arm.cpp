@@ -18,17 +18,17 @@ constexpr int busy_tries = 50;
 
 Task<Result<Datum>> Arm::ask(Datum operation) {
   for (int i = 0; i < busy_tries; ++i) {
-    if (!presence_.has(options_.robot)) {
-      const Datum robot = Datum::symbol(options_.robot);
+    if (!roles_.holder("robot").is_present()) {
+      const Datum robot = Datum::symbol(roles_.holder("robot").server);
       co_await story_.tell("agent", "waiting for the robot agent to come back", robot);
       const Time deadline = context_.executor.now() + options_.absence_patience;
-      const bool back = co_await presence_.wait_for(options_.robot, deadline);
-      if (!back) {
-        co_return fail("absent", "the robot agent stays away", Datum::symbol(options_.robot));
-      }
+      const bool back = co_await roles_.wait_for("robot", deadline);
+      if (!back) co_return fail("absent", "the robot agent stays away", robot);
     }
-    const Result<Datum> done = co_await caller_.call(options_.robot, operation, motion_timeout);
+    const Result<Datum> done = co_await roles_.call("robot", operation, motion_timeout);
     if (done) co_return done;
+    // Another arm does not stand where this one was going.
+    if (done.error().symbol == "replaced") co_return fail("stopped", done.error().sentence, operation);
     if (done.error().symbol != "busy") co_return done;
     co_await sleep(context_.executor, busy_pause);
   }
@@ -98,7 +98,7 @@ Task<Result<double>> Arm::grip(double opening_mm) {
   const Result<Datum> done = co_await ask(operation);
   if (!done) co_return fail(done);
   // The robot tells the opening before it answers.
-  const Datum pattern = list("gripper"_sym, Datum::symbol(options_.robot), "?opening"_sym);
+  const Datum pattern = list("gripper"_sym, Datum::symbol(roles_.holder("robot").server), "?opening"_sym);
   const std::vector<Fact> told = co_await facts_now(context_.board, context_.executor, pattern);
   if (told.empty()) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
   co_return told.back().datum[2].number();

@@ -1,7 +1,7 @@
 #pragma once
 
-// The robot agent as the coordinator uses it: motions that answer when they have ended. An agent that is away is waited
-// for, a busy one asked again; both have their bounds.
+// Whoever plays the robot, as the coordinator uses it: motions that answer when they have ended. An agent that is away
+// is waited for, a busy one asked again; both have their bounds.
 //
 //   Result<void> moved = co_await arm.perform(command);
 //   Result<double> opening = co_await arm.grip(0);
@@ -11,18 +11,17 @@
 #include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/geometry/servo.hpp"
 #include "agents/coordinator/options.hpp"
-#include "agents/coordinator/perceive/presence.hpp"
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/roles.hpp"
 
 namespace pizarra::coordinator {
 
 class Arm {
  public:
-  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, Presence& presence, Story& story,
-      runtime::Caller& caller)
-      : context_(context), options_(options), presence_(presence), story_(story), caller_(caller) {}
+  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, runtime::Roles& roles, Story& story)
+      : context_(context), options_(options), roles_(roles), story_(story) {}
 
-  // One robot operation. Failures: those of the robot, and `absent` when it stays away too long.
+  // One robot operation. Failures: those of the robot, `absent` when it stays away too long, and `stopped` where
+  // another robot stands in for the one that was moving.
   Task<Result<Datum>> ask(Datum operation);
   // What the servo decided. A turn is taken back by the wrist, so that the fingers stay along the base's y.
   Task<Result<void>> perform(ServoCommand command);
@@ -36,9 +35,8 @@ class Arm {
  private:
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
-  Presence& presence_;
+  runtime::Roles& roles_;
   Story& story_;
-  runtime::Caller& caller_;
 };
 
 }  // namespace pizarra::coordinator

@@ -18,7 +18,7 @@ Task<Result<void>> Rescues::lay_down(std::string object) {
   if (!held) co_return fail(held);
   if (!*held) co_return Result<void>();
   co_await story_.tell("servo", "laying down what the gripper holds", Datum::symbol(object));
-  // What it is is not known, so its mark says nothing of how it is held: the gripper alone is aimed.
+  // The object is not known, so its mark does not say how it is held: the gripper alone is aimed.
   const Datum spot = list("free-spot"_sym, "held"_sym);
   // It may be held askew and touch the table early: it is let go wherever the way down ended.
   const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),

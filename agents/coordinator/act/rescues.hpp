@@ -1,6 +1,6 @@
 #pragma once
 
-// What is done where the plan cannot go on as the cell is: a rescue belongs to no operation and has no effect that is
+// The actions for a cell in which the plan cannot go on: a rescue belongs to no operation and has no effect that is
 // planned on. It changes what stands in the way, and what comes of it is seen, and planned on, afterwards.
 //
 //   Result<void> done = co_await rescues.set_aside("square");
@@ -21,8 +21,8 @@ class Rescues {
   Task<Result<void>> lay_down(std::string object);
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
-  // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. What is held
-  // already is laid down, and what it could not be put on pushed out of its row where it is crowded.
+  // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. A held object is
+  // laid down, and the object that it could not be put on is pushed out of its row where it is crowded.
   Task<Result<void>> loosen(Datum operation);
 
  private:

@@ -39,7 +39,8 @@ Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation)
   co_await story_.tell("operation", sentence, operation.name);
   co_await tell(list("operation"_sym, index, operation.name, "running"_sym));
   Result<void> done = co_await run_steps(*steps);
-  if (done) done = co_await await_effects(operation);
+  const bool is_to_show = done && !options_.open_loop;
+  if (is_to_show) done = co_await await_effects(operation);
   const Datum state = Datum::symbol(done ? "done" : "failed");
   co_await tell(list("operation"_sym, index, operation.name, state));
   co_return done;
@@ -60,7 +61,8 @@ Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
     const Result<void> done = co_await run_step(steps[i]);
     const Datum state = Datum::symbol(done ? "done" : "failed");
     co_await tell(list("micro-task"_sym, i, steps[i], state));
-    if (!done) co_return done;
+    const bool goes_on = done || (options_.open_loop && !vigil_.interrupted());
+    if (!goes_on) co_return done;
   }
   co_return Result<void>();
 }
@@ -76,6 +78,7 @@ Task<Result<void>> TaskRunner::run_step(Datum step) {
   if (name == "square-up") return arm_.face(0);
   if (name == "make-room") return make_room(std::string(step[1].text()));
   if (name == "push-over") return push_over(std::string(step[1].text()));
+  if (name == "check-held" && options_.open_loop) return raise();
   if (name == "check-held") return check_held(std::string(step[1].text()));
   return open(aims_.opening_around(step[1].text(), options_.gripper.openings.wide_mm));
 }

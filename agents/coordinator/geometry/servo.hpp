@@ -16,8 +16,8 @@
 
 namespace pizarra::coordinator {
 
-// What is missing until the mark stands where it should. Taken along the arm's own directions, so that a turn does not
-// disturb the depth nor an extension the pixel x.
+// The way that the mark still has to go. Taken along the arm's own directions, so that a turn does not disturb the
+// depth nor an extension the pixel x.
 struct ServoErrors {
   double across_mm;     // positive: the target is to the right
   double bearing_deg;   // the same as a turn of axis 1, positive right

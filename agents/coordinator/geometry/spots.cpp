@@ -71,7 +71,7 @@ double opening_between(const Eigen::Vector3d& centre, const std::vector<Eigen::V
   double opening = wide_mm;
   for (const Eigen::Vector3d& other : neighbours) {
     const Eigen::Vector3d apart = (other - centre).cwiseAbs();
-    // What stands behind, before or well below cannot meet the fingers.
+    // Cubes that stand behind, before or well below cannot meet the fingers.
     const bool beside = apart.x() < 0.75 * cube_mm && other.z() > centre.z() - 0.75 * cube_mm;
     if (!beside || apart.y() < cube_mm / 2) continue;
     opening = std::min(opening, 2 * (apart.y() - cube_mm / 2 - finger_mm - margin_mm));

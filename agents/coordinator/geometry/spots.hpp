@@ -44,7 +44,8 @@ struct TableArea {
 // Whether a cube that stands there has its mark in both images.
 using Shown = std::function<bool(const Eigen::Vector2d& spot)>;
 
-// Where cubes with these centres stand. What hangs in the gripper at `grip`, whatever it is taken for, stands nowhere.
+// Where cubes with these centres stand. An object that hangs in the gripper at `grip`, whatever it is taken for, stands
+// nowhere.
 std::vector<Eigen::Vector2d> spots_of(const std::vector<Eigen::Vector3d>& centres,
                                       const std::optional<Eigen::Vector3d>& grip, double cube_mm);
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace pizarra::coordinator {
@@ -13,7 +14,7 @@ constexpr std::uint64_t still_looks = 5;
 // From the picture to the reply at most so many frames pass: so many looks after the head has come to rest may be
 // older.
 constexpr int looks_on_their_way = 3;
-// What is nearer to where a held object's mark stands goes with the arm.
+// A mark that is nearer to the place of a held object goes with the arm.
 constexpr double held_mm = 40;
 // A look under way when the arm came to rest may show it moving; the second after it does not.
 constexpr std::uint64_t looks_till_rest = 2;
@@ -33,6 +34,12 @@ void Scene::take_camera(const CameraModel& model) {
   turn_view();
 }
 
+// What the arm's word is off by was seen by that camera. The view stays for what is under way.
+void Scene::forget_camera() {
+  model_.reset();
+  pose_off_mm_ = Eigen::Vector3d::Zero();
+}
+
 void Scene::take_head(std::optional<HeadTurn> turn) {
   head_ = turn;
   if (!head_) return;
@@ -50,7 +57,7 @@ void Scene::take_pose(const Eigen::Vector3d& grip_centre_mm) {
 }
 
 bool Scene::places_next_look() {
-  if (!view_ || !head_) return false;
+  if (!model_ || !head_) return false;
   if (blurred_looks_ == 0) return true;
   --blurred_looks_;
   return false;
@@ -112,13 +119,13 @@ Eigen::Vector3d Scene::centre_mm(const std::string& name, const Sighting& sighti
   return sighting.place_mm - domain_.cube_mm() / 2 * looks;
 }
 
-std::optional<std::string> Scene::foremost() const {
+std::optional<std::string> Scene::foremost(const std::set<std::string>& but) const {
   if (!view_) return std::nullopt;
   const Eigen::Vector3d row(options_.row.x_mm, 0, 0);
   double nearest_mm = 0.7 * domain_.cube_mm();
   std::optional<std::string> foremost;
   for (const auto& [name, sighting] : sightings_.all()) {
-    if (name == options_.gripper.mark || !sightings_.recent(name, 1)) continue;
+    if (name == options_.gripper.mark || but.contains(name) || !sightings_.recent(name, 1)) continue;
     const double before_mm = -(centre_mm(name, sighting) - row).dot(view_->away());
     if (before_mm <= nearest_mm) continue;
     nearest_mm = before_mm;
@@ -127,21 +134,60 @@ std::optional<std::string> Scene::foremost() const {
   return foremost;
 }
 
-std::optional<std::string> Scene::may_hide(const std::string& missing) const {
+// What falls off a pile comes to lie within this, in cubes. Behind a cube that stands alone, one that was never seen is
+// not looked for: it is more likely to be away.
+std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but) const {
+  constexpr double falls_within = 3;
   const Sighting* last = sightings_.find(missing);
-  if (!last || !view_) return foremost();
-  const Eigen::Vector3d place = centre_mm(missing, *last);
-  double least_aside_mm = 1.5 * domain_.cube_mm();
+  double least_mm = std::numeric_limits<double>::infinity();
   std::optional<std::string> nearest;
   for (const auto& [name, sighting] : sightings_.all()) {
-    if (name == options_.gripper.mark || name == missing || !sightings_.recent(name, 1)) continue;
-    const Eigen::Vector3d apart = centre_mm(name, sighting) - place;
-    const double aside_mm = std::abs(apart.dot(view_->right()));
-    if (-apart.dot(view_->away()) < domain_.cube_mm() / 2 || aside_mm >= least_aside_mm) continue;
-    least_aside_mm = aside_mm;
+    const bool other = name != options_.gripper.mark && name != missing && !but.contains(name);
+    if (!other || !sightings_.recent(name, 1) || (!last && top_of_pile(name) == name)) continue;
+    const double apart_mm =
+        last ? (centre_mm(name, sighting) - centre_mm(missing, *last)).head<2>().norm() : -sighting.place_mm.x();
+    const bool too_far = last && apart_mm > falls_within * domain_.cube_mm();
+    if (too_far || apart_mm >= least_mm) continue;
+    least_mm = apart_mm;
     nearest = name;
   }
-  return nearest ? nearest : foremost();
+  return nearest;
+}
+
+std::string Scene::top_of_pile(std::string name) const {
+  const Eigen::Vector3d below = centre_mm(name, *sightings_.find(name));
+  double highest_mm = below.z();
+  std::string top = std::move(name);
+  for (const auto& [other, sighting] : sightings_.all()) {
+    if (other == options_.gripper.mark || !sightings_.recent(other, 1)) continue;
+    const Eigen::Vector3d at = centre_mm(other, sighting);
+    const bool of_pile = (at - below).head<2>().norm() < domain_.cube_mm();
+    if (!of_pile || at.z() <= highest_mm) continue;
+    highest_mm = at.z();
+    top = other;
+  }
+  return top;
+}
+
+std::optional<std::string> Scene::may_hide(const std::string& missing, const std::set<std::string>& but) const {
+  const Sighting* last = sightings_.find(missing);
+  std::optional<std::string> hides;
+  if (last && view_) {
+    const Eigen::Vector3d place = centre_mm(missing, *last);
+    double least_aside_mm = 1.5 * domain_.cube_mm();
+    for (const auto& [name, sighting] : sightings_.all()) {
+      const bool other = name != options_.gripper.mark && name != missing && !but.contains(name);
+      if (!other || !sightings_.recent(name, 1)) continue;
+      const Eigen::Vector3d apart = centre_mm(name, sighting) - place;
+      const double aside_mm = std::abs(apart.dot(view_->right()));
+      if (-apart.dot(view_->away()) < domain_.cube_mm() / 2 || aside_mm >= least_aside_mm) continue;
+      least_aside_mm = aside_mm;
+      hides = name;
+    }
+  }
+  if (!hides) hides = foremost(but);
+  if (!hides) hides = nearest_to(missing, but);
+  return hides ? std::optional(top_of_pile(*hides)) : std::nullopt;
 }
 
 bool Scene::calm() const {

@@ -3,6 +3,8 @@
 // Where things stand, by the newest looks and by what the arm, the gripper and the camera's head say of themselves.
 // Nothing is watched or told here: Surroundings takes everything in.
 
+#include <set>
+
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
@@ -27,8 +29,9 @@ class Scene {
   // The middle of the cube that bears the mark.
   Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
   // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands
-  // nearest the camera, well before the row of spots.
-  std::optional<std::string> may_hide(const std::string& missing) const;
+  // nearest the camera, well before the row of spots, else what stands nearest that place: it may have fallen behind.
+  // Of a pile, its top. None of `but`.
+  std::optional<std::string> may_hide(const std::string& missing, const std::set<std::string>& but) const;
   // Whether nothing moves that was seen lately and is not in the gripper.
   bool calm() const;
   // Whether all these objects were seen lately and lie still.
@@ -36,6 +39,8 @@ class Scene {
 
   // What others say of themselves. While the head turns, or nobody knows how it stands, nothing can be placed.
   void take_camera(const CameraModel& model);
+  // Looks are placed again once the camera is known anew.
+  void forget_camera();
   void take_head(std::optional<HeadTurn> turn);
   void take_opening(double mm) { opening_mm_ = mm; }
   void take_pose(const Eigen::Vector3d& grip_centre_mm);
@@ -51,7 +56,9 @@ class Scene {
   void turn_view();
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
   void compare_pose();
-  std::optional<std::string> foremost() const;
+  std::optional<std::string> foremost(const std::set<std::string>& but) const;
+  std::optional<std::string> nearest_to(const std::string& missing, const std::set<std::string>& but) const;
+  std::string top_of_pile(std::string name) const;
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;

@@ -29,19 +29,30 @@ Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOpti
       mirror_(context, options, domain, service, beliefs_),
       looked_(context.executor) {}
 
+Job Surroundings::followed(Datum pattern, Take take) {
+  const auto handler = [this, take](Change change) { return (this->*take)(std::move(change)); };
+  return context_.executor.spawn(follow(context_, std::move(pattern), handler));
+}
+
 void Surroundings::start() {
-  const Datum robot = Datum::symbol(options_.robot);
-  const Datum eyes = Datum::symbol(options_.vision);
-  const auto take = [this](Datum pattern, Task<void> (Surroundings::*with)(Change)) {
-    const auto handler = [this, with](Change change) { return (this->*with)(std::move(change)); };
-    jobs_.push_back(context_.executor.spawn(follow(context_, std::move(pattern), handler)));
-  };
-  take(pattern_of("camera-model"_sym, eyes, 7), &Surroundings::take_model);
-  if (options_.head) take(pattern_of("head"_sym, "?"_sym, 3), &Surroundings::take_head);
-  take(pattern_of("gripper"_sym, robot, 2), &Surroundings::take_gripper);
-  take(pattern_of("arm-pose"_sym, robot, 7), &Surroundings::take_pose);
-  take(pattern_of("look"_sym, eyes, 4), &Surroundings::take_look);
+  if (options_.head) head_ = followed(pattern_of("head"_sym, "?"_sym, 3), &Surroundings::take_head);
   mirror_.start();
+}
+
+// Other eyes may have another camera.
+void Surroundings::follow_eyes(const std::string& agent) {
+  const Datum eyes = Datum::symbol(agent);
+  eyes_.clear();
+  scene_.forget_camera();
+  eyes_.push_back(followed(pattern_of("camera-model"_sym, eyes, 7), &Surroundings::take_model));
+  eyes_.push_back(followed(pattern_of("look"_sym, eyes, 4), &Surroundings::take_look));
+}
+
+void Surroundings::follow_robot(const std::string& agent) {
+  const Datum robot = Datum::symbol(agent);
+  robot_.clear();
+  robot_.push_back(followed(pattern_of("gripper"_sym, robot, 2), &Surroundings::take_gripper));
+  robot_.push_back(followed(pattern_of("arm-pose"_sym, robot, 7), &Surroundings::take_pose));
 }
 
 Task<void> Surroundings::take_model(Change change) {
@@ -72,7 +83,7 @@ Task<void> Surroundings::take_pose(Change change) {
 }
 
 Task<void> Surroundings::take_look(Change change) {
-  // What stands there already when the watch begins may be old.
+  // A fact that stands already when the watch begins may be old.
   if (change.resynchronised || change.added.empty() || !scene_.places_next_look()) co_return;
   const Fact look = change.added.back().facts.front();
   const std::int64_t frame = look.datum[2].integer();

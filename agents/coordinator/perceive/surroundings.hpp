@@ -4,9 +4,10 @@
 // things stand (Scene) and which of the domain's predicates hold (Beliefs), and has those told (Mirror). Nothing here
 // acts.
 //
-// Lifecycle: start() spawns the watches, which go on until it is destroyed.
+// Lifecycle: start() and follow_...() spawn the watches, which go on until it is destroyed or others are followed.
 //
 //   surroundings.start();
+//   surroundings.follow_eyes("vision-2");
 //   bool seen = co_await surroundings.look_after(surroundings.looks() + 1, deadline);   // a look that began since
 //   surroundings.beliefs();                                                             // {(on circle triangle), ...}
 
@@ -24,6 +25,9 @@ class Surroundings {
                const runtime::Service& service, Story& story);
 
   void start();
+  // Whose facts are followed from now on: the agents that play these roles.
+  void follow_eyes(const std::string& agent);
+  void follow_robot(const std::string& agent);
 
   const Scene& scene() const { return scene_; }
   const Facts& beliefs() const { return beliefs_.facts(); }
@@ -39,6 +43,8 @@ class Surroundings {
   Task<bool> look_after(std::uint64_t look, Time deadline);
 
  private:
+  using Take = Task<void> (Surroundings::*)(Change);
+  Job followed(Datum pattern, Take take);
   Task<void> take_model(Change change);
   Task<void> take_head(Change change);
   Task<void> take_gripper(Change change);
@@ -56,7 +62,8 @@ class Surroundings {
   Mirror mirror_;
   std::string told_failure_;
   WaitList looked_;
-  std::vector<Job> jobs_;
+  Job head_;
+  std::vector<Job> eyes_, robot_;
 };
 
 }  // namespace pizarra::coordinator

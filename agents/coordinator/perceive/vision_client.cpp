@@ -1,5 +1,8 @@
 #include "agents/coordinator/perceive/vision_client.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 #include "lisp/forms/vision_reply.hpp"
 
 namespace pizarra::coordinator {
@@ -15,14 +18,14 @@ constexpr Duration busy_pause = 300ms;
 Task<Result<Datum>> Eyes::ask(Datum operation) {
   const Time deadline = context_.executor.now() + options_.absence_patience;
   while (true) {
-    const bool here = co_await presence_.wait_for(options_.vision, deadline);
+    const bool here = co_await roles_.wait_for("eyes", deadline);
     if (!here) {
-      co_return fail("absent", "the vision agent stays away", Datum::symbol(options_.vision));
+      co_return fail("absent", "the vision agent stays away", Datum::symbol(roles_.holder("eyes").server));
     }
-    const Result<Datum> reply = co_await caller_.call(options_.vision, operation, reply_timeout);
+    const Result<Datum> reply = co_await roles_.call("eyes", operation, reply_timeout);
     if (reply) co_return reply;
     const std::string& why = reply.error().symbol;
-    const bool again = why == "busy" || why == "timeout";
+    const bool again = why == "busy" || why == "timeout" || why == "replaced";
     if (!again || context_.executor.now() > deadline) co_return reply;
     co_await sleep(context_.executor, busy_pause);
   }
@@ -60,6 +63,29 @@ Task<Result<void>> Eyes::track() {
   const Time soon = context_.executor.now() + 500ms;
   const bool looking = co_await surroundings_.look_after(before, soon);
   if (looking) co_return Result<void>();
+  const Result<void> tracking = co_await begin_tracking();
+  co_return tracking;
+}
+
+Task<Result<void>> Eyes::take_over(std::string before) {
+  // Before the first goal nothing is tracked.
+  if (!known_) co_return Result<void>();
+  const std::vector<std::string> wanted = *known_;
+  const Result<std::vector<std::string>> theirs = co_await objects();
+  if (!theirs) co_return fail(theirs);
+  const bool lacks = std::ranges::any_of(
+      wanted, [&](const std::string& name) { return std::ranges::find(*theirs, name) == theirs->end(); });
+  if (lacks) {
+    const Datum same = list("learn-from"_sym, Datum::symbol(before));
+    const Result<Datum> learned = co_await ask(same);
+    if (!learned) co_return fail(learned);
+  }
+  known_ = wanted;
+  const Result<void> tracking = co_await begin_tracking();
+  co_return tracking;
+}
+
+Task<Result<void>> Eyes::begin_tracking() {
   const Datum connect = list("connect"_sym);
   const Result<Datum> connected = co_await ask(connect);
   if (!connected) co_return fail(connected);
@@ -85,10 +111,12 @@ Task<Result<void>> Eyes::fresh_look() {
     const bool looked = co_await surroundings_.look_after(under_way, soon);
     if (looked) co_return Result<void>();
     if (context_.executor.now() > deadline) {
-      co_return fail("absent", "vision shows nothing any more", Datum::symbol(options_.vision));
+      co_return fail("absent", "vision shows nothing any more", Datum::symbol(roles_.holder("eyes").server));
     }
-    const Datum vision = Datum::symbol(options_.vision);
-    co_await story_.tell("agent", "no looks come from vision: asking it to track again", vision);
+    const std::string eyes = roles_.holder("eyes").server;
+    const std::string sentence = fmt::format("no looks come from {}: asking it to track again", eyes);
+    const Datum subject = Datum::symbol(eyes);
+    co_await story_.tell("agent", sentence, subject);
     const Result<void> tracking = co_await track();
     if (!tracking) co_return tracking;
   }

@@ -1,23 +1,18 @@
 #pragma once
 
-// The vision agent as the coordinator uses it: which objects there are, where, and that they are tracked.
+// Whoever plays the eyes, as the coordinator uses them: which objects there are, where, and that they are tracked.
 
 #include "agents/coordinator/event_log.hpp"
-#include "agents/coordinator/perceive/presence.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/runtime/roles.hpp"
 
 namespace pizarra::coordinator {
 
 class Eyes {
  public:
-  Eyes(runtime::AgentContext& context, const CoordinatorOptions& options, Presence& presence,
-       Surroundings& surroundings, Story& story, runtime::Caller& caller)
-      : context_(context),
-        options_(options),
-        presence_(presence),
-        surroundings_(surroundings),
-        story_(story),
-        caller_(caller) {}
+  Eyes(runtime::AgentContext& context, const CoordinatorOptions& options, runtime::Roles& roles,
+       Surroundings& surroundings, Story& story)
+      : context_(context), options_(options), roles_(roles), surroundings_(surroundings), story_(story) {}
 
   // Step a: the objects that vision has learned, without the end effector, as they are spelled there. A goal asks once.
   Task<Result<std::vector<std::string>>> objects();
@@ -29,16 +24,18 @@ class Eyes {
   // Looks that began after this call: the next one may have been under way. Tracks again where no looks come, as after
   // a restart of vision. Failure `absent` when that does not help for long.
   Task<Result<void>> fresh_look();
+  // After others have become the eyes: they learn what those before knew, and track what was tracked.
+  Task<Result<void>> take_over(std::string before);
 
  private:
+  Task<Result<void>> begin_tracking();
   Task<Result<Datum>> ask(Datum operation);
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
-  Presence& presence_;
+  runtime::Roles& roles_;
   Surroundings& surroundings_;
   Story& story_;
-  runtime::Caller& caller_;
   std::optional<std::vector<std::string>> known_;  // the objects; none before they were asked for
 };
 

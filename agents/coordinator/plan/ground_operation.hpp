@@ -11,6 +11,9 @@ namespace pizarra::coordinator {
 
 using Facts = std::set<Datum>;
 
+// What of `needed`, facts and (not FACT), is not so.
+std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed);
+
 struct GroundOperation {
   Datum name;  // (STACK circle triangle)
   std::vector<Datum> preconditions;

@@ -1,8 +1,8 @@
 #pragma once
 
-// What must go on holding while an operation is done, so that it makes sense to finish it. The operation's own expected
-// effects are no differences: its preconditions count until it commits itself (`close` or `release`), what the rest of
-// the plan needs counts throughout.
+// The conditions that must go on holding during an operation, so that it makes sense to finish it. The operation's own
+// expected effects are no differences: its preconditions count until it commits itself (`close` or `release`), what the
+// rest of the plan needs counts throughout.
 //
 //   vigil.begin(operation, needed_after);
 //   Result<void> fine = vigil.check(beliefs);      // before every motion

@@ -11,7 +11,9 @@ namespace {
 constexpr std::string_view contract_form = R"scheme(
 (contract coordinator
   (offers (goal (fact list) ...) (cancel) (why))
-  (posts (relation goal ((n integer) (facts list)) (key n) (durable))
+  (posts (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
+         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role))
+         (relation goal ((n integer) (facts list)) (key n) (durable))
          (relation goal-state ((n integer) (state symbol) (detail list)) (key n) (durable))
          (relation place ((name symbol) (x number) (y number) (z number) (frame integer)) (key name))
          (relation believed ((fact list)))
@@ -19,7 +21,7 @@ constexpr std::string_view contract_form = R"scheme(
          (relation micro-task ((index integer) (step list) (state symbol)) (key) (durable))
          (relation servo ((state integer) (object symbol) (err-x number) (err-y number) (err-d number)) (key))
          (relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq) (durable)){})
-  (reads agent look camera-model gripper arm-pose goal goal-state event believed{})
+  (reads agent bound wired look camera-model gripper arm-pose goal goal-state event believed{})
   (configures)
   (monitors goal-state operation servo event))
 )scheme";

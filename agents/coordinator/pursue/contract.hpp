@@ -1,6 +1,6 @@
 #pragma once
 
-// What the coordinator offers, posts, reads, lets you configure and monitor, with the domain's predicates among it.
+// The coordinator's contract, with the domain's predicates in it.
 
 #include <string>
 

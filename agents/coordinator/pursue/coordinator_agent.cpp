@@ -1,5 +1,6 @@
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
 
+#include "agents/coordinator/perceive/role_changes.hpp"
 #include "agents/coordinator/pursue/contract.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/retried_commit.hpp"
@@ -15,11 +16,12 @@ struct Life {
       : domain(std::move(task)),
         caller(context, service),
         story(context.board, context.executor),
-        presence(context),
+        roles(context, service, caller, {runtime::robot_role(), runtime::eyes_role(), runtime::planner_role()}),
         surroundings(context, options, domain, service, story),
-        arm(context, options, presence, story, caller),
-        eyes(context, options, presence, surroundings, story, caller),
-        planning(context, options, domain, presence, surroundings, caller),
+        arm(context, options, roles, story),
+        eyes(context, options, roles, surroundings, story),
+        changes(context, roles, surroundings, eyes, story, service),
+        planning(context, options, domain, roles, surroundings),
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
         rescues(domain, surroundings.scene(), story, arm, runner),
         pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
@@ -27,16 +29,17 @@ struct Life {
   TaskDomain domain;
   runtime::Caller caller;
   Story story;
-  Presence presence;
+  runtime::Roles roles;
   Surroundings surroundings;
   Vigil vigil;
   Arm arm;
   Eyes eyes;
+  RoleChanges changes;
   Planning planning;
   TaskRunner runner;
   Rescues rescues;
   Pursuit pursuit;
-  Job pursuing;
+  Job changing, pursuing;
 };
 
 Task<Result<Datum>> take_goal(Life& life, Datum operation) {
@@ -99,8 +102,9 @@ Task<Result<void>> CoordinatorAgent::run() {
   life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
   co_await life->story.resume();
   co_await life->pursuit.resume();
-  life->presence.start();
+  life->roles.start();
   life->surroundings.start();
+  life->changing = context.executor.spawn(life->changes.follow());
   life->pursuing = context.executor.spawn(life->pursuit.run());
   runtime::Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };
   const Result<void> served = co_await service.serve(std::move(handler));

@@ -23,7 +23,8 @@ bool share_an_object(const Datum& a, const Datum& b) {
 Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expected_by) {
   std::set<FactId> because;
   std::string sentence;
-  for (const Datum& fact : lost) {
+  for (const Datum& literal : lost) {
+    const Datum& fact = literal.is_form("not") ? literal[1] : literal;
     const std::int64_t frame = surroundings_.changed_in(fact).frame;
     std::string instead;
     for (const Datum& belief : surroundings_.beliefs()) {
@@ -33,7 +34,7 @@ Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expecte
       because.insert(came.look);
     }
     if (!sentence.empty()) sentence += "; ";
-    sentence += fmt::format("{} does not hold", write(fact));
+    sentence += fmt::format("{} does not hold", write(literal));
     if (frame != 0) sentence += fmt::format(" since frame {}", frame);
     if (!instead.empty()) sentence += fmt::format(", which shows {}", instead);
   }
@@ -42,7 +43,7 @@ Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expecte
   co_await story_.tell("difference", sentence, Datum::list(lost), std::move(looks));
 }
 
-// What is handed out is not what the last operation should have led to.
+// The operation handed out is not the one that should follow the last one.
 Task<void> Pursuit::tell_unexpected(NextOperation expected, std::size_t next) {
   if (next > expected.index) {
     std::string skipped;
@@ -55,10 +56,7 @@ Task<void> Pursuit::tell_unexpected(NextOperation expected, std::size_t next) {
     co_await story_.tell("difference", sentence, Datum::list(operations));
     co_return;
   }
-  std::vector<Datum> lost;
-  for (const Datum& fact : expected.needed) {
-    if (!surroundings_.beliefs().contains(fact)) lost.push_back(fact);
-  }
+  std::vector<Datum> lost = missing_from(surroundings_.beliefs(), expected.needed);
   const std::string expected_by = expected.rest.empty() ? std::string("the goal") : write(expected.rest.front().name);
   co_await tell_difference(std::move(lost), expected_by);
 }

@@ -1,5 +1,7 @@
 #include "agents/coordinator/pursue/planning.hpp"
 
+#include <algorithm>
+
 namespace pizarra::coordinator {
 
 namespace {
@@ -11,18 +13,20 @@ Facts facts_of(const Datum& facts) { return {facts.items().begin(), facts.items(
 
 }  // namespace
 
-// A planner that died meanwhile leaves the request to its successor.
+// A planner that died meanwhile leaves the request to its successor, or, where another stands in, to that.
 Task<Result<Datum>> Planning::ask(Datum operation, Duration patience) {
   const Time deadline = context_.executor.now() + options_.absence_patience;
-  const bool here = co_await presence_.wait_for(options_.planner, deadline);
-  if (!here) {
-    co_return fail("absent", "the planner agent stays away", Datum::symbol(options_.planner));
+  Result<Datum> reply = fail("replaced", "nobody was asked");
+  while (true) {
+    const bool here = co_await roles_.wait_for("planner", deadline);
+    const Datum planner = Datum::symbol(roles_.holder("planner").server);
+    if (!here) co_return fail("absent", "the planner agent stays away", planner);
+    reply = co_await roles_.call("planner", operation, patience);
+    const bool silent = !reply && reply.error().symbol == "timeout";
+    if (silent) co_return fail("absent", "the planner agent does not answer", planner);
+    const bool replaced = !reply && reply.error().symbol == "replaced";
+    if (!replaced || context_.executor.now() > deadline) co_return reply;
   }
-  const Result<Datum> reply = co_await caller_.call(options_.planner, operation, patience);
-  if (!reply && reply.error().symbol == "timeout") {
-    co_return fail("absent", "the planner agent does not answer", Datum::symbol(options_.planner));
-  }
-  co_return reply;
 }
 
 Datum Planning::operators() const {
@@ -31,21 +35,24 @@ Datum Planning::operators() const {
   return Datum::list(std::move(forms));
 }
 
-Datum Planning::types() const {
-  std::vector<Datum> types{"types"_sym};
+forms::TypedObjects Planning::objects() const {
+  forms::TypedObjects objects;
   const Sightings& sightings = surroundings_.scene().sightings();
   for (const auto& [name, sighting] : sightings.all()) {
     const bool here = sightings.recent(name, static_cast<std::uint64_t>(options_.grace_looks));
-    if (!here || name == options_.gripper.mark) continue;
-    types.push_back(list(Datum::symbol(name), Datum::symbol(domain_.perception().sees())));
+    if (here && name != options_.gripper.mark) objects.emplace_back(name, domain_.perception().sees());
   }
-  for (const forms::TypedName& object : domain_.domain().objects) {
-    types.push_back(list(Datum::symbol(object.name), Datum::symbol(object.type)));
-  }
+  for (const forms::TypedName& object : domain_.domain().objects) objects.emplace_back(object.name, object.type);
+  return objects;
+}
+
+Datum Planning::types() const {
+  std::vector<Datum> types{"types"_sym};
+  for (const auto& [name, type] : objects()) types.push_back(list(Datum::symbol(name), Datum::symbol(type)));
   return Datum::list(std::move(types));
 }
 
-// What is believed, and what the domain says always holds, as a list with this head.
+// The beliefs and the facts that always hold by the domain, as a list with this head.
 Datum Planning::holding(std::string_view head) const {
   Facts facts = surroundings_.beliefs();
   facts.insert(domain_.domain().facts.begin(), domain_.domain().facts.end());
@@ -78,10 +85,18 @@ Task<Result<NextOperation>> Planning::next(std::int64_t goal) {
 Result<NextOperation> Planning::read(const Datum& reply) const {
   if (reply.size() != 4) return fail("bad-reply", "the planner handed out no operation", reply);
   NextOperation next{static_cast<std::size_t>(reply[0].integer()), {}, facts_of(reply[2]), facts_of(reply[3])};
+  // What the domain says always holds is not seen, and needs no watching.
+  const std::vector<Datum>& always = domain_.domain().facts;
+  for (const Datum& fact : always) {
+    next.needed.erase(fact);
+    next.needed_after.erase(fact);
+  }
   for (const Datum& operation : reply[1].items()) {
     Result<GroundOperation> ground = domain_.ground(operation);
     // A plan in terms of another domain file is none.
     if (!ground) return fail("off-plan", ground.error().sentence, operation);
+    std::erase_if(ground->preconditions,
+                  [&](const Datum& fact) { return std::ranges::find(always, fact) != always.end(); });
     next.rest.push_back(std::move(*ground));
   }
   return next;

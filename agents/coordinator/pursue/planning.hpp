@@ -6,8 +6,9 @@
 //   Result<NextOperation> next = co_await planning.next(goal);      // off-plan, not-ready: another plan must be made
 //   Result<std::vector<Datum>> plan = co_await planning.make_plan(goal, facts);
 
-#include "agents/coordinator/perceive/presence.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/runtime/roles.hpp"
+#include "lisp/forms/goal_formula.hpp"
 
 namespace pizarra::coordinator {
 
@@ -21,17 +22,14 @@ struct NextOperation {
 class Planning {
  public:
   Planning(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-           Presence& presence, const Surroundings& surroundings, runtime::Caller& caller)
-      : context_(context),
-        options_(options),
-        domain_(domain),
-        presence_(presence),
-        surroundings_(surroundings),
-        caller_(caller) {}
+           runtime::Roles& roles, const Surroundings& surroundings)
+      : context_(context), options_(options), domain_(domain), roles_(roles), surroundings_(surroundings) {}
 
   // Has a plan made from what is believed now, and answers its operations, one after another; none where the goal
   // holds. Failures: no-plan (proved), gave-up, absent, and what the planner says of a task it cannot read.
   Task<Result<std::vector<Datum>>> make_plan(std::int64_t goal, std::vector<Datum> facts);
+  // What is seen, and what the domain says is always there, with their types: over these a goal quantifies.
+  forms::TypedObjects objects() const;
   // From what is believed now. Failures: off-plan, where no end of the goal's plan serves; not-ready, where it has
   // none; absent.
   Task<Result<NextOperation>> next(std::int64_t goal);
@@ -46,9 +44,8 @@ class Planning {
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
-  Presence& presence_;
+  runtime::Roles& roles_;
   const Surroundings& surroundings_;
-  runtime::Caller& caller_;
 };
 
 }  // namespace pizarra::coordinator

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "agents/coordinator/retried_commit.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
@@ -20,13 +21,7 @@ constexpr int most_failures_of_one = 5;
 constexpr int failures_till_otherwise = 2;
 constexpr Duration untold_pause = 1s;
 
-std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
-  std::vector<Datum> missing;
-  std::ranges::set_difference(needed, beliefs, std::back_inserter(missing));
-  return missing;
-}
-
-// What is handed out once this is done, unless something differs. What must hold after that is not known yet.
+// The operation that follows this one, unless something differs. What must hold after that is not known yet.
 NextOperation once_done(const NextOperation& done) {
   return {done.index + 1, {done.rest.begin() + 1, done.rest.end()}, done.needed_after, {}};
 }
@@ -51,7 +46,18 @@ Task<void> Pursuit::run() {
   }
 }
 
-Task<Result<void>> Pursuit::pursue(Goal goal) {
+Task<Result<void>> Pursuit::pursue_once(Goal goal) {
+  hold_up_.went_on();
+  while (true) {
+    const Result<void> outcome = co_await attempt(goal);
+    const bool held_up = !outcome && is_hold_up(outcome.error());
+    if (!held_up) co_return outcome;
+    const Result<void> over = co_await hold_up_.await_end(outcome.error());
+    if (!over) co_return over;
+  }
+}
+
+Task<Result<void>> Pursuit::attempt(Goal goal) {
   const Result<void> tracking = co_await eyes_.track();
   if (!tracking) co_return tracking;
   const Result<void> looked = co_await eyes_.fresh_look();
@@ -60,8 +66,27 @@ Task<Result<void>> Pursuit::pursue(Goal goal) {
   const Result<void> there = co_await look_for(objects);
   if (!there) co_return there;
   co_await await_steady(objects);
+  if (options_.open_loop) {
+    const Result<void> carried_out = co_await carry_out_blindly(goal);
+    co_return carried_out;
+  }
   const Result<void> outcome = co_await rounds(goal);
   co_return outcome;
+}
+
+Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {
+  const Result<bool> planned = co_await plan_anew(goal, objects_of(goal));
+  if (!planned) co_return fail(planned);
+  const Result<std::optional<NextOperation>> plan = co_await hand_out(goal.number);
+  if (!plan) co_return fail(plan);
+  if (!*plan) co_return fail("off-plan", "the first plan did not serve to begin with");
+  const NextOperation first = **plan;
+  vigil_.rest();
+  for (std::size_t i = 0; i < first.rest.size(); ++i) {
+    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    co_await runner_.run(first.index + i, first.rest[i]);
+  }
+  co_return Result<void>();
 }
 
 Task<Result<void>> Pursuit::rounds(Goal goal) {
@@ -85,6 +110,7 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     }
     const Result<void> done = co_await do_operation(next);
     if (done) {
+      hold_up_.went_on();
       progress.expected = once_done(next);
       progress.announced = next.index + 1;
       progress.failures_of.erase(next.rest.front().name);
@@ -133,7 +159,8 @@ Task<Result<std::optional<NextOperation>>> Pursuit::choose(Goal goal, Progress& 
 }
 
 Task<Result<void>> Pursuit::recover(GroundOperation operation, Failure why, Progress& progress) {
-  if (is_final(why)) co_return fail(why);
+  const bool ends = is_final(why) || is_hold_up(why);
+  if (ends) co_return fail(why);
   // A difference was told when it was noticed; what follows from it is not another one.
   progress.expected.reset();
   if (why.symbol == "difference") {
@@ -153,7 +180,8 @@ Task<void> Pursuit::try_otherwise(GroundOperation operation, Failure why) {
   const bool hidden = why.symbol == "lost-sight" && why.subject.is_symbol();
   if (hidden) {
     const std::string missing(why.subject.text());
-    co_await clear_view(missing);
+    std::set<std::string> none;
+    co_await clear_view(missing, none);
     co_return;
   }
   const bool lies_badly = is_of_how_it_lies(why);
@@ -178,13 +206,12 @@ Task<Result<void>> Pursuit::do_operation(NextOperation next) {
 }
 
 Task<bool> Pursuit::settles(Goal goal) {
-  const Facts wanted(goal.facts.begin(), goal.facts.end());
   const Time settled = context_.executor.now() + options_.settle;
   while (context_.executor.now() < settled) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
     if (vigil_.interrupted()) co_return false;
-    const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), wanted);
+    const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
     if (lost.empty()) continue;
     co_await tell_difference(lost, "the goal");
     co_await await_steady(objects_of(goal));

@@ -3,19 +3,22 @@
 // Pursues the goal: the thesis' steps a to h, one goal at a time, until it holds or cannot.
 //
 // Its rounds: the planner, which owns the plan, is told what is believed and hands out the operation to do next. No end
-// of the plan serves: a new plan. Nothing is left to do: watch for a while that the goal stays. What was believed and
-// is not any more is told as a difference, with the frame that showed it, and so is what is made of it: which part of
-// the plan in hand still serves, or the new plan. The goal is a durable fact, from which a new life of the coordinator
-// goes on; the plan is the planner's.
+// of the plan serves: a new plan. Nothing is left to do: watch for a while that the goal stays. A belief that holds no
+// more is told as a difference, with the frame that showed it. So is the consequence: which part of the plan in hand
+// still serves, or the new plan. The goal is a durable fact, from which a new life of the coordinator goes on; the plan
+// is the planner's.
 //
 // What is wanted changes on the board first: a goal that the board refuses, as one whose disk is full does, changes
 // nothing here.
 
 #include <map>
+#include <set>
 
 #include "agents/coordinator/act/rescues.hpp"
 #include "agents/coordinator/act/task_runner.hpp"
+#include "agents/coordinator/pursue/hold_up.hpp"
 #include "agents/coordinator/pursue/planning.hpp"
+#include "agents/coordinator/pursue/wish.hpp"
 #include "blackboard/time/turns.hpp"
 
 namespace pizarra::coordinator {
@@ -35,6 +38,7 @@ class Pursuit {
         runner_(runner),
         rescues_(rescues),
         vigil_(vigil),
+        hold_up_(context, story, vigil),
         turns_(context.executor),
         wanted_(context.executor) {}
 
@@ -50,7 +54,8 @@ class Pursuit {
  private:
   struct Goal {
     std::int64_t number;
-    std::vector<Datum> facts;
+    std::vector<Datum> facts;  // as it stands on the board; while a stage is pursued, what that wants
+    std::size_t stage = 0;     // of its wish, to begin with
   };
 
   // How far the rounds of one goal have come.
@@ -62,8 +67,23 @@ class Pursuit {
     int plans = 0;
   };
 
+  // All of its stages, and for ever where it is to be kept.
   Task<Result<void>> pursue(Goal goal);
+  Task<Result<void>> pursue_stages(Goal goal, Wish wish);
+  // Waits for what is missing, as often as something is, as long as its patience lasts each time.
+  Task<Result<void>> pursue_patiently(Goal goal, Duration patience);
+  Task<Result<void>> await_missing(std::int64_t goal, Failure missing, Duration patience);
+  Task<Result<void>> keep(Goal goal, Wish wish);
+  // Until something believed changes, or a while.
+  Task<void> await_change();
+  Task<void> tell_progress(std::int64_t goal, std::string_view state, Datum detail, std::string_view kind,
+                           std::string sentence);
+  Task<Result<void>> pursue_once(Goal goal);
+  // Until it holds, cannot, or something holds the cell up.
+  Task<Result<void>> attempt(Goal goal);
   Task<Result<void>> rounds(Goal goal);
+  // The first plan, whatever comes of it.
+  Task<Result<void>> carry_out_blindly(Goal goal);
   // The operation to go on with; none where a plan had to be made first.
   Task<Result<std::optional<NextOperation>>> choose(Goal goal, Progress& progress);
   // The same of the plan in hand; none where it does not serve.
@@ -74,7 +94,8 @@ class Pursuit {
   Task<void> try_otherwise(GroundOperation operation, Failure why);
   Task<Result<void>> look_for(std::vector<std::string> objects);
   Task<Result<void>> look_once_for(std::string object, Time deadline);
-  Task<Result<void>> clear_view(std::string missing);
+  // Whether something was set aside that may have hidden the missing object; none of `but`, to which that is added.
+  Task<Result<bool>> clear_view(std::string missing, std::set<std::string>& but);
   Task<void> await_steady(std::vector<std::string> objects);
   // Whether a new plan was made: false where the one in hand serves again.
   Task<Result<bool>> plan_anew(Goal goal, std::vector<std::string> objects);
@@ -101,6 +122,7 @@ class Pursuit {
   TaskRunner& runner_;
   Rescues& rescues_;
   Vigil& vigil_;
+  HoldUp hold_up_;
   Turns turns_;  // to change what is wanted
   WaitList wanted_;
 

@@ -3,6 +3,7 @@
 
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/retried_commit.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
@@ -15,6 +16,22 @@ constexpr Duration planner_pause = 1s;
 constexpr int planner_tries = 3;
 constexpr int most_attempts = 12;
 constexpr std::uint64_t lately = 10;
+// How many things are set aside in search of one, and how long each time one looks what was behind.
+constexpr std::size_t most_set_aside = 6;
+constexpr Duration look_behind = 1500ms;
+
+bool is_in_hand(const Datum& state) { return state.is_symbol("running") || state.is_symbol("kept"); }
+
+// As tell_progress() told it: (stage K) of the stage that is pursued, from 1.
+std::size_t stage_of(const std::vector<Fact>& states, std::int64_t number) {
+  for (const Fact& state : states) {
+    const Datum& detail = state.datum[3];
+    const bool told = state.datum[1].integer() == number && detail.is_form("stage") && detail.size() == 2;
+    if (told && detail[1].is_integer() && detail[1].integer() > 0)
+      return static_cast<std::size_t>(detail[1].integer() - 1);
+  }
+  return 0;
+}
 
 bool is_verdict(const Failure& failure) {
   return failure.symbol == "no-plan" || failure.symbol == "gave-up" || failure.symbol == "absent";
@@ -23,32 +40,39 @@ bool is_verdict(const Failure& failure) {
 }  // namespace
 
 std::vector<std::string> Pursuit::objects_of(const Goal& goal) const {
-  std::vector<std::string> names;
-  for (const Datum& fact : goal.facts) {
-    for (const Datum& argument : fact.items().subspan(1)) {
-      const std::string name(argument.text());
-      const std::vector<forms::TypedName>& fixed = domain_.domain().objects;
-      const bool of_domain = std::ranges::find(fixed, name, &forms::TypedName::name) != fixed.end();
-      if (!of_domain && std::ranges::find(names, name) == names.end()) names.push_back(name);
-    }
-  }
+  std::vector<std::string> names = forms::objects_in(goal.facts);
+  const std::vector<forms::TypedName>& fixed = domain_.domain().objects;
+  std::erase_if(names, [&](const std::string& name) {
+    return std::ranges::find(fixed, name, &forms::TypedName::name) != fixed.end();
+  });
   return names;
 }
 
-// Steps b and c. What is seen while tracked needs no search of the whole image.
+// Steps b and c: all that are missing are named. Objects seen while tracked need no search of the whole image.
 Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
-  const Time deadline = context_.executor.now() + options_.missing_patience;
+  std::vector<Datum> missing;
   for (const std::string& name : objects) {
+    const Time deadline = context_.executor.now() + options_.missing_patience;
     const Result<void> there = co_await look_once_for(name, deadline);
-    if (!there) co_return there;
+    const bool unseen = !there && there.error().symbol == "missing-object";
+    if (!there && !unseen) co_return there;
+    if (unseen) missing.push_back(Datum::symbol(name));
   }
-  co_return Result<void>();
+  if (missing.empty()) co_return Result<void>();
+  std::string names;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ") + std::string(missing[i].text());
+  }
+  const std::string sentence = fmt::format("{} {} not seen", names, missing.size() == 1 ? "is" : "are");
+  co_return fail("missing-object", sentence, missing.size() == 1 ? missing.front() : Datum::list(missing));
 }
 
+// Where it does not show by itself, what may hide it is set aside, one thing after another.
 Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
-  bool searched = false;
-  const Time doubtful = context_.executor.now() + options_.missing_patience / 2;
+  std::set<std::string> set_aside;
+  bool uncovers = true;
+  Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   while (!surroundings_.scene().sightings().recent(object, lately)) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
@@ -65,10 +89,11 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
       const Result<void> raised = co_await runner_.raise();
       if (!raised) co_return raised;
     }
-    if (!searched && context_.executor.now() > doubtful) {
-      searched = true;
-      const Result<void> cleared = co_await clear_view(object);
-      if (!cleared) co_return cleared;
+    if (uncovers && context_.executor.now() > doubtful) {
+      const Result<bool> cleared = co_await clear_view(object, set_aside);
+      if (!cleared) co_return fail(cleared);
+      uncovers = *cleared && set_aside.size() < most_set_aside;
+      doubtful = context_.executor.now() + look_behind;
       deadline = context_.executor.now() + options_.missing_patience;
     }
     const Result<void> looked = co_await eyes_.fresh_look();
@@ -79,13 +104,16 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 
 // Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
 // reason to give up looking.
-Task<Result<void>> Pursuit::clear_view(std::string missing) {
+Task<Result<bool>> Pursuit::clear_view(std::string missing, std::set<std::string>& but) {
   Result<void> done = co_await rescues_.lay_down(missing);
-  const std::optional<std::string> before = surroundings_.scene().may_hide(missing);
+  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, but);
   const bool may_hide = done && before && *before != missing;
-  if (may_hide) done = co_await rescues_.set_aside(*before);
-  if (!done && done.error().symbol == "interrupted") co_return done;
-  co_return Result<void>();
+  if (may_hide) {
+    but.insert(*before);
+    done = co_await rescues_.set_aside(*before);
+  }
+  if (!done && done.error().symbol == "interrupted") co_return fail(done);
+  co_return may_hide;
 }
 
 // A hand may be at work: what is planned on should have come to rest. Not for ever.
@@ -118,7 +146,8 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     }
     if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
     proved = is_verdict(plan.error());
-    // What is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is seen.
+    // A cube that is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is
+    // seen.
     const bool may_hold = proved && !objects.empty();
     if (may_hold) co_await rescues_.lay_down(objects.front());
     if (!proved) ++failed;
@@ -147,8 +176,9 @@ Task<void> Pursuit::tell_plan(std::int64_t goal, std::vector<Datum> operations) 
 Task<void> Pursuit::resume() {
   const Datum any = "?"_sym;
   const std::vector<Fact> goals = co_await facts_now(context_.board, context_.executor, list("goal"_sym, any, any));
-  const std::vector<Fact> states =
-      co_await facts_now(context_.board, context_.executor, list("goal-state"_sym, any, "running"_sym, any));
+  std::vector<Fact> states =
+      co_await facts_now(context_.board, context_.executor, list("goal-state"_sym, any, any, any));
+  std::erase_if(states, [](const Fact& state) { return !is_in_hand(state.datum[2]); });
   std::optional<Goal> goal;
   for (const Fact& fact : goals) {
     const std::int64_t number = fact.datum[1].integer();
@@ -156,11 +186,12 @@ Task<void> Pursuit::resume() {
     const bool running =
         std::ranges::any_of(states, [&](const Fact& state) { return state.datum[1] == fact.datum[1]; });
     const auto wanted = fact.datum[2].items();
-    if (running) goal = Goal{number, {wanted.begin(), wanted.end()}};
+    if (running) goal = Goal{number, {wanted.begin(), wanted.end()}, stage_of(states, number)};
   }
   if (!goal) co_return;
   current_ = goal;
-  planned_for_ = goal->number;
+  // The plan may be that of the stage before.
+  planned_for_ = goal->stage == 0 ? goal->number : 0;
   const std::string sentence = fmt::format("going on with goal {} after a restart", goal->number);
   co_await story_.tell("agent", sentence, to_datum(goal->number));
 }

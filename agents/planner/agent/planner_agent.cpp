@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "agents/planner/agent/goal_plan.hpp"
 #include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/agent/replanner.hpp"
 #include "agents/planner/agent/running_plan.hpp"
@@ -43,17 +44,18 @@ struct SharedReplanner {
 // One search. The worker may outlive the agent, so it owns what it reads and writes.
 struct Search {
   PlanningTask task;
+  std::vector<Datum> goals;  // as they were told; the task has none
   std::shared_ptr<SharedReplanner> shared;
   Budget budget;
   std::atomic<bool> abandoned = false;
-  Result<ReadyPlan> result = ReadyPlan{};
+  Result<GoalPlan> result = GoalPlan{};
 };
 
 std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search> search) {
   return [search = std::move(search)](const std::function<bool()>& cancelled) {
     const auto stopped = [&] { return search->abandoned || cancelled(); };
     const std::lock_guard<std::mutex> mine(search->shared->in_use);
-    search->result = search->shared->replanner.plan(search->task, search->budget, stopped);
+    search->result = plan_goal(search->shared->replanner, search->task, search->goals, search->budget, stopped);
   };
 }
 
@@ -198,7 +200,8 @@ Task<Result<Datum>> PlannerAgent::State::make_plan(Datum operation) {
 Task<Result<Datum>> PlannerAgent::State::plan_for(std::int64_t number) {
   drop_plan();
   const std::shared_ptr<Search> mine = std::make_shared<Search>();
-  mine->task = PlanningTask{*operators, facts->objects, facts->initials, facts->goals};
+  mine->task = PlanningTask{*operators, facts->objects, facts->initials, {}};
+  mine->goals = facts->goals;
   mine->budget = budget;
   mine->shared = shared;
   search = mine;
@@ -212,13 +215,13 @@ Task<Result<Datum>> PlannerAgent::State::plan_for(std::int64_t number) {
     co_await tell_state("no-plan", failure_to_datum(failure));
     co_return fail(failure);
   }
-  plan.emplace(number, operations_of(mine->result->steps), mine->task.operators, mine->task.goals);
-  // What the board cannot keep is carried out all the same, as long as this agent lives.
+  plan.emplace(number, operations_of(mine->result->plan.steps), mine->task.operators, mine->result->literals);
+  // A plan that the board cannot keep is carried out all the same, as long as this agent lives.
   Transaction telling;
   for (Datum& fact : plan->facts()) telling.tell(std::move(fact));
-  const Datum steps = steps_to_datum(mine->result->steps);
-  const Datum engine = Datum::symbol(mine->result->engine);
-  const Datum mode = Datum::symbol(name_of(mine->result->mode));
+  const Datum steps = steps_to_datum(mine->result->plan.steps);
+  const Datum engine = Datum::symbol(mine->result->plan.engine);
+  const Datum mode = Datum::symbol(name_of(mine->result->plan.mode));
   const Datum detail = list(mode, engine, steps);
   co_await tell(std::move(telling));
   co_await tell_state("planned", detail);

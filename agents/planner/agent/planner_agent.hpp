@@ -21,6 +21,8 @@
 //       -> (ok 1 ((STACK circle square)) ((holding circle) ...) ((on circle square) ...)): the index of the operation
 //          to do next, it and those after it, what must hold before it and after it for them to reach the goals
 //
+// A goal is a fact or a formula of facts (lisp/forms/goal_formula.hpp), quantified over the objects of `types`.
+//
 // Failures: bad-operator, bad-facts, bad-task, unknown-object, unknown-predicate, too-large, not-ready, off-plan
 // (no end of the plan serves from what holds), no-plan (proved; the subject is the goals that exclude each other),
 // gave-up, cancelled.

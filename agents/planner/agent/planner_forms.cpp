@@ -99,6 +99,41 @@ Result<std::vector<PlanningOperator>> operators_from_list(const Datum& operators
   return read;
 }
 
+namespace {
+
+// Whether it has a quantifier's (<x> TYPE), and one form under it.
+bool is_quantified(const Datum& form, std::size_t at) {
+  return form.size() == at + 2 && form[at].size() == 2 && form[at][0].is_symbol() && form[at][1].is_symbol();
+}
+
+}  // namespace
+
+// Formulas as lisp/forms/goal_formula.hpp has them.
+Result<void> check_goal_form(const Datum& form) {
+  const bool counts = form.is_form("at-least");
+  std::size_t first = 0;  // of the forms within
+  bool sound = is_atom(form) && is_ground(form);
+  if (form.is_form("and") || form.is_form("or")) {
+    sound = form.size() > 1;
+    first = 1;
+  } else if (form.is_form("not")) {
+    sound = form.size() == 2;
+    first = 1;
+  } else if (form.is_form("forall") || form.is_form("exists") || counts) {
+    first = counts ? 3 : 2;
+    sound = is_quantified(form, first - 1) && (!counts || form[1].is_integer());
+  } else if (form.is_form("=")) {
+    sound = sound && form.size() == 3;
+  }
+  if (!sound) return fail("bad-facts", fmt::format("a goal is no such form as {}", write(form)), form);
+  if (first == 0) return {};
+  for (const Datum& part : form.items().subspan(first)) {
+    const Result<void> inner = check_goal_form(part);
+    if (!inner) return inner;
+  }
+  return {};
+}
+
 Result<PlanningFacts> facts_from_forms(const Datum& types, const Datum& initials, const Datum& goals) {
   const std::pair<const Datum&, std::string_view> parts[] = {
       {types, "types"}, {initials, "initials"}, {goals, "goals"}};
@@ -113,14 +148,16 @@ Result<PlanningFacts> facts_from_forms(const Datum& types, const Datum& initials
     }
     facts.objects.push_back({type[0], std::string(type[1].text())});
   }
-  const std::pair<const Datum&, std::vector<Datum>&> lists[] = {{initials, facts.initials}, {goals, facts.goals}};
-  for (const auto& [part, atoms] : lists) {
-    for (const Datum& fact : part.items().subspan(1)) {
-      if (!is_atom(fact) || !is_ground(fact)) {
-        return fail("bad-facts", fmt::format("a fact is (PREDICATE OBJECT ...), not {}", write(fact)), fact);
-      }
-      atoms.push_back(fact);
+  for (const Datum& fact : initials.items().subspan(1)) {
+    if (!is_atom(fact) || !is_ground(fact)) {
+      return fail("bad-facts", fmt::format("a fact is (PREDICATE OBJECT ...), not {}", write(fact)), fact);
     }
+    facts.initials.push_back(fact);
+  }
+  for (const Datum& goal : goals.items().subspan(1)) {
+    const Result<void> sound = check_goal_form(goal);
+    if (!sound) return fail(sound);
+    facts.goals.push_back(goal);
   }
   if (facts.goals.empty()) return fail("bad-facts", "there must be at least one goal", goals);
   return facts;

@@ -18,8 +18,9 @@ Result<std::vector<PlanningOperator>> operators_from_list(const Datum& operators
 struct PlanningFacts {
   std::vector<PlanningObject> objects;  // (types (circle OBJECT) ...)
   std::vector<Datum> initials;          // (initials FACT ...)
-  std::vector<Datum> goals;             // (goals FACT ...), at least one
+  std::vector<Datum> goals;             // (goals FORM ...), at least one; goal_formula.hpp
 };
+Result<void> check_goal_form(const Datum& form);
 Result<PlanningFacts> facts_from_forms(const Datum& types, const Datum& initials, const Datum& goals);
 
 // ((OPERATION ...) ...), and the operations alone, one after another.

@@ -10,7 +10,7 @@
 //   plan = replanner.plan(task, Budget{}, cancelled);
 //
 // Kept or new, a plan is a shortest one, but where that would take too long: of a problem too large, or one that the
-// budget does not do for, it is some plan made fast. What is kept is never used for other goals, objects or operators.
+// budget does not do for, it is some plan made fast. A kept plan is never used for other goals, objects or operators.
 // The same tasks in the same order get the same plans.
 
 #include <map>

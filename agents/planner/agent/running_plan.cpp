@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra::planner {
@@ -10,12 +11,13 @@ namespace {
 
 Datum as_list(const RunningPlan::Facts& facts) { return Datum::list({facts.begin(), facts.end()}); }
 
-// What must hold before an operation, for what must hold after it to do so.
+// The facts that must hold before an operation, so that those that must hold after it do.
 RunningPlan::Facts before(const Datum& operation, const PlanningOperator& known, RunningPlan::Facts after) {
   Bindings bindings;
   for (std::size_t i = 0; i < known.parameters.size(); ++i)
     bindings.bind(known.parameters[i].variable, operation[i + 1]);
   for (const Datum& fact : known.adds) after.erase(substitute(fact, bindings));
+  for (const Datum& fact : known.deletes) after.erase(list("not"_sym, substitute(fact, bindings)));
   for (const Datum& fact : known.preconditions) after.insert(substitute(fact, bindings));
   return after;
 }
@@ -52,7 +54,8 @@ std::vector<Datum> RunningPlan::facts() const {
 
 std::optional<std::size_t> RunningPlan::next(const Facts& holding) const {
   for (std::size_t i = needs_.size(); i-- > 0;) {
-    if (std::ranges::includes(holding, needs_[i])) return i;
+    const auto is_so = [&](const Datum& literal) { return forms::literal_holds(literal, holding); };
+    if (std::ranges::all_of(needs_[i], is_so)) return i;
   }
   return std::nullopt;
 }

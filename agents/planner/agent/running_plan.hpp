@@ -2,8 +2,9 @@
 
 // A plan that is being carried out: the triangle table of its operations. For each end of the plan it holds the facts
 // that must hold for that end to reach the goals. The last end is empty and needs the goals themselves.
+// A need is a fact that must hold, or (not FACT) of one that must not.
 //
-// What is to be done next follows from what holds: the furthest end whose needs hold. That skips what somebody else
+// The next operation follows from the facts that hold: the furthest end whose needs hold. That skips what somebody else
 // did, and repeats what was undone while the plan covers it.
 //
 //   RunningPlan plan(7, operations, operators, goals);

@@ -10,7 +10,7 @@ namespace {
 constexpr FactIndex nothing = ~FactIndex{0};
 constexpr std::uint32_t unreachable = ~std::uint32_t{0};
 constexpr FactIndex facts_between_looks = 1024;
-// What an event weighs against a fact that has to be made true by one counted already, and what it is worth that a goal
+// The weight of an event against a fact that has to be made true by one counted already, and the worth of a goal that
 // can be made true right now: in doubt, finish something before beginning another thing.
 constexpr Distance event_weight = 4;
 constexpr Distance ready_weight = 2;
@@ -19,7 +19,7 @@ std::uint32_t rank_in(std::span<const FactIndex> group, FactIndex fact) {
   return static_cast<std::uint32_t>(std::ranges::lower_bound(group, fact) - group.begin());
 }
 
-// What is common to the rows of all the actions.
+// The elements common to the rows of all the actions.
 std::vector<FactIndex> shared(std::span<const ActionIndex> actions, const auto& row_of) {
   std::vector<FactIndex> common;
   for (std::size_t i = 0; i < actions.size(); ++i) {

@@ -6,8 +6,8 @@
 //   estimate.look_at(state);
 //   const std::optional<Distance> distance = estimate.beyond(action);      // of the state that the action leads to
 //
-// A goal that does not hold has to be made true, and what all actions need that make it true, before. What holds and
-// excludes a fact that has to be made true, has to be taken away; what all actions need or make true that take it away,
+// A goal that does not hold has to be made true, and what all actions need that make it true, before. A fact that holds
+// and excludes one that has to be made true must be taken away; what all actions need or make true that take it away,
 // is then unavoidable too; and a goal that has to be taken away has to be made true again. These are landmarks of the
 // state itself, found by local reasoning (compare Hoffmann, Porteous and Sebastia 2004), and no memory of the way is
 // needed. Facts that one and the same action makes true count once.

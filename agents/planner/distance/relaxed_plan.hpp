@@ -5,9 +5,9 @@
 //   RelaxedPlan relaxed(problem);
 //   if (relaxed.look_at(state)) climb(relaxed.length(), relaxed.helpful());
 //
-// What one layer of actions makes true is there for the next; of the actions that make a fact true first, the plan has
-// the one whose preconditions come soonest. Helpful is what can be done at once and makes something true that the plan
-// begins with. (Hoffmann and Nebel 2001.)
+// The next layer may use all facts that one layer of actions makes true; of the actions that make a fact true first,
+// the plan has the one whose preconditions come soonest. Helpful is what can be done at once and makes something true
+// that the plan begins with. (Hoffmann and Nebel 2001.)
 //
 // Asking costs a look at every action, far more than `LandmarkEstimate` does; it sees what that is blind to: that one
 // of several actions has to bring a fact about, whichever it is.

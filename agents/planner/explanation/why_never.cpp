@@ -20,7 +20,7 @@ namespace {
 // Of facts, by one explanation.
 constexpr std::size_t most_looked_at = 200;
 
-// What is wanted is a fact or `(not FACT)`, in which a variable stands for any object.
+// The wanted thing is a fact or `(not FACT)`, in which a variable stands for any object.
 class WhyNever {
  public:
   WhyNever(const PlanningTask& task, const Problem& problem)
@@ -201,7 +201,7 @@ class WhyNever {
     return ways;
   }
 
-  // What the effect's variables stand for where it is what is wanted.
+  // The values of the effect's variables where the effect is the wanted fact.
   static std::optional<Bindings> unified(const Datum& effect, const Datum& wanted) {
     if (effect.head() != wanted.head() || effect.size() != wanted.size()) return std::nullopt;
     Bindings bindings;
@@ -220,7 +220,7 @@ class WhyNever {
     });
   }
 
-  // What is bound to the parameter, where it is an object of another type.
+  // The object bound to the parameter, where its type is another one.
   const PlanningObject* misfitting(const PlanningParameter& parameter, const Bindings& bindings) const {
     const Datum* name = bindings.find(parameter.variable);
     if (name == nullptr) return nullptr;

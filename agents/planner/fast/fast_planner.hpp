@@ -8,7 +8,7 @@
 // Counts actions, not steps. For the first plan a greedy search asks cheaply how far states are; where it comes no
 // nearer, one that asks more climbs by helpful actions; and where that gives up, the greedy one goes on through all
 // states if it has to, so that `none` is proved. Where one resource bounds the plans, the shortest is looked for under
-// that bound, and proved to be that. Else the plan's own actions are tried in other orders, and beams, each twice as
+// that bound, and proved to be that. Else the plan's own actions are tried in other orders. Then beams, each twice as
 // wide as the last, look for plans with fewer actions, until the budget is spent, the caller cancels, or a beam left
 // nothing out: the plan is then as short as can be. A call that is cancelled, or spends its budget, after the first
 // plan was found answers its best one; so does one to which std::bad_alloc happens.

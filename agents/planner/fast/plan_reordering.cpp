@@ -53,8 +53,8 @@ void PlanReordering::move_a_piece() {
   }
 }
 
-// What an action made, a later one takes away again, and another goes on with what that one made: it might have gone on
-// at once, if what else it needs had been made before.
+// A later action takes away a fact that an action made, and another goes on with the fact that the later one made: it
+// might have gone on at once, if what else it needs had been made before.
 bool PlanReordering::prepare_for_going_on() {
   const std::size_t there = random_.below(plan_.size());
   const auto adds = problem_.adds(plan_[there]);
@@ -119,8 +119,8 @@ bool PlanReordering::redo() {
   return true;
 }
 
-// Takes it out of order_. What makes a goal true is looked for where the action before has made a fact true that it
-// needs.
+// Takes it out of order_. An action that makes a goal true is looked for where the action before has made a fact true
+// that it needs.
 std::optional<ActionIndex> PlanReordering::next(const Bits& state) {
   const auto first =
       std::ranges::find_if(order_, [&](ActionIndex action) { return problem_.applicable(action, state); });

@@ -7,7 +7,8 @@
 //   nogoods.find(goals, 3);                          // a nogood within `goals` that is proved for 3 steps, or none
 //
 // A trie over ascending facts: a lookup follows only the wanted facts (Hoffmann & Koehler, "A new method to index and
-// query sets", 1999). What cannot be reached in k steps cannot in fewer, so one number a nogood says it all.
+// query sets", 1999). Facts that cannot be reached in k steps cannot be reached in fewer, so one number a nogood is
+// enough.
 
 #include <cstddef>
 #include <cstdint>

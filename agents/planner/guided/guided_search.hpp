@@ -9,9 +9,9 @@
 //   outcome = search.run(budget, cancelled);             // cheaper: it remembers
 //
 // The bound, which is dear, is asked only when a state's turn comes, and of states that may be equally good those come
-// first from which less must happen; so it is asked little more than once a step where it is exact. What a search
-// learns of how far states are from the goals stays true wherever the next one begins (Koenig & Likhachev, "Adaptive
-// A*", 2005). Budget::nodes counts states for which the bound was asked.
+// first from which less must happen; so it is asked little more than once a step where it is exact. The distances that
+// a search learns stay true wherever the next search begins (Koenig & Likhachev, "Adaptive A*", 2005). Budget::nodes
+// counts states for which the bound was asked.
 
 #include <unordered_map>
 

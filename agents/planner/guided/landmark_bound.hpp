@@ -6,11 +6,12 @@
 //   LandmarkBound bound(problem, exclusions, group);
 //   if (bound.counts_every_action()) bound.from(state);       // at least so many steps from the state to the goals
 //
-// Facts of the group that must come to hold, and go again, are visits; each takes two of the actions. What must happen
-// before what orders the first visit of a fact before the first visit of another, and last visits before last visits.
-// A fact that is visited just once has one visit that is first and last, so a cycle says that one of the facts on it is
-// visited again (Büchner, Keller & Helmert, "Exploiting cyclic dependencies in landmark heuristics", 2021); the fewest
-// repeated visits break every cycle. In blocks world: every block that must be moved, and the blocks to be put aside.
+// Facts of the group that must come to hold, and go again, are visits; each takes two of the actions. The order of
+// necessary events orders the first visit of a fact before the first visit of another, and last visits before last
+// visits. A fact that is visited just once has one visit that is first and last. So a cycle says that one of the facts
+// on it is visited again (Büchner, Keller & Helmert, "Exploiting cyclic dependencies in landmark heuristics", 2021);
+// the fewest repeated visits break every cycle. In blocks world: every block that must be moved, and the blocks to be
+// put aside.
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What every way goes through if nothing were ever deleted: of some disjoint kinds of actions, those of which a fact
-// needs one before it can hold (Zhu & Givan, "Landmark extraction via planning graph propagation", 2003). One
+// The landmarks that every plan passes if nothing were ever deleted: of some disjoint kinds of actions, those of which
+// a fact needs one before it can hold (Zhu & Givan, "Landmark extraction via planning graph propagation", 2003). One
 // propagation finds it for all kinds at once.
 //
 //   RelaxedLandmarks landmarks(problem, allowed, kind_of, kinds);

@@ -12,8 +12,8 @@
 //   if (solver.solve() == 10) encoding.plan(5);
 //   encoding.retire(begins);                          // and begin elsewhere
 //
-// What an action needs and does not delete it also keeps, which says that nothing in the same step deletes it; so only
-// actions that delete the same fact need clauses of their own against each other.
+// An action keeps the facts that it needs and does not delete. Keeping says that nothing in the same step deletes the
+// fact; so only actions that delete the same fact need clauses of their own against each other.
 
 #include <cadical.hpp>
 #include <utility>

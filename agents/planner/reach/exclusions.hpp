@@ -1,8 +1,8 @@
 #pragma once
 
-// What can never hold, and which facts can never hold together, from the initial facts on: the pairs that h2 finds
-// (Haslum & Geffner, "Admissible heuristics for optimal planning", 2000). The states that respect them are closed under
-// the actions, so they stay true from any such state.
+// The facts that can never hold, and the facts that can never hold together, from the initial facts on: the pairs that
+// h2 finds (Haslum & Geffner, "Admissible heuristics for optimal planning", 2000). The states that respect them are
+// closed under the actions, so they stay true from any such state.
 //
 //   const Exclusions exclusions(problem);           // or with what says that it is wanted no more
 //   exclusions.with(3).test(5);                     // 3 and 5 never hold together

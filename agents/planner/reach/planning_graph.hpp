@@ -55,7 +55,7 @@ class PlanningGraph {
   // Memory in use, and what an estimate says one more level would take.
   std::size_t bytes() const;
   std::size_t bytes_per_level() const;
-  // What a graph of the problem takes before its first level.
+  // The memory of a planning graph before its first level.
   static std::size_t base_bytes(const Problem& problem);
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
 // The planning graph read backwards: which facts, pairs of facts and actions there can be k parallel steps before the
-// goals are reached. What it leaves out of a layer, no plan of that length has there.
+// goals are reached. Actions and facts missing from a layer are in no plan of that length.
 //
 //   RegressionGraph graph(problem, exclusions, interferes);
 //   while (!graph.levelled_off()) graph.expand();

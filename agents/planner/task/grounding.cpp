@@ -70,7 +70,7 @@ std::optional<std::int64_t> Grounder::cost_of(const OperatorTemplate& schema) co
   return cost;
 }
 
-// What makes a fact false makes its complement true, and the other way round.
+// An effect that makes a fact false makes its complement true, and the other way round.
 void Grounder::add_complements(GroundAction& action) {
   const auto complements = [&](const std::vector<std::size_t>& facts) {
     std::vector<std::size_t> opposites;

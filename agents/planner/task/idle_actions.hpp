@@ -1,6 +1,6 @@
 #pragma once
 
-// What every engine's plan goes through that may hold more than it needs.
+// A last pass over every engine's plan, which may hold more than it needs.
 //
 //   outcome.steps = without_idle_actions(problem, std::move(steps));
 

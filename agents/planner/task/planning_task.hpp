@@ -1,8 +1,8 @@
 #pragma once
 
-// What is to be planned, as people and other agents say it: operators with ?variables, typed objects, the facts that
-// hold and the facts that are wanted. STRIPS with absent facts, equalities and costs: what an action both deletes and
-// adds, holds afterwards; two parameters may stand for the same object unless the preconditions prevent it.
+// A planning problem as people and other agents write it: operators with ?variables, typed objects, the facts that hold
+// and the facts that are wanted. STRIPS with absent facts, equalities and costs: what an action both deletes and adds,
+// holds afterwards; two parameters may stand for the same object unless the preconditions prevent it.
 //
 //   PlanningTask task;
 //   task.operators.push_back({"PICK-UP", {{"?x", "OBJECT"}}, {(clear ?x) ...}, {(holding ?x)}, {(clear ?x) ...}});

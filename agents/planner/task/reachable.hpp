@@ -1,6 +1,6 @@
 #pragma once
 
-// What can hold, and what can be done, if nothing were ever deleted.
+// The facts that can hold and the actions that can be done if nothing were ever deleted.
 //
 //   const std::vector<char> reachable = drop_unreachable(actions, holds_at_first);
 

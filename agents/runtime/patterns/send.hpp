@@ -6,7 +6,7 @@
 //   Sender sender(context, service);
 //   co_await sender.send("pan-tilt", list("pan"_sym, 30));
 //
-// What has not been taken goes with the sender's presence.
+// Items that have not been taken go with the sender's presence.
 
 #include "agents/runtime/service.hpp"
 

@@ -14,7 +14,7 @@
 namespace pizarra::coordinator {
 namespace {
 
-Datum form(std::string_view text) { return read_one(text).value(); }
+Datum datum_of(std::string_view text) { return read_one(text).value(); }
 
 // The blocks with a last rule that joins everything seen with everything seen, eight times.
 std::string wide_domain() {
@@ -33,18 +33,19 @@ class TooMuchWork : public testing::Test {
  protected:
   TooMuchWork() {
     EXPECT_TRUE(board_.declare(
-        "vision",
-        {relation_from_datum(form("(relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))"))
-             .value(),
-         relation_from_datum(form("(relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) "
-                                  "(y number) (b number)) (key eyes))"))
-             .value()}));
+        "vision", {relation_from_datum(
+                       datum_of("(relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))"))
+                       .value(),
+                   relation_from_datum(
+                       datum_of("(relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) "
+                                "(y number) (b number)) (key eyes))"))
+                       .value()}));
     tell("(camera-model vision 320 240 431.0 159.5 119.5 90.0)");
   }
 
   void tell(std::string_view fact) {
     Transaction transaction;
-    transaction.tell(form(fact));
+    transaction.tell(datum_of(fact));
     EXPECT_TRUE(board_.transact("vision", transaction)) << fact;
   }
   // One look that sees as many marks.
@@ -60,7 +61,7 @@ class TooMuchWork : public testing::Test {
   }
   std::vector<Datum> facts(std::string_view pattern) {
     std::vector<Datum> found;
-    const Answers answers = board_.ask(query_from_datum(form(pattern)).value()).value();
+    const Answers answers = board_.ask(query_from_datum(datum_of(pattern)).value()).value();
     for (const Answer& answer : answers.answers) {
       found.push_back(answer.facts.front().datum);
     }

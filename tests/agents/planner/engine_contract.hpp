@@ -1,6 +1,6 @@
 #pragma once
 
-// What every engine that plans in fewest steps must do, checked against the oracle on many random tasks.
+// The duties of every engine that plans in fewest steps, checked against the oracle on many random tasks.
 //
 //   expect_fewest_steps(engine, 60, random_gripper);
 

@@ -16,7 +16,7 @@ Outcome plan(const PlanningTask& task, const Budget& budget = {}) {
   return Graphplan().solve(*problem, budget, never);
 }
 
-Failure refusal(const PlanningTask& task) {
+Failure refused_by_graphplan(const PlanningTask& task) {
   const Result<Problem> problem = ground(task);
   const Outcome outcome = Graphplan().solve(*problem, {}, never);
   EXPECT_EQ(outcome.kind, Outcome::Kind::none);
@@ -83,14 +83,14 @@ TEST(Graphplan, NeverStacksABlockOnItself) {
   PlanningTask task = blocks_domain(2);
   task.initials = facts_of("(on-table b0) (on-table b1) (clear b0) (clear b1) (arm-empty)");
   task.goals = facts_of("(on b0 b0)");
-  EXPECT_EQ(refusal(task).subject, form("((on b0 b0))"));
+  EXPECT_EQ(refused_by_graphplan(task).subject, form("((on b0 b0))"));
 }
 
 TEST(Graphplan, NamesAGoalThatNothingBringsAbout) {
   PlanningTask task = blocks_domain(2);
   task.initials = facts_of("(on-table b0) (clear b0) (arm-empty) (on-table b1) (clear b1) (painted b0)");
   task.goals = facts_of("(on b0 b1) (painted b1)");
-  const Failure failure = refusal(task);
+  const Failure failure = refused_by_graphplan(task);
   EXPECT_EQ(failure.symbol, "no-plan");
   EXPECT_EQ(failure.subject, form("((painted b1))"));
   EXPECT_EQ(failure.sentence, "no plan exists: (painted b1) can never hold from here");
@@ -101,7 +101,7 @@ TEST(Graphplan, NamesTwoGoalsThatExcludeEachOther) {
   Random random(1);
   task.initials = random_blocks(4, random).initials;
   task.goals = facts_of("(on b3 b2) (on b0 b1) (on b0 b2)");
-  const Failure failure = refusal(task);
+  const Failure failure = refused_by_graphplan(task);
   EXPECT_EQ(failure.subject.size(), 2u);
 }
 
@@ -110,7 +110,7 @@ TEST(Graphplan, ProvesThatARingOfManyBlocksCannotBeBuiltAndNamesOnlyTheRing) {
     Random random(blocks);
     PlanningTask task = random_blocks(blocks, random);
     task.goals = facts_of("(on b3 b0) (on b0 b1) (on b1 b2) (on b2 b0)");
-    const Failure failure = refusal(task);
+    const Failure failure = refused_by_graphplan(task);
     EXPECT_EQ(failure.symbol, "no-plan");
     EXPECT_LE(failure.subject.size(), 3u) << failure.sentence;
   }

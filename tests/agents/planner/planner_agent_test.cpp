@@ -22,7 +22,7 @@ constexpr std::string_view operators = R"((get-operations (
   (operator UNSTACK (params (<ob1> OBJECT) (<ob2> OBJECT)) (preconds (on <ob1> <ob2>) (clear <ob1>) (arm-empty))
     (effects (holding <ob1>) (clear <ob2>) (del on <ob1> <ob2>) (del clear <ob1>) (del arm-empty))))))";
 
-std::string facts(std::string_view goals) {
+std::string facts_form(std::string_view goals) {
   return fmt::format(
       "(get-facts (types (circle OBJECT) (square OBJECT) (cross OBJECT)) (initials (on-table circle) (on square "
       "circle) "
@@ -96,7 +96,7 @@ using Cell = PlannerCell<VirtualExecutor>;
 
 // (make-plan 3 ...) with the same operators, so that the circle comes onto the square.
 std::string make_plan() {
-  const Datum given = form(facts("(on circle square)"));
+  const Datum given = form(facts_form("(on circle square)"));
   return write(list("make-plan"_sym, 3, form(operators)[1], given[1], given[2], given[3]));
 }
 
@@ -134,7 +134,7 @@ TEST(PlannerAgent, GoesOnWithItsPlanAfterItWasKilled) {
 TEST(PlannerAgent, PlansAndHandsOutOneOperationAtATime) {
   Cell cell;
   EXPECT_EQ(cell.call(operators), "(ok)");
-  EXPECT_EQ(cell.call(facts("(on circle square)")), "(ok)");
+  EXPECT_EQ(cell.call(facts_form("(on circle square)")), "(ok)");
   EXPECT_EQ(cell.state(), "idle ()");
   EXPECT_EQ(cell.call("(get-plan)"),
             "(ok (((UNSTACK square circle)) ((PUT-DOWN square)) ((PICK-UP circle)) ((STACK circle square))))");
@@ -148,7 +148,7 @@ TEST(PlannerAgent, PlansAndHandsOutOneOperationAtATime) {
 TEST(PlannerAgent, AnswersDoneWhenTheGoalHoldsAlready) {
   Cell cell;
   cell.call(operators);
-  cell.call(facts("(on square circle)"));
+  cell.call(facts_form("(on square circle)"));
   EXPECT_EQ(cell.call("(get-plan)"), "(ok ())");
   EXPECT_EQ(cell.call("(start-plan)"), "(ok done)");
 }
@@ -165,7 +165,7 @@ TEST(PlannerAgent, HandsOutParallelStepsInAFixedOrder) {
 TEST(PlannerAgent, KeepsWhatIsLeftOfItsPlanWhenTheFactsAreThoseItExpects) {
   Cell cell;
   cell.call(operators);
-  cell.call(facts("(on circle square)"));
+  cell.call(facts_form("(on circle square)"));
   cell.call("(get-plan)");
   cell.call(
       "(get-facts (types (circle OBJECT) (square OBJECT) (cross OBJECT)) (initials (on-table circle) (clear circle) "
@@ -178,10 +178,10 @@ TEST(PlannerAgent, KeepsWhatIsLeftOfItsPlanWhenTheFactsAreThoseItExpects) {
 TEST(PlannerAgent, KeepsWhatIsLeftOfItsPlanWhenASearchWasCancelledMeanwhile) {
   Cell cell;
   cell.call(operators);
-  cell.call(facts("(on circle square)"));
+  cell.call(facts_form("(on circle square)"));
   cell.call("(get-plan)");
   const std::string cancelled = cell.ask("(get-plan)");
-  cell.call(facts("(on circle square)"));
+  cell.call(facts_form("(on circle square)"));
   EXPECT_EQ(cell.call("(get-plan)"),
             "(ok (((UNSTACK square circle)) ((PUT-DOWN square)) ((PICK-UP circle)) ((STACK circle square))))");
   EXPECT_EQ(form(cell.reply(cancelled))[1], "cancelled"_sym);
@@ -191,9 +191,9 @@ TEST(PlannerAgent, KeepsWhatIsLeftOfItsPlanWhenASearchWasCancelledMeanwhile) {
 TEST(PlannerAgent, NeverAnswersANewGoalOrAVanishedObjectWithTheOldPlan) {
   Cell cell;
   cell.call(operators);
-  cell.call(facts("(on circle square)"));
+  cell.call(facts_form("(on circle square)"));
   cell.call("(get-plan)");
-  cell.call(facts("(on circle cross)"));
+  cell.call(facts_form("(on circle cross)"));
   EXPECT_EQ(cell.call("(get-plan)"),
             "(ok (((UNSTACK square circle)) ((PUT-DOWN square)) ((PICK-UP circle)) ((STACK circle cross))))");
   cell.call(
@@ -210,7 +210,7 @@ TEST(PlannerAgent, NeverAnswersANewGoalOrAVanishedObjectWithTheOldPlan) {
 TEST(PlannerAgent, SaysWhichGoalsMakeAPlanImpossible) {
   Cell cell;
   cell.call(operators);
-  cell.call(facts("(clear cross) (on circle square) (on circle cross)"));
+  cell.call(facts_form("(clear cross) (on circle square) (on circle cross)"));
   EXPECT_EQ(cell.call("(get-plan)"),
             "(fail no-plan \"no plan exists: (clear cross) and (on circle cross) can never hold together from here\" "
             "((clear cross) (on circle cross)))");
@@ -221,7 +221,7 @@ TEST(PlannerAgent, SaysWhichGoalsMakeAPlanImpossible) {
 TEST(PlannerAgent, GivesUpWithinItsBudgetAndSaysSo) {
   Cell cell(Budget{.nodes = 2});
   cell.call(operators);
-  cell.call(facts("(on circle square) (on square cross)"));
+  cell.call(facts_form("(on circle square) (on square cross)"));
   EXPECT_EQ(cell.call("(get-plan)"), "(fail gave-up \"no plan was found within 2 states; there may be one\" ())");
 }
 
@@ -231,7 +231,7 @@ TEST(PlannerAgent, AsksForWhatItWasNotTold) {
   cell.call(operators);
   EXPECT_EQ(cell.refusal("(get-plan)"), "not-ready ()");
   EXPECT_EQ(cell.refusal("(next-operation 0 ())"), "not-ready 0");
-  cell.call(facts("(on circle square)"));
+  cell.call(facts_form("(on circle square)"));
   cell.call("(get-plan)");
   EXPECT_EQ(cell.refusal("(next-operation 0 ())"), "not-ready 0");
   cell.call("(start-plan)");
@@ -256,14 +256,14 @@ TEST(PlannerAgent, RefusesMalformedRequestsWithOneFailureAboutTheWrongPart) {
   EXPECT_EQ(cell.refusal("(get-facts (types) (initials (clear (x))) (goals (a)))"), "bad-facts (clear (x))");
   EXPECT_EQ(cell.refusal("(get-facts (types))"), "wrong-shape (get-facts (types))");
   cell.call(operators);
-  cell.call(facts("(on circle star)"));
+  cell.call(facts_form("(on circle star)"));
   EXPECT_EQ(cell.refusal("(get-plan)"), "unknown-object star");
 }
 
 TEST(PlannerAgent, ANewRequestCancelsThePlanningUnderWay) {
   Cell cell;
   cell.call(operators);
-  cell.call(facts("(on circle square)"));
+  cell.call(facts_form("(on circle square)"));
   const std::string first = cell.ask("(get-plan)");
   const std::string second = cell.ask("(get-plan)");
   cell.executor.run_for(1s);
@@ -271,7 +271,7 @@ TEST(PlannerAgent, ANewRequestCancelsThePlanningUnderWay) {
   EXPECT_TRUE(form(cell.reply(second)).is_form("ok"));
   EXPECT_EQ(cell.state().substr(0, 7), "planned");
   const std::string third = cell.ask("(get-plan)");
-  cell.call(facts("(on cross square)"));
+  cell.call(facts_form("(on cross square)"));
   cell.executor.run_for(1s);
   EXPECT_EQ(form(cell.reply(third))[1], "cancelled"_sym);
   EXPECT_EQ(cell.refusal("(start-plan)"), "not-ready ()");
@@ -295,7 +295,7 @@ TEST(PlannerAgent, AnswersWhileItPlansAndStopsPlanningWhenToldSomethingElse) {
   cell.executor.run_until([&] { return cell.state().starts_with("planning") || cell.executor.now() > deadline; });
   EXPECT_EQ(cell.refusal("(start-plan)"), "not-ready ()");
   EXPECT_EQ(cell.reply(waiting), "");
-  EXPECT_EQ(cell.call(facts("(on cross square)")), "(ok)");
+  EXPECT_EQ(cell.call(facts_form("(on cross square)")), "(ok)");
   EXPECT_EQ(cell.call("(get-plan)"), "(ok (((PICK-UP cross)) ((STACK cross square))))");
   cell.executor.run_until([&] { return !cell.reply(waiting).empty() || cell.executor.now() > deadline; });
   EXPECT_EQ(form(cell.reply(waiting))[1], "cancelled"_sym);
@@ -316,7 +316,7 @@ TEST(PlannerAgent, ItsStateGoesWithItAndASuccessorBeginsAfresh) {
 // Whatever is sent, each request gets one answer and the planner goes on.
 TEST(PlannerAgent, SurvivesRandomlyDamagedRequests) {
   Cell cell;
-  const std::vector<Datum> whole{form(operators),    form(facts("(on circle square)")),
+  const std::vector<Datum> whole{form(operators),    form(facts_form("(on circle square)")),
                                  form("(get-plan)"), form("(start-plan)"),
                                  form(make_plan()),  form(fmt::format("(next-operation 3 {})", begun))};
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -348,7 +348,7 @@ TEST(PlannerAgent, SurvivesRandomlyDamagedRequests) {
     }
   }
   EXPECT_EQ(cell.call(operators), "(ok)");
-  EXPECT_EQ(cell.call(facts("(on cross square)")), "(ok)");
+  EXPECT_EQ(cell.call(facts_form("(on cross square)")), "(ok)");
   EXPECT_EQ(cell.call("(get-plan)"), "(ok (((PICK-UP cross)) ((STACK cross square))))");
 }
 

@@ -151,7 +151,7 @@ PlanningTask random_gripper(Random& random) {
 
 namespace {
 
-// What each disc, the smallest first, stands on, each on a peg chosen at random.
+// The place of each disc, the smallest first: each stands on a peg chosen at random.
 std::vector<Datum> random_towers(const std::vector<Datum>& discs, Random& random) {
   std::vector<Datum> tops = facts_of("p q r");
   std::vector<Datum> facts;
@@ -210,7 +210,7 @@ PlanningTask random_nonsense(Random& random) {
   }
   task.initials = some(3);
   task.goals = some(2);
-  // What nothing speaks of is refused, and no matter here.
+  // An unused name is refused, which does not matter here.
   std::erase_if(task.goals, [&](const Datum& goal) {
     const auto said = [&](const std::vector<Datum>& facts) { return std::ranges::find(facts, goal) != facts.end(); };
     return !said(task.initials) && std::ranges::none_of(task.operators, [&](const PlanningOperator& op) {

@@ -124,5 +124,12 @@ TEST(RunningPlan, EveryEndThatServesReachesTheGoal) {
   }
 }
 
+TEST(RunningPlan, NeedsThatWhatShallNotBeIsNot) {
+  const RunningPlan plan(7, all("((PICK-UP c))"), blocks, all("((not (on-table c)) (not (on t s)))"));
+  EXPECT_EQ(plan.next(facts("((clear c) (on-table c) (arm-empty))")), 0U);
+  EXPECT_EQ(plan.next(facts("((holding c))")), 1U);
+  EXPECT_EQ(plan.next(facts("((clear c) (on-table c) (arm-empty) (on t s))")), std::nullopt) << "nothing undoes that";
+}
+
 }  // namespace
 }  // namespace pizarra::planner

@@ -346,7 +346,7 @@ TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
             "nothing is written here; the domain is PDDL, so the problem must be: (define (problem ...) ...)");
 }
 
-// What a task becomes as PDDL and read again, in the names that the text gave it.
+// A task written as PDDL and read again, in the names that the text gave it.
 std::string reread(const PlanningTask& task) {
   const PddlText text = pddl_text(task);
   const Result<PlanningTask> again = read(text.domain, text.problem);

@@ -362,5 +362,26 @@ TEST(Terminal, KnowsWhenAFormIsComplete) {
   }
 }
 
+TEST_F(Repl, FindsWhoIsBoundOfAKindByProperties) {
+  EXPECT_EQ(type("(find robot)"), Evaluation::failed);
+  EXPECT_EQ(
+      type("(declare (relation bound ((parent list) (name symbol) (kind symbol) (agent symbol)) (key parent name)))"),
+      Evaluation::done);
+  EXPECT_EQ(type("(declare (relation property ((agent symbol) (name symbol) (value datum)) (key agent name)))"),
+            Evaluation::done);
+  for (const char* fact :
+       {"(agent left robot \"bench\")", "(agent right robot \"desk\")", "(bound (cell arms) left robot left)",
+        "(bound (cell arms) right robot right)", "(property left reach 560)", "(property right reach 1350)"}) {
+    EXPECT_EQ(type(std::string("(tell ") + fact + ")"), Evaluation::done) << shown;
+  }
+  EXPECT_EQ(type("(find robot (reach > 600) (host ?))"), Evaluation::done);
+  EXPECT_EQ(shown, "  right as cell/arms/right: reach 1350, host desk\n");
+  EXPECT_EQ(type("(find robot (reach <= 560) (host = bench))"), Evaluation::done);
+  EXPECT_EQ(shown, "  left as cell/arms/left: reach 560, host bench\n");
+  EXPECT_EQ(type("(find robot (reach > 2000))"), Evaluation::failed);
+  EXPECT_EQ(type("(find robot (payload ?))"), Evaluation::failed);
+  EXPECT_EQ(type("(find robot (reach about 600))"), Evaluation::malformed);
+}
+
 }  // namespace
 }  // namespace pizarra::repl

@@ -11,7 +11,7 @@
 #include "lisp/forms/arm_names.hpp"
 #include "lisp/reader.hpp"
 
-// What the seventeen operations mean is the same for every arm that comes with the tree.
+// The seventeen operations mean the same for every arm that comes with the tree.
 
 namespace pizarra::robot {
 namespace {

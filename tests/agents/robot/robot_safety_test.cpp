@@ -3,7 +3,7 @@
 #include "tests/blackboard/passing_board.hpp"
 #include "tests/run_task.hpp"
 
-// What stops the arm without its commander being asked, and who may command it.
+// The events that stop the arm without its commander being asked, and the choice of the commander.
 
 namespace pizarra::robot {
 namespace {

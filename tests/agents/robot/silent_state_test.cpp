@@ -6,12 +6,14 @@
 #include "drivers/arm/motoman/host_link.hpp"
 #include "drivers/arm/motoman/hses_link.hpp"
 #include "drivers/arm/motoman/motoman_arm.hpp"
+#include "drivers/arm/simple_message/motoros_arm.hpp"
 #include "drivers/arm/simple_message/simple_arm.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
 #include "tests/agents/robot/robot_fixture.hpp"
 #include "tests/drivers/arm/plain/plain_host.hpp"
 #include "tests/drivers/arm/plain/plain_hses.hpp"
+#include "tests/drivers/arm/plain/plain_motoros.hpp"
 #include "tests/drivers/arm/plain/plain_simple.hpp"
 #include "tests/drivers/arm/plain/plain_universal.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
@@ -80,6 +82,20 @@ struct SimpleMessage {
   arm::SimpleArm driver{executor, {.motion = motion.near, .state = state.near}, model};
 };
 
+struct Motoros {
+  static constexpr const char* name = "Motoros";
+  static constexpr Duration longest = 150ms;
+  VirtualExecutor executor;
+  const arm::ArmModel model = arm::shipped_arm("motoman-up6").value();
+  arm::PlainMotoros controller{model};
+  line::WirePair motion{executor}, state{executor};
+  static constexpr double slow = 0.02;
+  Job following{executor.spawn(arm::run_motoros(executor, controller, slow))};
+  Job moving{executor.spawn(arm::serve_motion(executor, controller, motion.far))};
+  Job telling{executor.spawn(arm::serve_state(executor, controller, state.far))};
+  arm::MotorosArm driver{executor, {.motion = motion.near, .state = state.near}, model};
+};
+
 // The world of a simulated arm, at the other end of the device link.
 class PlainWorld : public simulation::Link {
  public:
@@ -139,7 +155,7 @@ class SilentState : public testing::Test, protected Controlled {
   int stops_before = 0;
 };
 
-using Controllers = testing::Types<Hses, EthernetServer, Bsc, Universal, SimpleMessage, Simulated>;
+using Controllers = testing::Types<Hses, EthernetServer, Bsc, Universal, SimpleMessage, Motoros, Simulated>;
 struct Names {
   template <class Controlled>
   static std::string GetName(int) {
@@ -185,7 +201,7 @@ TYPED_TEST(SilentState, GoesOnWhereTheStateComesBack) {
   EXPECT_TRUE(this->controller.arm.moving) << this->fact("(reply again ?)");
 }
 
-// What a controller does that tells its state is not broken off.
+// A motion is not broken off while its controller tells its state.
 TYPED_TEST(SilentState, LetsAMotionBeOfWhichTheStateComes) {
   this->executor.run_for(5s);
   EXPECT_TRUE(this->controller.arm.moving);

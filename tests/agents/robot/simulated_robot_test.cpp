@@ -38,5 +38,39 @@ TEST(SimulatedRobot, ReachesTheTableGripsACubeAndLiftsIt) {
   EXPECT_NEAR(board.ask(opening)->answers.front().facts.front().datum[2].number(), 60, 1.5);
 }
 
+TEST(SimulatedRobot, AJogThatIsHeldNoMoreStandsWithinItsOverrunAlthoughItHasToBrake) {
+  VirtualExecutor executor;
+  memory::MemoryBoard board(executor);
+  simulation::World world(executor, simulation::WorldConfig{});
+  simulation::LocalLink link(world);
+  simulation::SimulatedArm arm(link);
+  RobotLife life(executor, board, arm);
+  executor.run_for(1s);
+  const auto tell = [&](const std::string& fact) {
+    Transaction telling;
+    telling.tell(form(fact));
+    ASSERT_TRUE(board.transact("user", telling)) << fact;
+  };
+  const auto grip = [&] {
+    const Query pose = query_from_datum(form("(arm-pose robot ?x ?y ?z ?rx ?ry ?rz)")).value();
+    const Datum fact = board.ask(pose)->answers.front().facts.front().datum;
+    return Eigen::Vector3d(fact[2].number(), fact[3].number(), fact[4].number());
+  };
+  tell("(hold robot user 0)");
+  tell("(request j1 robot (jog left 250))");
+  for (int count = 1; count <= 40; ++count) {
+    executor.run_for(50ms);
+    tell(fmt::format("(hold robot user {})", count));
+  }
+  const Eigen::Vector3d last = grip();
+  executor.run_for(300ms);
+  const Eigen::Vector3d at_deadline = grip();
+  executor.run_for(1s);
+  // What is told is up to a tenth of a second old.
+  EXPECT_LE((grip() - last).norm(), 10 + 3);
+  EXPECT_GT((grip() - last).norm(), 5);
+  EXPECT_LE((grip() - at_deadline).norm(), 0.5) << "it stood 50 ms after the deadline";
+}
+
 }  // namespace
 }  // namespace pizarra::robot

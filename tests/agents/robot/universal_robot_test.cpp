@@ -18,7 +18,8 @@ TEST(UniversalRobot, DoesTheOperationsOfEveryArm) {
   simulation::UrEmulator emulator(cabinet);
   line::WirePair rtde(executor), script(executor), dashboard(executor);
   const Job telling = executor.spawn(simulation::serve_rtde(executor, emulator, rtde.far));
-  const Job running = executor.spawn(simulation::serve_script(executor, emulator, script.far));
+  const Job running =
+      executor.spawn(simulation::serve_interface(executor, emulator, simulation::UrInterface::secondary, script.far));
   const Job answering = executor.spawn(simulation::serve_dashboard(executor, emulator, dashboard.far));
   arm::UniversalArm arm(executor, {rtde.near, script.near, dashboard.near}, model);
   const RobotLife life(executor, board, arm, model);

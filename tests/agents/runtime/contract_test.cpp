@@ -8,16 +8,16 @@ namespace pizarra::runtime {
 namespace {
 
 constexpr std::string_view text = R"((contract adder
-  (offers (add (a number) (b number)) (sum (x number) ...) (stop))
+  (offers (add (a number) (b number)) (sum (x number) ...) (stop) (add (c string)))
   (posts (relation total ((value number)) (key)))
   (reads clock)))";
 
-Datum form(std::string_view written) { return read_one(written).value(); }
+Datum datum_of(std::string_view written) { return read_one(written).value(); }
 
 TEST(Contract, SaysWhatIsOfferedAndPosted) {
   const Contract contract = contract_from_text(text).value();
   EXPECT_EQ(contract.kind, "adder");
-  ASSERT_EQ(contract.offers.size(), 3u);
+  ASSERT_EQ(contract.offers.size(), 4u);
   EXPECT_EQ(contract.offers[0].name, "add");
   EXPECT_TRUE(contract.offers[1].repeats);
   ASSERT_EQ(contract.posts.size(), 1u);
@@ -34,20 +34,21 @@ TEST(Contract, RefusesWhatIsNotAContract) {
 
 TEST(Contract, AcceptsOperationsThatFitAndNoOthers) {
   const Contract contract = contract_from_text(text).value();
-  for (const std::string_view right : {"(add 1 2.5)", "(sum)", "(sum 1)", "(sum 1 2 3)", "(stop)"}) {
-    EXPECT_TRUE(check_operation(contract, form(right)).has_value()) << right;
+  for (const std::string_view right : {"(add 1 2.5)", "(add \"three\")", "(sum)", "(sum 1)", "(sum 1 2 3)", "(stop)"}) {
+    EXPECT_TRUE(check_operation(contract, datum_of(right)).has_value()) << right;
   }
   for (const std::string_view wrong : {"(add 1)", "(add 1 \"2\")", "(add 1 2 3)", "(sum 1 x)", "(stop 1)"}) {
-    const Result<void> checked = check_operation(contract, form(wrong));
+    const Result<void> checked = check_operation(contract, datum_of(wrong));
     ASSERT_FALSE(checked.has_value()) << wrong;
     EXPECT_EQ(checked.error().symbol, "wrong-shape") << wrong;
   }
   for (const std::string_view unknown : {"(ad 1 2)", "()", "(1)", "add"}) {
-    const Result<void> checked = check_operation(contract, form(unknown));
+    const Result<void> checked = check_operation(contract, datum_of(unknown));
     ASSERT_FALSE(checked.has_value()) << unknown;
     EXPECT_EQ(checked.error().symbol, "unknown-operation") << unknown;
   }
-  EXPECT_NE(check_operation(contract, form("(ad 1 2)")).error().sentence.find("did you mean add?"), std::string::npos);
+  EXPECT_NE(check_operation(contract, datum_of("(ad 1 2)")).error().sentence.find("did you mean add?"),
+            std::string::npos);
 }
 
 }  // namespace

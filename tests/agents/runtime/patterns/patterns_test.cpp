@@ -2,13 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "agents/runtime/patterns/event_pattern.hpp"
-#include "agents/runtime/patterns/heavy_light.hpp"
-#include "agents/runtime/patterns/push.hpp"
-#include "agents/runtime/patterns/query_pattern.hpp"
 #include "agents/runtime/patterns/send.hpp"
-#include "agents/runtime/patterns/wiring.hpp"
-#include "blackboard/streams/remote_streams.hpp"
+#include "agents/runtime/roles.hpp"
 #include "tests/agents/runtime/member.hpp"
 
 namespace pizarra::runtime {
@@ -18,14 +13,15 @@ class PatternTest : public testing::TestWithParam<WallKind> {
  protected:
   PatternTest() : wall(GetParam().make()) {}
 
-  std::unique_ptr<Member> member(const std::string& name, const std::string& host = "here") {
-    auto made = std::make_unique<Member>(*wall, name, "server", host);
+  std::unique_ptr<Member> member(const std::string& name, const std::string& host = "here",
+                                 const std::string& kind = "server") {
+    auto made = std::make_unique<Member>(*wall, name, kind, host);
     made->enter();
     return made;
   }
   Time in(Duration time) { return wall->executor().now() + time; }
-  bool wait_until(const std::function<bool()>& holds) {
-    for (int i = 0; i < 200 && !holds(); ++i) wall->pass(10ms);
+  bool wait_until(const std::function<bool()>& holds, Duration patience = 2s) {
+    for (Time end = in(patience); !holds() && wall->executor().now() < end;) wall->pass(10ms);
     return holds();
   }
 
@@ -46,131 +42,118 @@ TEST_P(PatternTest, SendIsDoneWithoutAnybodyWaiting) {
   EXPECT_EQ(server->notes, (std::vector<Datum>{read("1"), read("2")}));
 }
 
-TEST_P(PatternTest, QueryWaitsForTheAnswer) {
-  const auto client = member("client");
-  const auto server = member("server", "bench");
-  EXPECT_EQ(client->run(query(client->caller, "server", read("(where)"), 2s)).value(), list("bench"));
-  EXPECT_EQ(client->run(query(client->caller, "nobody", read("(where)"), 50ms)).error().symbol, "timeout");
-}
-
-TEST_P(PatternTest, PushReachesEverySubscriberInOrderAndPullGivesTheNewest) {
-  const auto source = member("source");
-  const auto one = member("one");
-  const auto two = member("two");
-  Publisher news(source->context, source->service, "weather");
-  Subscriber first = one->run(Subscriber::to(one->context, "weather")).value();
-  Subscriber second = two->run(Subscriber::to(two->context, "weather")).value();
-  EXPECT_EQ(one->run(pull(one->context, "weather", in(20ms))).error().symbol, "timeout");
-  for (int i = 1; i <= 20; ++i) ASSERT_TRUE(source->run(news.push(to_datum(i * i))).has_value());
-  for (Subscriber* subscriber : {&first, &second}) {
-    for (int i = 1; i <= 20; ++i) {
-      const Push push = one->run(subscriber->next()).value();
-      EXPECT_EQ(push.number, i);
-      EXPECT_EQ(push.data, to_datum(i * i));
-    }
+// A client with one role, for which two servers of one context compete.
+class RolesTest : public PatternTest {
+ protected:
+  Role eyes() const { return {"eyes", "server", "server", "eyes-1"}; }
+  static Result<Datum> ask(Member& client, Roles& roles, const std::string& operation) {
+    return client.run(roles.call("eyes", read(operation), 2s));
   }
-  EXPECT_EQ(two->run(pull(two->context, "weather", in(2s))).value().data, to_datum(400));
-}
+  bool served_by(Roles& roles, const std::string& server, const std::string& state) {
+    return wait_until([&] { return roles.holder("eyes") == Holder{server, state}; }, 4s);
+  }
+};
 
-TEST_P(PatternTest, AnEventReachesItsClientOnceAlsoWhenItWasAway) {
-  const auto server = member("server");
-  const auto other = member("other");
-  Notifier notifier(server->context, server->service);
-  EXPECT_TRUE(server->run(notifier.notify("client", read("(limit-reached axis-1)"))).has_value());
-  EXPECT_TRUE(server->run(notifier.notify("client", read("(limit-reached axis-2)"))).has_value());
-  const auto client = member("client");
-  EXPECT_EQ(other->run(next_event(other->context, in(20ms))).error().symbol, "timeout");
-  EXPECT_EQ(client->run(next_event(client->context, in(2s))).value(), read("(limit-reached axis-1)"));
-  EXPECT_EQ(client->run(next_event(client->context, in(2s))).value(), read("(limit-reached axis-2)"));
-  EXPECT_EQ(client->run(next_event(client->context, in(20ms))).error().symbol, "timeout");
-}
+INSTANTIATE_TEST_SUITE_P(Walls, RolesTest, testing::ValuesIn(agent_walls()),
+                         [](const auto& tested) { return tested.param.name; });
 
-TEST_P(PatternTest, AClientIsWiredToAnotherServerWhileAllRun) {
-  const auto master = member("master");
-  const auto client = member("client");
+TEST_P(RolesTest, AClientIsServedByAnotherFromItsNextCallOn) {
+  const auto client = member("client", "here", "client");
   const auto bench = member("eyes-1", "bench");
   const auto desk = member("eyes-2", "desk");
-  Wired eyes(client->context, client->caller, "eyes");
-  EXPECT_EQ(client->run(eyes.call(read("(where)"), 20ms)).error().symbol, "not-wired");
-  master->run(wire(master->context.board, "client", "eyes", "eyes-1")).value();
-  EXPECT_EQ(client->run(eyes.call(read("(where)"), 2s)).value(), list("bench"));
-  // What is under way stays where it is.
+  Roles roles(client->context, client->service, client->caller, {eyes()});
+  roles.start();
+  ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
+  EXPECT_EQ(ask(*client, roles, "(where)").value(), list("bench"));
   std::optional<Result<Datum>> slow;
   const auto call = [&]() -> Task<void> {
     Datum operation = list("slow"_sym);
-    Result<Datum> answer = co_await eyes.call(operation, 2s);
+    Result<Datum> answer = co_await roles.call("eyes", operation, 2s);
     slow.emplace(std::move(answer));
   };
   const Job calling = wall->executor().spawn(call());
   wall->pass(50ms);
-  master->run(wire(master->context.board, "client", "eyes", "eyes-2")).value();
-  EXPECT_EQ(client->run(eyes.call(read("(where)"), 2s)).value(), list("desk"));
+  ASSERT_TRUE(desk->run(desk->context.board.tell(read("(wired client eyes eyes-2)"))).has_value());
+  ASSERT_TRUE(served_by(roles, "eyes-2", "wired"));
+  EXPECT_EQ(ask(*client, roles, "(where)").value(), list("desk"));
   EXPECT_TRUE(wait_until([&] { return slow.has_value(); }));
   EXPECT_EQ(slow->value(), list("bench"));
-  master->run(unwire(master->context.board, "client", "eyes")).value();
-  EXPECT_EQ(client->run(eyes.call(read("(where)"), 20ms)).error().symbol, "not-wired");
+  ASSERT_TRUE(desk->run(desk->context.board.retract(read("(wired client eyes ?)"))).has_value());
+  EXPECT_TRUE(served_by(roles, "eyes-1", "wired"));
 }
 
-class HeavyLightTest : public PatternTest {
- protected:
-  // Of one process, or each of its own.
-  Streams& streams_of(Member& who) {
-    if (GetParam().name == "memory") return local_;
-    remote_.push_back(streams::RemoteStreams::open(wall->executor(), who.context.board).value());
-    return *remote_.back();
-  }
-  static StreamFrame frame(std::uint64_t number, std::uint8_t grey) {
-    return {number, {}, std::make_shared<Image>(Image{100, 100, 1, std::vector<std::uint8_t>(10'000, grey)})};
-  }
-
- private:
-  LocalStreams local_;
-  std::vector<std::unique_ptr<Streams>> remote_;
-};
-
-INSTANTIATE_TEST_SUITE_P(Walls, HeavyLightTest, testing::ValuesIn(agent_walls()),
-                         [](const auto& tested) { return tested.param.name; });
-
-TEST_P(HeavyLightTest, OneFrameIsAnsweredByEveryServerThatLives) {
-  const auto client = member("client");
-  const auto mean = member("mean");
-  const auto size = member("size");
-  auto mute = member("mute");
-  HeavyAsker asker(client->context, client->service, streams_of(*client), "scene");
-  ASSERT_TRUE(client->run(asker.announce()).has_value());
-  const auto first_pixel = [](StreamFrame seen) -> Task<Datum> { co_return to_datum(seen.image->pixels[0]); };
-  const auto count = [](StreamFrame seen) -> Task<Datum> { co_return to_datum(seen.image->pixels.size()); };
-  const auto never = [this](StreamFrame) -> Task<Datum> {
-    co_await sleep(wall->executor(), 3600s);
-    co_return Datum();
+TEST_P(RolesTest, TheNextInLineStandsInForOneThatDiedAndGivesBack) {
+  const auto client = member("client", "here", "client");
+  auto bench = member("eyes-1", "bench");
+  const auto other = member("eyes-3", "roof");
+  const auto desk = member("eyes-2", "desk");
+  Roles roles(client->context, client->service, client->caller, {eyes()});
+  roles.start();
+  ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
+  bench.reset();
+  EXPECT_TRUE(served_by(roles, "eyes-2", "stands-in"));
+  EXPECT_EQ(ask(*client, roles, "(where)").value(), list("desk"));
+  const auto told = [&](const std::string& fact) {
+    const Result<std::vector<Fact>> facts = client->run(client->context.board.facts(read(fact)));
+    return facts && !facts->empty();
   };
-  HeavyServer one(mean->context, mean->service, streams_of(*mean), "scene", first_pixel);
-  HeavyServer two(size->context, size->service, streams_of(*size), "scene", count);
-  HeavyServer three(mute->context, mute->service, streams_of(*mute), "scene", never);
-  const auto serve = [](HeavyServer& server) -> Task<void> {
-    const Result<void> ended = co_await server.serve();
-    EXPECT_TRUE(ended.has_value());
-  };
-  const Job jobs[] = {wall->executor().spawn(serve(one)), wall->executor().spawn(serve(two)),
-                      wall->executor().spawn(serve(three))};
-  wall->pass(100ms);
-  const std::vector<LightAnswer> both{{"mean", to_datum(7)}, {"size", to_datum(10'000)}};
-  EXPECT_EQ(client->run(asker.ask(frame(1, 7), 600ms)).value(), both);
-  const std::vector<LightAnswer> next{{"mean", to_datum(8)}, {"size", to_datum(10'000)}};
-  EXPECT_EQ(client->run(asker.ask(frame(2, 8), 600ms)).value(), next);
-  // Whose presence was lost, as with a board that began anew, is ready again.
-  for (Member* lost : {client.get(), mean.get()}) {
-    ASSERT_TRUE(lost->run(lost->context.board.release(lost->service.presence())).has_value());
-  }
-  wall->pass(1500ms);
-  EXPECT_EQ(client->run(asker.ask(frame(3, 8), 600ms)).value(), next);
+  EXPECT_TRUE(wait_until([&] { return told("(holder client eyes eyes-2 stands-in)"); }));
+  EXPECT_TRUE(told("(wired client eyes eyes-1)"));
+  bench = member("eyes-1", "bench again");
+  EXPECT_TRUE(served_by(roles, "eyes-1", "wired"));
+  EXPECT_EQ(ask(*client, roles, "(where)").value(), list("bench again"));
 }
 
-TEST_P(HeavyLightTest, WithoutServersThereAreNoAnswers) {
-  const auto client = member("client");
-  HeavyAsker asker(client->context, client->service, streams_of(*client), "scene");
-  ASSERT_TRUE(client->run(asker.announce()).has_value());
-  EXPECT_TRUE(client->run(asker.ask(frame(1, 7), 100ms)).value().empty());
+TEST_P(RolesTest, ARequestToAServerThatDiedIsWithdrawnWhereAnotherStandsIn) {
+  const auto client = member("client", "here", "client");
+  auto bench = member("eyes-1", "bench");
+  const auto desk = member("eyes-2", "desk");
+  Roles roles(client->context, client->service, client->caller, {eyes()});
+  roles.start();
+  ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
+  std::optional<Result<Datum>> slow;
+  const auto call = [&]() -> Task<void> {
+    Datum operation = list("slow"_sym);
+    Result<Datum> answer = co_await roles.call("eyes", operation, 60s);
+    slow.emplace(std::move(answer));
+  };
+  const Job calling = wall->executor().spawn(call());
+  wall->pass(50ms);
+  bench.reset();
+  ASSERT_TRUE(wait_until([&] { return slow.has_value(); }, 6s));
+  EXPECT_EQ(slow->error().symbol, "replaced");
+  EXPECT_TRUE(client->run(client->context.board.facts(read("(request ? ? ?)")))->empty());
+}
+
+TEST_P(RolesTest, WhoIsOfAnotherKindDoesNotServe) {
+  const auto client = member("client", "here", "client");
+  const auto bench = member("eyes-1", "bench");
+  const auto arm = member("arm", "here", "robot");
+  Roles roles(client->context, client->service, client->caller, {eyes()});
+  roles.start();
+  ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
+  ASSERT_TRUE(arm->run(arm->context.board.tell(read("(wired client eyes arm)"))).has_value());
+  EXPECT_TRUE(served_by(roles, "eyes-1", "stands-in"));
+}
+
+TEST_P(RolesTest, AServerThatNobodyStandsInForIsAbsent) {
+  const auto client = member("client", "here", "client");
+  Roles roles(client->context, client->service, client->caller, {eyes()});
+  roles.start();
+  EXPECT_FALSE(client->run(roles.wait_for("eyes", in(50ms))));
+  EXPECT_EQ(roles.holder("eyes"), (Holder{"eyes-1", "absent"}));
+  const auto bench = member("eyes-1", "bench");
+  EXPECT_TRUE(client->run(roles.wait_for("eyes", in(2s))));
+}
+
+TEST_P(RolesTest, WhoAsksOnceIsToldTheSame) {
+  const auto client = member("client", "here", "client");
+  const auto holder = [&] { return client->run(holder_of(client->context.board, "client", eyes())).value(); };
+  EXPECT_EQ(holder(), (Holder{"eyes-1", "absent"}));
+  const auto desk = member("eyes-2", "desk");
+  EXPECT_EQ(holder(), (Holder{"eyes-2", "stands-in"}));
+  const auto bench = member("eyes-1", "bench");
+  EXPECT_EQ(holder(), (Holder{"eyes-1", "wired"}));
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+#pragma once
+
+// What holds the cell up and says nothing of its goal: somebody's stop, the pendant, an arm whose line is silent or
+// that has an alarm, a disk that is full. It is waited for, and the pursuit then begins with a look.
+//
+//   HoldUp hold_up(context, story, vigil);
+//   if (is_hold_up(why)) done = co_await hold_up.await_end(why);      // interrupted, or it lasts too long
+//   hold_up.went_on();                                                 // an operation was done
+//
+// A stop is waited for as long as it stands; what else holds the cell up ten minutes at most. It is tried again after a
+// second at first, and after eight in the end.
+
+#include <optional>
+
+#include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/runtime/agent.hpp"
+
+namespace pizarra::coordinator {
+
+bool is_hold_up(const Failure& failure);
+
+class HoldUp {
+ public:
+  HoldUp(runtime::AgentContext& context, Story& story, Vigil& vigil)
+      : context_(context), story_(story), vigil_(vigil) {}
+
+  // Failures: interrupted, and what it waited for in vain.
+  Task<Result<void>> await_end(Failure why);
+  void went_on();
+
+ private:
+  Task<void> await_no_stop();
+  Task<void> pause(Duration length);
+
+  runtime::AgentContext& context_;
+  Story& story_;
+  Vigil& vigil_;
+  std::string told_;           // the reason that the story has
+  std::optional<Time> since_;  // nothing was done
+  Duration pause_{};
+};
+
+}  // namespace pizarra::coordinator

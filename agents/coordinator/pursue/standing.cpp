@@ -1,0 +1,149 @@
+// Goals that take longer than a plan: stages one after another, what is waited for, what is kept.
+
+#include <fmt/format.h>
+
+#include "agents/coordinator/pursue/pursuit.hpp"
+#include "agents/coordinator/retried_commit.hpp"
+#include "lisp/forms/goal_formula.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra::coordinator {
+
+namespace {
+
+constexpr Duration missing_pause = 1s;
+constexpr Duration watch_pause = 300ms;
+// How long nothing is tried of a kept goal that cannot be had as things are.
+constexpr Duration hopeless_pause = 10s;
+
+std::vector<std::string> names_in(const Datum& missing) {
+  if (missing.is_symbol()) return {std::string(missing.text())};
+  std::vector<std::string> names;
+  for (const Datum& name : missing.items()) names.emplace_back(name.text());
+  return names;
+}
+
+}  // namespace
+
+Task<Result<void>> Pursuit::pursue(Goal goal) {
+  const Wish wish = wish_of(goal.facts);
+  if (wish.keeps) {
+    const Result<void> ended = co_await keep(goal, wish);
+    co_return ended;
+  }
+  const Result<void> outcome = co_await pursue_stages(goal, wish);
+  co_return outcome;
+}
+
+Task<Result<void>> Pursuit::pursue_stages(Goal goal, Wish wish) {
+  for (std::size_t i = goal.stage; i < wish.stages.size(); ++i) {
+    const bool is_later = i > goal.stage;
+    if (is_later) {
+      std::string sentence = fmt::format("stage {} of {} holds; the next:", i, wish.stages.size());
+      for (const Datum& form : wish.stages[i]) sentence += ' ' + write(form);
+      planned_for_ = 0;
+      const Datum detail = list("stage"_sym, i + 1);
+      co_await tell_progress(goal.number, "running", detail, "goal", sentence);
+    }
+    const Goal stage{goal.number, wish.stages[i], i};
+    const Result<void> done = co_await pursue_patiently(stage, wish.patience);
+    if (!done) co_return done;
+  }
+  co_return Result<void>();
+}
+
+Task<Result<void>> Pursuit::pursue_patiently(Goal goal, Duration patience) {
+  while (true) {
+    const Result<void> done = co_await pursue_once(goal);
+    const bool waits = !done && done.error().symbol == "missing-object" && patience > Duration::zero();
+    if (!waits) co_return done;
+    const Failure missing = done.error();
+    const Result<void> there = co_await await_missing(goal.number, missing, patience);
+    if (!there) co_return there;
+  }
+}
+
+Task<Result<void>> Pursuit::await_missing(std::int64_t goal, Failure missing, Duration patience) {
+  const std::vector<std::string> names = names_in(missing.subject);
+  std::vector<Datum> detail{"missing"_sym};
+  for (const std::string& name : names) detail.push_back(Datum::symbol(name));
+  const double seconds = std::chrono::duration<double>(patience).count();
+  const std::string sentence = fmt::format("{}: waiting {:g} s for it", missing.sentence, seconds);
+  const Datum told = Datum::list(detail);
+  co_await tell_progress(goal, "running", told, "missing", sentence);
+  const Time deadline = context_.executor.now() + patience;
+  for (const std::string& name : names) {
+    while (!surroundings_.scene().sightings().recent(name, 2)) {
+      if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+      if (context_.executor.now() > deadline) {
+        const std::string in_vain = fmt::format("{}, and {:g} s of waiting were in vain", missing.sentence, seconds);
+        co_return fail("missing-object", in_vain, missing.subject);
+      }
+      const Result<bool> found = co_await eyes_.find(name);
+      if (!found) co_return fail(found);
+      const Result<void> looked = co_await eyes_.fresh_look();
+      if (!looked) co_return looked;
+      if (!*found) co_await sleep(context_.executor, missing_pause);
+    }
+  }
+  const Datum nothing;
+  const std::string seen = "what was missing is seen: going on";
+  co_await tell_progress(goal, "running", nothing, "missing", seen);
+  co_return Result<void>();
+}
+
+// It ends only when another goal, or none, is wanted.
+Task<Result<void>> Pursuit::keep(Goal goal, Wish wish) {
+  const Datum nothing;
+  Failure told;
+  bool holds = false;
+  while (true) {
+    const Result<void> done = co_await pursue_stages(goal, wish);
+    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (!done) {
+      const bool is_new = done.error().sentence != told.sentence;
+      told = done.error();
+      const std::string sentence = fmt::format("cannot be had as things are, and is kept in mind: {}", told.sentence);
+      const Datum why = failure_to_datum(told);
+      if (is_new) co_await tell_progress(goal.number, "running", why, "result", sentence);
+      holds = false;
+      co_await await_change();
+      continue;
+    }
+    const std::string stands = fmt::format("goal {} is kept", goal.number);
+    if (!holds) co_await tell_progress(goal.number, "kept", nothing, "result", stands);
+    holds = true;
+    told = Failure();
+    while (holds && !vigil_.interrupted()) {
+      co_await sleep(context_.executor, watch_pause);
+      const std::vector<Datum> lost =
+          forms::unmet_parts(wish.stages.front(), surroundings_.beliefs(), planning_.objects());
+      if (lost.empty()) continue;
+      holds = false;
+      co_await tell_difference(lost, "the goal that is kept");
+      const std::string sentence = fmt::format("goal {} fell: it is built again", goal.number);
+      co_await tell_progress(goal.number, "running", nothing, "plan", sentence);
+    }
+  }
+}
+
+Task<void> Pursuit::await_change() {
+  const Time deadline = context_.executor.now() + hopeless_pause;
+  const Facts before = surroundings_.beliefs();
+  while (context_.executor.now() < deadline && surroundings_.beliefs() == before && !vigil_.interrupted()) {
+    co_await sleep(context_.executor, watch_pause);
+  }
+}
+
+Task<void> Pursuit::tell_progress(std::int64_t goal, std::string_view state, Datum detail, std::string_view kind,
+                                  std::string sentence) {
+  const Turns::Turn turn = co_await turns_.take();
+  const bool still_wanted = current_ && current_->number == goal;
+  if (!still_wanted) co_return;
+  Transaction transaction;
+  transaction.tell(list("goal-state"_sym, goal, Datum::symbol(state), detail));
+  story_.add(transaction, kind, sentence, detail);
+  co_await commit(context_.board, context_.executor, std::move(transaction));
+}
+
+}  // namespace pizarra::coordinator

@@ -1,0 +1,24 @@
+#pragma once
+
+// A checked goal (lisp/forms/goal.hpp) as it is pursued: its stages, whether it stands for good, and how long a missing
+// object is waited for.
+//
+//   const Wish wish = wish_of({(keep (on a b)), (wait 60)});
+//   wish.stages.size(); wish.keeps; wish.patience;       // 1; true; 60 s
+
+#include <vector>
+
+#include "blackboard/time/clock.hpp"
+#include "lisp/datum.hpp"
+
+namespace pizarra::coordinator {
+
+struct Wish {
+  std::vector<std::vector<Datum>> stages;  // each a goal as lisp/forms/goal_formula.hpp has them
+  bool keeps = false;                      // what falls is built again
+  Duration patience{};                     // for missing objects
+};
+
+Wish wish_of(const std::vector<Datum>& goal);
+
+}  // namespace pizarra::coordinator

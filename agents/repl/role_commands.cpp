@@ -1,0 +1,106 @@
+// Who serves whom: what the prompt says of roles, and changes in them.
+
+#include <fmt/format.h>
+
+#include "agents/repl/commands.hpp"
+#include "agents/runtime/declared.hpp"
+#include "agents/runtime/roles.hpp"
+#include "lisp/json.hpp"
+#include "lisp/nearest.hpp"
+
+namespace pizarra::repl {
+
+namespace {
+
+std::string wiring_text(const Datum& holder) {
+  return fmt::format("  {} {}: {}{}", holder[1].text(), holder[2].text(), holder[3].text(),
+                     holder[4].is_symbol("wired") ? "" : fmt::format(" ({})", holder[4].text()));
+}
+
+Datum pattern(std::string_view relation, Datum client, Datum role, std::size_t more) {
+  std::vector<Datum> items{Datum::symbol(relation), std::move(client), std::move(role)};
+  items.resize(3 + more, "?"_sym);
+  return Datum::list(std::move(items));
+}
+
+}  // namespace
+
+Task<std::string> Interpreter::serving(runtime::Role role) {
+  const std::string usual = role.usual;
+  const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, std::move(role));
+  co_return holder ? holder->server : usual;
+}
+
+Task<Evaluation> Interpreter::wire(Datum form) {
+  if (form.size() == 1) {
+    const Evaluation listed = co_await list_wiring();
+    co_return listed;
+  }
+  if (form.size() < 3 || form.size() > 4) co_return usage("wire");
+  for (const Datum& word : form.items()) {
+    if (!word.is_symbol() || word.text().starts_with('?')) co_return usage("wire");
+  }
+  const Result<Datum> standing = co_await role_of(form[1], form[2]);
+  if (!standing) co_return show(standing.error(), Evaluation::failed);
+  if (form.size() == 3) {
+    const Result<Revision> retracted = co_await context_.board.retract(pattern("wired", form[1], form[2], 1));
+    if (!retracted) co_return show(retracted.error());
+    say("the usual one serves again", fmt::format("{{\"revision\":{}}}", *retracted));
+    co_return Evaluation::done;
+  }
+  const Result<std::string> remark = co_await remark_on_server(form[3], (*standing)[3]);
+  if (!remark) co_return show(remark.error(), Evaluation::failed);
+  const Datum wired = list("wired"_sym, form[1], form[2], form[3]);
+  const Result<Revision> told = co_await context_.board.tell(wired);
+  if (!told) co_return show(told.error());
+  say(fmt::format("{} serves {} as {}{}", form[3].text(), form[1].text(), form[2].text(), *remark),
+      fmt::format("{{\"client\":{},\"role\":{},\"server\":{},\"revision\":{}}}", json_string(form[1].text()),
+                  json_string(form[2].text()), json_string(form[3].text()), *told));
+  co_return Evaluation::done;
+}
+
+Task<Evaluation> Interpreter::list_wiring() {
+  const Result<std::vector<Fact>> holders =
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(holder ? ? ? ?)"));
+  if (!holders) co_return show(holders.error());
+  if (holders->empty()) output_("nobody is served in a role");
+  for (const Fact& holder : *holders) output_(wiring_text(holder.datum));
+  co_return Evaluation::done;
+}
+
+// The (holder CLIENT ROLE SERVER STATE) that is meant, or what is near it.
+Task<Result<Datum>> Interpreter::role_of(Datum client, Datum role) {
+  const Result<std::vector<Fact>> holders =
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(holder ? ? ? ?)"));
+  if (!holders) co_return fail(holders);
+  std::vector<std::string> clients, roles;
+  for (const Fact& holder : *holders) {
+    const Datum& fact = holder.datum;
+    if (fact[1] == client && fact[2] == role) co_return fact;
+    clients.emplace_back(fact[1].text());
+    if (fact[1] == client) roles.emplace_back(fact[2].text());
+  }
+  const bool known = !roles.empty();
+  const std::string near = nearest_name((known ? role : client).text(), known ? roles : clients);
+  const std::string hint = near.empty() ? "; (wire) lists who is served" : fmt::format("; did you mean {}?", near);
+  if (known) co_return fail("unknown-role", fmt::format("{} has no role {}{}", client.text(), role.text(), hint), role);
+  co_return fail("absent", fmt::format("{} is not served in any role{}", client.text(), hint), client);
+}
+
+// What is to be said of a server that is to take over from this one: one that is not there yet serves when it comes.
+Task<Result<std::string>> Interpreter::remark_on_server(Datum server, Datum present) {
+  const Result<std::vector<Fact>> agents = co_await context_.board.facts(read_pattern("(agent ? ? ?)"));
+  if (!agents) co_return fail(agents);
+  std::string kind, wanted;
+  for (const Fact& agent : *agents) {
+    if (agent.datum[1] == server) kind = agent.datum[2].text();
+    if (agent.datum[1] == present) wanted = agent.datum[2].text();
+  }
+  if (kind.empty()) co_return fmt::format(" once it is there: no agent {} is present", server.text());
+  if (wanted.empty() || kind == wanted) co_return std::string();
+  co_return fail("wrong-kind",
+                 fmt::format("{} is of kind {}, and {} of kind {}", server.text(), kind, present.text(), wanted),
+                 server);
+}
+
+}  // namespace pizarra::repl

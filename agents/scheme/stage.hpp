@@ -1,0 +1,78 @@
+#pragma once
+
+// Where the runs of a loaded program have their effects: a run's facts go to the board as one transaction, with what
+// made the run happen as their reason, and its questions are answered from there.
+//
+//   auto stage = std::make_shared<Stage>(context, caller, program, lease, allowance, log);
+//   Result<Performed> performed = co_await Stage::perform(stage, "stop-belt", bindings, {fact.id});
+//
+// What a program tells stands under the stage's lease, unless the relation is one of its own and durable. A run that
+// breaks a limit switches its part off for as long as the stage lives.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "agents/runtime/service.hpp"
+#include "agents/scheme/allowance.hpp"
+#include "lisp/forms/agent_program.hpp"
+
+namespace pizarra::scheme {
+
+using Log = std::function<void(const std::string&)>;
+
+struct Performed {
+  Datum value;              // of an operation
+  std::vector<Datum> told;  // facts
+};
+
+class Stage {
+ public:
+  Stage(runtime::AgentContext& context, runtime::Caller& caller, std::shared_ptr<const forms::AgentProgram> program,
+        LeaseId lease, Allowance& allowance, Log log);
+
+  // Runs a part to its end. It may outlive the running program: the stage then stays until it has ended. Failures:
+  // those of the program, `off`, and those of the board that do not pass; each is told as a program-fault, unless the
+  // program raised it by itself to answer an operation.
+  static Task<Result<Performed>> perform(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
+                                         std::vector<FactId> because);
+  // What the file wants told once it is loaded, and the rules themselves.
+  Task<Result<void>> introduce();
+
+  // Facts that a conclusion holds: each stands while somebody holds it.
+  void hold(const std::vector<Datum>& facts);
+  Task<Result<void>> let_go(std::vector<Datum> facts);
+
+  const forms::AgentProgram* program() const { return program_.get(); }
+  // The fact that shows the rule; 0 before it was introduced.
+  FactId rule_fact(const std::string& rule) const;
+  // The program keeps more than it may, and cannot go on.
+  const std::optional<Failure>& broken() const { return broken_; }
+
+ private:
+  static Task<Result<Performed>> carry_through(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
+                                               std::vector<FactId> because);
+  Task<Result<void>> carry_out(forms::ProgramEffects effects, std::vector<FactId> because);
+  Task<Datum> answer_to(Datum question);
+  Task<Result<Datum>> find_answers(Datum question);
+  Task<Result<Datum>> ask_agent(Datum question);
+  Task<Result<Revision>> commit(Transaction transaction);
+  Task<void> tell_fault(std::string part, Failure failure);
+  LeaseId lease_of(const Datum& fact) const;
+  std::int64_t now_ms() const;
+
+  runtime::AgentContext& context_;
+  runtime::Caller& caller_;
+  std::shared_ptr<const forms::AgentProgram> program_;
+  LeaseId lease_;
+  Allowance& allowance_;
+  Log log_;
+  std::set<std::string, std::less<>> durable_;
+  std::set<std::string> off_;
+  std::map<std::string, FactId> rule_facts_;
+  std::map<Datum, int> held_;
+  std::optional<Failure> broken_;
+};
+
+}  // namespace pizarra::scheme

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include "lisp/writer.hpp"
+#include "tests/agents/coordinator/fake_cell.hpp"
+
+namespace pizarra::coordinator {
+namespace {
+
+FakeCell::Cubes three_in_a_row() {
+  return {{"circle", {450, -150, 30}}, {"triangle", {455, -50, 30}}, {"square", {445, 50, 30}}};
+}
+
+class Goals : public testing::Test {
+ protected:
+  Goals() { cell.start_coordinator(); }
+  std::string want(std::string_view goal) { return write(cell.request("coordinator", goal)); }
+  bool stands_on(const std::string& upper, const std::string& lower) {
+    const Eigen::Vector3d apart = cell.cubes[upper] - cell.cubes[lower];
+    return std::hypot(apart.x(), apart.y()) < 4 && std::abs(apart.z() - 60) < 1;
+  }
+
+  FakeCell cell{"blocks.scm", three_in_a_row()};
+};
+
+TEST_F(Goals, EitherIsHadTheShorterWay) {
+  EXPECT_EQ(want("(goal (or (and (on circle triangle) (on triangle square)) (on square circle)))"), "(ok 1)");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_TRUE(stands_on("square", "circle"));
+  EXPECT_EQ(cell.facts("(plan 1 ?)")[0][2].size(), 2U);
+}
+
+TEST_F(Goals, WhatShallNotBeIsUndone) {
+  cell.cubes["circle"] = {455, -50, 90};
+  want("(goal (not (on circle triangle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  EXPECT_FALSE(stands_on("circle", "triangle"));
+}
+
+TEST_F(Goals, AQuantifierIsAboutWhatIsSeen) {
+  cell.cubes["circle"] = {455, -50, 90};
+  cell.cubes["square"] = {455, -50, 150};
+  want("(goal (forall (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  for (const auto& [name, centre] : cell.cubes) EXPECT_NEAR(centre.z(), 30, 1) << name;
+}
+
+TEST_F(Goals, ANumberOfThemIsEnough) {
+  want("(goal (at-least 1 (<x> OBJECT) (on <x> circle)) (at-least 2 (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  EXPECT_TRUE(stands_on("square", "circle") || stands_on("triangle", "circle"));
+}
+
+TEST_F(Goals, NoPlanIsProvedOfEveryWay) {
+  want("(goal (or (on circle circle) (and (on circle square) (on square circle))))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 60s));
+  EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "no-plan"_sym);
+}
+
+TEST_F(Goals, StagesAreReachedOneAfterAnother) {
+  want("(goal (then (on circle triangle) (on triangle circle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (stage 2))", 60s));
+  EXPECT_TRUE(stands_on("circle", "triangle"));
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  EXPECT_TRUE(stands_on("triangle", "circle"));
+}
+
+TEST_F(Goals, AStageThatWasReachedIsNotPursuedAgainByANewLife) {
+  want("(goal (then (on circle triangle) (on triangle circle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (stage 2))", 60s));
+  cell.stop_coordinator();
+  cell.run_for(3s);
+  cell.start_coordinator();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_TRUE(stands_on("triangle", "circle"));
+}
+
+TEST_F(Goals, WhatIsKeptIsBuiltAgainAnHourLater) {
+  want("(goal (keep (on circle triangle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  cell.run_for(3600s);
+  EXPECT_EQ(cell.facts("(goal-state 1 kept ?)").size(), 1U);
+  cell.cubes["circle"] = {450, -170, 30};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running ?)", 10s));
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  EXPECT_TRUE(stands_on("circle", "triangle"));
+  EXPECT_EQ(want("(cancel)"), "(ok)");
+}
+
+TEST_F(Goals, WhatIsKeptOutlivesTheCoordinator) {
+  want("(goal (keep (on circle triangle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  cell.stop_coordinator();
+  cell.cubes["circle"] = {450, -170, 30};
+  cell.run_for(5s);
+  cell.start_coordinator();
+  ASSERT_TRUE(cell.run_until("(on circle triangle)", 90s));
+  EXPECT_TRUE(stands_on("circle", "triangle"));
+}
+
+TEST_F(Goals, AMissingObjectIsWaitedForAndAllThatAreMissingAreNamed) {
+  cell.hidden = {"circle", "square"};
+  want("(goal (on circle square) (wait 120))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (missing circle square))", 60s));
+  cell.run_for(20s);
+  cell.hidden.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  EXPECT_TRUE(stands_on("circle", "square"));
+}
+
+TEST_F(Goals, WaitingHasAnEnd) {
+  cell.hidden = {"circle"};
+  want("(goal (on circle square) (wait 10))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 60s));
+  EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "missing-object"_sym);
+}
+
+}  // namespace
+}  // namespace pizarra::coordinator
