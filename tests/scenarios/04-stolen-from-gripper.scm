@@ -1,4 +1,4 @@
-; What the gripper holds is pulled out of it and laid down elsewhere: it is fetched again.
+; Somebody pulls the held cube out of the gripper and lays it down elsewhere: it is fetched again.
 (scenario "block stolen out of the gripper"
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle triangle))
