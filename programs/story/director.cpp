@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/launcher/readiness.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::story {
@@ -67,7 +68,8 @@ Task<Result<void>> Director::prepare() {
 Task<Result<void>> Director::give_goal(std::vector<Datum> goal) {
   report_.goal = facts_of_goal(goal);
   std::vector<Datum> request{"goal"_sym};
-  request.insert(request.end(), goal.begin(), goal.end());
+  // A fact of the board, as a request is one, holds no variables.
+  for (const Datum& form : goal) request.push_back(forms::without_variables(form));
   Datum operation = Datum::list(std::move(request));
   const Result<Datum> accepted = co_await caller_.call("coordinator", std::move(operation), goal_timeout);
   if (!accepted) co_return fail(accepted);
@@ -89,6 +91,9 @@ Task<void> Director::await_end(Time deadline) {
       co_return;
     }
     report_.outcome = end->bindings.find("?state")->text();
+    // As good as reached, as long as it lasts.
+    const bool kept = report_.outcome == "kept";
+    if (kept) report_.outcome = "reached";
     const Datum detail = *end->bindings.find("?detail");
     report_.refusal_told = report_.outcome == "refused";
     if (report_.refusal_told) report_.refusal = failure_from_datum(detail);
@@ -100,9 +105,23 @@ Task<void> Director::await_end(Time deadline) {
       report_.refusal_told = false;
       co_return;
     }
-    if (goal_number_ == number) co_return;
+    const bool ended = goal_number_ == number && !kept;
+    if (ended) co_return;
+    if (goal_number_ == number) {
+      // What came meanwhile may have felled it; it is noticed within a second.
+      co_await sleep(executor, events_pause * 15);
+      const Result<bool> stands = co_await is_kept(number);
+      if (stands && *stands) co_return;
+    }
     report_.refusal.reset();
   }
+}
+
+Task<Result<bool>> Director::is_kept(std::int64_t number) {
+  const Datum kept = list("goal-state"_sym, number, "kept"_sym, "?"_sym);
+  const Result<std::vector<Fact>> found = co_await board_->facts(kept);
+  if (!found) co_return fail(found);
+  co_return !found->empty();
 }
 
 Task<Result<void>> Director::await_events(Time deadline) {

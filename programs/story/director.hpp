@@ -38,6 +38,7 @@ class Director {
   Task<Result<void>> give_goal(std::vector<Datum> goal);
   Task<void> await_end(Time deadline);
   Task<Result<void>> await_events(Time deadline);
+  Task<Result<bool>> is_kept(std::int64_t number);
   Task<void> give_judgement();
 
   launcher::LocalCell& cell_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/coordinator/pursue/wish.hpp"
 #include "agents/planner/judge/breadth_first.hpp"
 
 namespace pizarra::story {
@@ -32,6 +33,37 @@ double distance_mm(const WorldState::Cube& a, const WorldState::Cube& b) {
 std::vector<Datum> folded(const std::vector<Datum>& facts) {
   std::vector<Datum> out;
   for (const Datum& fact : facts) out.push_back(in_small_letters(fact));
+  return out;
+}
+
+// What the goal wants in the end, as the world's names are spelled; types keep their spelling.
+std::vector<Datum> wanted_in_the_end(const std::vector<Datum>& goal) {
+  std::vector<Datum> normal;
+  for (const Datum& form : goal) normal.push_back(forms::without_variables(form));
+  const coordinator::Wish wish = coordinator::wish_of(normal);
+  if (wish.stages.empty()) return {};
+  return wish.stages.back();
+}
+
+Datum named_small(const Datum& form) {
+  const bool typed = form.is_form("forall") || form.is_form("exists") || form.is_form("at-least");
+  if (!typed) {
+    const bool joins = form.is_form("and") || form.is_form("or") || form.is_form("not");
+    if (!joins) return in_small_letters(form);
+    std::vector<Datum> parts{form[0]};
+    for (const Datum& part : form.items().subspan(1)) parts.push_back(named_small(part));
+    return Datum::list(std::move(parts));
+  }
+  std::vector<Datum> parts(form.items().begin(), form.items().end());
+  Datum& declared = parts[parts.size() - 2];
+  declared = list(in_small_letters(declared[0]), declared[1]);
+  parts.back() = named_small(parts.back());
+  return Datum::list(std::move(parts));
+}
+
+std::vector<Datum> named_small(const std::vector<Datum>& goal) {
+  std::vector<Datum> out;
+  for (const Datum& form : goal) out.push_back(named_small(form));
   return out;
 }
 
@@ -88,6 +120,25 @@ bool Judge::holds(const std::vector<Datum>& goal, const std::vector<Datum>& fact
       goal, [&](const Datum& fact) { return std::ranges::binary_search(facts, in_small_letters(fact)); });
 }
 
+forms::TypedObjects Judge::objects(const WorldState& truth) const {
+  forms::TypedObjects objects;
+  for (const auto& [name, cube] : truth.cubes) {
+    if (!is_lost(cube)) objects.emplace_back(name, perception_.sees());
+  }
+  for (const forms::TypedName& object : domain_.objects) {
+    objects.emplace_back(in_small_letters(Datum::symbol(object.name)).text(), object.type);
+  }
+  return objects;
+}
+
+Result<bool> Judge::shows(const std::vector<Datum>& goal, const WorldState& truth) const {
+  const Result<std::vector<Datum>> found = facts(truth);
+  if (!found) return fail(found);
+  std::set<Datum> holding(found->begin(), found->end());
+  for (const Datum& fact : folded(domain_.facts)) holding.insert(fact);
+  return forms::goal_holds(named_small(wanted_in_the_end(goal)), holding, objects(truth));
+}
+
 // The nearest cube that a loose one can lie on; empty: the table.
 std::string Judge::support_of(const WorldState& truth, const WorldState::Cube& loose) const {
   std::string support;
@@ -135,20 +186,26 @@ Result<bool> Judge::plan_exists(const std::vector<Datum>& goal, const WorldState
   if (!said) return fail(said);
   planner::PlanningTask task;
   for (const forms::Operator& from : domain_.operators) task.operators.push_back(planning_operator(from));
-  for (const auto& [name, cube] : truth.cubes) {
-    if (!is_lost(cube)) task.objects.push_back({Datum::symbol(name), perception_.sees()});
-  }
-  for (const forms::TypedName& object : domain_.objects) {
-    task.objects.push_back({in_small_letters(Datum::symbol(object.name)), object.type});
-  }
+  for (const auto& [name, type] : objects(truth)) task.objects.push_back({Datum::symbol(name), type});
   task.initials = *said;
   for (const Datum& fact : folded(domain_.facts)) {
     if (!std::ranges::binary_search(*said, fact)) task.initials.push_back(fact);
   }
-  task.goals = folded(goal);
-  const Result<bool> possible = planner::any_plan(task);
-  if (!possible && possible.error().symbol == "unknown-object") return false;
-  return possible;
+  const Result<std::vector<forms::GoalLiterals>> ways =
+      forms::goal_alternatives(named_small(wanted_in_the_end(goal)), objects(truth));
+  if (!ways) return fail(ways);
+  for (const forms::GoalLiterals& way : *ways) {
+    task.goals.clear();
+    task.absent_goals.clear();
+    for (const Datum& literal : way) {
+      if (literal.is_form("not")) task.absent_goals.push_back(literal[1]);
+      if (!literal.is_form("not")) task.goals.push_back(literal);
+    }
+    const Result<bool> possible = planner::any_plan(task);
+    if (!possible && possible.error().symbol != "unknown-object") return possible;
+    if (possible && *possible) return true;
+  }
+  return false;
 }
 
 }  // namespace pizarra::story

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lisp/forms/domain.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/forms/perception.hpp"
 #include "programs/story/world_state.hpp"
 
@@ -23,10 +24,13 @@ class Judge {
   // Of a cell with cubes of that size. Failures: those of the domain's perception section.
   static Result<Judge> make(const forms::Domain& domain, double cube_mm);
 
-  // What the domain's own perception rules find where everything that stands firmly or is held is seen truly. A cube
-  // that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it. Sorted.
+  // The facts that the domain's own perception rules find where everything that stands firmly or is held is seen truly.
+  // A cube that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it.
+  // Sorted.
   Result<std::vector<Datum>> facts(const WorldState& truth) const;
   static bool holds(const std::vector<Datum>& goal, const std::vector<Datum>& facts);
+  // Whether what the goal wants in the end is so: its last stage, quantified over the cubes that are there.
+  Result<bool> shows(const std::vector<Datum>& goal, const WorldState& truth) const;
   // As facts(), each cube that leans or lies askew taken to stand squarely on what it lies on, or on the table: what a
   // person would say of it. Sorted.
   Result<std::vector<Datum>> as_a_person_would_say(const WorldState& truth) const;
@@ -40,6 +44,7 @@ class Judge {
   std::vector<Datum> measured(const WorldState& truth) const;
   std::string support_of(const WorldState& truth, const WorldState::Cube& loose) const;
   WorldState squared(WorldState truth) const;
+  forms::TypedObjects objects(const WorldState& truth) const;
   forms::Domain domain_;
   forms::Perception perception_;
   double cube_mm_;

@@ -95,7 +95,7 @@ Failure unwritten(const std::string& path) {
   std::string reason = file < 0 ? std::strerror(errno) : "the disk was full, or failed";
   if (file >= 0) {
     const off_t end = lseek(file, 0, SEEK_END);
-    // What fits of it is written, and the next says why no more does.
+    // The part that fits is written, and the next write says why no more does.
     const bool fits = ::write(file, more.data(), more.size()) == static_cast<ssize_t>(more.size());
     if (!fits && ::write(file, more.data(), more.size()) < 0) reason = std::strerror(errno);
     if (ftruncate(file, end) != 0) reason += ", and it cannot be shortened";

@@ -75,7 +75,7 @@ bool stands_on(const Piles& piles, std::string_view upper, std::string_view lowe
   });
 }
 
-// What an arrangement of all cubes says of which stands on which, and at times of what stands on the table. It differs
+// A goal made of an arrangement of all cubes: which stands on which, and at times which stand on the table. It differs
 // from the start, so that there is something to do.
 std::vector<Datum> random_goal(const std::vector<std::string>& names, const Piles& start, Random& random) {
   std::vector<Datum> goal;

@@ -73,6 +73,7 @@ Result<StoryReport> run_on(Executor& executor, const forms::Scenario& scenario,
   }
   const std::unique_ptr<Board> ears = cell.board().view("narrator");
   const Job told = executor.spawn(narrator.follow(*ears, executor));
+  const Job beside = options.beside ? executor.spawn(options.beside(cell)) : Job();
   Director director(cell, scenario, judge, narrator, options.director);
   const Job story = executor.spawn(director.run());
   const auto interrupted = [&] { return options.stop != nullptr && options.stop->received(); };

@@ -6,6 +6,7 @@
 //   Result<StoryReport> report = run_story(scenario, cell, {.seed = 7}, narrator);
 //   if (report && report->director.reached()) ...
 
+#include <functional>
 #include <string>
 
 #include "blackboard/time/stop_signals.hpp"
@@ -23,6 +24,8 @@ struct StoryOptions {
   // Ends the story before its end when a signal has come; none: nothing does. Outlives the run.
   const StopSignals* stop = nullptr;
   DirectorOptions director = {};
+  // What goes on in the cell beside the story until that ends, as to measure; none: nothing does.
+  std::function<Task<void>(launcher::LocalCell& cell)> beside = {};
 };
 
 struct StoryReport {

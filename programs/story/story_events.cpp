@@ -62,16 +62,33 @@ Task<Result<void>> StoryEvents::perform(Datum action) {
   co_return done;
 }
 
+Task<Result<void>> StoryEvents::make_clumsy(Datum action) {
+  narrator_.say(cell_.executor().now(), "world", write(action), action);
+  const Result<simulation::Message> made = co_await cell_.link().call(action, hand_timeout);
+  if (!made) co_return fail(made);
+  co_return {};
+}
+
 Task<Result<void>> StoryEvents::act(Datum action) {
   if (action.is_form("hand")) co_return co_await move_hand(action);
+  if (action.is_form("fingers")) co_return co_await make_clumsy(action);
   if (action.is_form("goal")) {
     std::vector<Datum> goal(action.items().begin() + 1, action.items().end());
     co_return co_await give_goal_(std::move(goal));
   }
+  if (action.is_form("wire")) {
+    narrator_.say(cell_.executor().now(), "agent",
+                  fmt::format("{} is wired to {} as {}", action[3].text(), action[1].text(), action[2].text()), action);
+    const Datum wired = list("wired"_sym, action[1], action[2], action[3]);
+    const Result<Revision> told = co_await board_.tell(wired);
+    if (!told) co_return fail(told);
+    co_return Result<void>();
+  }
   const std::string kind(action[1].text());
   narrator_.say(cell_.executor().now(), "agent", fmt::format("{} is {}ed", kind, action.head()), action);
   if (action.is_form("kill")) co_return cell_.kill(kind);
-  co_return cell_.start(kind);
+  const std::string host(action.size() > 2 ? action[2].text() : "localhost");
+  co_return cell_.start(kind, host);
 }
 
 Task<void> StoryEvents::happen_once(forms::ScenarioEvent event) {

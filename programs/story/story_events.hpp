@@ -1,10 +1,10 @@
 #pragma once
 
-// What a scenario does to a cell besides giving the goal: its `when`s, one after another, each when its facts come, and
-// the actions before the goal.
+// The events that a scenario brings to a cell besides the goal: its `when`s, one after another, each when its facts
+// come, and the actions before the goal.
 //
 //   StoryEvents events(cell, board, scenario, narrator, give_goal);
-//   co_await events.perform(action);      // (hand ...) (kill ...) (restart ...) (goal ...) (wait ...)
+//   co_await events.perform(action);      // (hand ...) (fingers ...) (kill ...) (restart ...) (goal ...) (wait ...)
 //   events.begin();
 //   bool disturbed = co_await events.end(deadline);
 
@@ -45,6 +45,7 @@ class StoryEvents {
   Task<void> happen_once(forms::ScenarioEvent event);
   Task<Result<void>> act(Datum action);
   Task<Result<void>> move_hand(Datum action);
+  Task<Result<void>> make_clumsy(Datum action);
 
   launcher::LocalCell& cell_;
   Board& board_;

@@ -51,10 +51,10 @@ Task<Result<Verdict>> Witness::judge(std::vector<Datum> goal) {
   co_await sleep(cell_.executor(), settle);
   const Result<WorldState> truth = co_await read_world_state(cell_.link());
   if (!truth) co_return fail(truth);
-  const Result<std::vector<Datum>> facts = judge_.facts(*truth);
-  if (!facts) co_return fail(facts);
+  const Result<bool> shows = judge_.shows(goal, *truth);
+  if (!shows) co_return fail(shows);
   Verdict verdict;
-  verdict.holds = Judge::holds(goal, *facts);
+  verdict.holds = *shows;
   if (verdict.holds) co_return verdict;
   const Result<bool> possible = judge_.plan_exists(goal, *truth);
   if (!possible) co_return fail(possible);

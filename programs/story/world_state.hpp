@@ -1,6 +1,6 @@
 #pragma once
 
-// What is so in the simulated world, for the judge alone: nothing of it reaches an agent.
+// The state of the simulated world, for the judge alone: nothing of it reaches an agent.
 //
 //   Result<WorldState> truth = co_await read_world_state(link);
 //   if (truth) truth->cubes.at("circle").visible ...

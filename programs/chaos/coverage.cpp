@@ -1,0 +1,85 @@
+#include "programs/chaos/coverage.hpp"
+
+#include <fmt/format.h>
+#include <sstream>
+
+#include "programs/chaos/fault.hpp"
+
+namespace pizarra::chaos {
+
+namespace {
+
+constexpr const char* events[] = {
+    "goal",       "plan",           "operation",    "difference",      "operation-fails", "lays-down",
+    "makes-room", "lifts-on-sight", "resumes-goal", "waits-for-robot", "asks-eyes-again", "plan-kept"};
+constexpr const char* board_points[] = {"board-lived-again", "reply-lost",   "frames-lost",     "connection-again",
+                                        "agent-lived-again", "lease-lapsed", "journal-refused", "goal-reached",
+                                        "goal-refused",      "several-goals"};
+constexpr const char* stops[] = {"STOPPED_AT_RESTART", "MOVED_BY_ITSELF"};
+constexpr const char* operations[] = {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
+constexpr int servo_states = 5;
+
+std::vector<std::string> all_points() {
+  std::vector<std::string> points;
+  for (const char* event : events) points.push_back(fmt::format("event {}", event));
+  for (const char* point : board_points) points.push_back(fmt::format("cell {}", point));
+  for (const char* stop : stops) points.push_back(fmt::format("arm {}", stop));
+  for (const FaultClass& kind : fault_classes()) {
+    if (std::string_view(kind.name) == "clock") continue;
+    for (const char* operation : operations) {
+      for (int state = 0; state < servo_states; ++state) points.push_back(pair_point(kind.name, operation, state));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::string pair_point(const std::string& fault_class, const std::string& operation, int servo_state) {
+  return fmt::format("fault {} {} {}", fault_class, operation, servo_state);
+}
+
+const std::vector<std::string>& named_points() {
+  static const std::vector<std::string> points = all_points();
+  return points;
+}
+
+void Coverage::add(const Coverage& other) {
+  for (const auto& [point, count] : other.counts_) counts_[point] += count;
+}
+
+std::vector<std::string> Coverage::unreached() const {
+  std::vector<std::string> points;
+  for (const std::string& point : named_points()) {
+    if (!counts_.contains(point)) points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<std::string> Coverage::lost_since(const Coverage& reference) const {
+  constexpr std::uint64_t often = 5;
+  std::vector<std::string> lost;
+  for (const auto& [point, count] : reference.counts_) {
+    if (count >= often && !counts_.contains(point)) lost.push_back(point);
+  }
+  return lost;
+}
+
+std::string Coverage::text() const {
+  std::string text;
+  for (const auto& [point, count] : counts_) text += fmt::format("{} {}\n", point, count);
+  return text;
+}
+
+Coverage Coverage::from_text(const std::string& text) {
+  Coverage coverage;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t space = line.rfind(' ');
+    if (space == std::string::npos) continue;
+    coverage.hit(line.substr(0, space), std::strtoull(line.c_str() + space + 1, nullptr, 10));
+  }
+  return coverage;
+}
+
+}  // namespace pizarra::chaos

@@ -1,0 +1,52 @@
+#pragma once
+
+// The line from a process to the devices of the simulated world, which is another process. Requests and answers take a
+// little time, and what DeviceFaults says goes wrong with them does.
+//
+//   DeviceLine line(process, world, faults, spy);
+//   Result<simulation::Message> answer = co_await line.call(request, 2s);
+
+#include <deque>
+#include <functional>
+#include <list>
+#include <memory>
+
+#include "blackboard/simulated/process.hpp"
+#include "drivers/simulation/world.hpp"
+#include "programs/chaos/device_faults.hpp"
+
+namespace pizarra::chaos {
+
+// The world with the process that it runs in.
+struct WorldProcess {
+  WorldProcess(Executor& time, simulated::Process::Clock clock, std::string the_plant)
+      : process(time, clock), plant(std::move(the_plant)) {}
+  simulated::Process process;
+  std::unique_ptr<simulation::World> world;
+  DeviceFaults faults;
+  // Of each request as it arrives.
+  std::function<void(const std::string& from, const Datum& request)> on_request;
+  // A fault that is planted (plants.hpp), and what it needs to know: the servo's state.
+  std::string plant;
+  std::function<int()> servo_state;
+  std::deque<std::vector<std::shared_ptr<const Image>>> old_images;
+  std::shared_ptr<const Image> frozen_left;
+  std::shared_ptr<const Image> frozen_right;
+  // Requests in hand, of whoever asked.
+  std::list<Job> jobs;
+};
+
+class DeviceLine : public simulation::Link {
+ public:
+  // All outlive it.
+  DeviceLine(std::string name, simulated::Process& process, WorldProcess& world)
+      : name_(std::move(name)), process_(process), world_(world) {}
+  Task<Result<simulation::Message>> call(Datum request, Duration timeout) override;
+
+ private:
+  const std::string name_;
+  simulated::Process& process_;
+  WorldProcess& world_;
+};
+
+}  // namespace pizarra::chaos

@@ -1,0 +1,152 @@
+#include "programs/chaos/draw_faults.hpp"
+
+#include <cmath>
+
+namespace pizarra::chaos {
+
+namespace {
+
+constexpr const char* drawn_operations[] = {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
+constexpr const char* agents[] = {"robot", "vision", "planner", "coordinator"};
+constexpr const char* with_board[] = {"robot", "vision", "planner", "coordinator", "board"};
+
+// What draws the faults of one class.
+struct Draw {
+  const forms::CellDescription& cell;
+  const std::vector<Datum>& goal;
+  double phase_s;
+  Random& random;
+
+  double seconds(double low, double high) { return std::round(random.uniform(low, high) * 100) / 100; }
+  template <std::size_t N>
+  Datum one_of(const char* const (&words)[N]) {
+    return Datum::symbol(words[random.below(N)]);
+  }
+  Datum cube() { return Datum::symbol(cell.cubes[random.below(cell.cubes.size())].name); }
+  double x() { return seconds(cell.row.x_mm - 25, cell.row.x_mm + 25); }
+  double y() { return seconds(cell.row.y_low_mm, cell.row.y_high_mm); }
+  // At any time of the phase, or when the servo is in some state during some operation.
+  Fault::When when() {
+    if (random.below(2) == 0) return {.after_s = seconds(0, phase_s)};
+    return {.after_s = seconds(0, 1.5),
+            .operation = drawn_operations[random.below(std::size(drawn_operations))],
+            .servo_state = static_cast<int>(random.below(5))};
+  }
+};
+
+Datum word(std::string_view text) { return Datum::symbol(text); }
+
+Datum network(Draw& draw) {
+  const Datum who = draw.one_of(agents);
+  switch (draw.random.below(3)) {
+    case 0:
+      return list(word("delay"), draw.seconds(0.005, 0.06), draw.seconds(1, 6));
+    case 1:
+      return list(word("stall"), who, draw.seconds(0.2, 4));
+    default:
+      return list(word("break"), who);
+  }
+}
+
+Datum hand(Draw& draw) {
+  const Datum cube = draw.cube();
+  Datum other = draw.cube();
+  while (other == cube) other = draw.cube();
+  switch (draw.random.below(7)) {
+    case 0:
+      return list(word("hand"), word("push"), cube, draw.seconds(-20, 20), draw.seconds(-60, 60));
+    case 1:
+      return list(word("hand"), word("place"), cube, draw.x(), draw.y());
+    case 2:
+      return list(word("hand"), word("stack"), cube, other);
+    case 3:
+      return list(word("hand"), word("steal"), cube);
+    case 4:
+      return list(word("hand"), word("remove"), cube);
+    case 5:
+      return list(word("borrow"), cube, draw.seconds(2, 10), draw.x(), draw.y());
+    default:
+      return list(word("hand"), word("knock"), cube);
+  }
+}
+
+Datum disk(Draw& draw) {
+  switch (draw.random.below(3)) {
+    case 0:
+      return list(word("full"), draw.seconds(1, 8));
+    case 1:
+      return list(word("fails"), draw.seconds(1, 8));
+    default:
+      return list(word("slow"), draw.seconds(0.02, 0.4), draw.seconds(2, 10));
+  }
+}
+
+Datum frames(Draw& draw) {
+  switch (draw.random.below(3)) {
+    case 0:
+      return list(word("dropped"), draw.seconds(0.3, 5));
+    case 1:
+      return list(word("frozen"), draw.seconds(0.3, 5));
+    default:
+      return list(word("late"), draw.seconds(0.05, 0.6), draw.seconds(1, 6));
+  }
+}
+
+Datum sight(Draw& draw) {
+  if (draw.random.below(2) == 0) return list(word("hidden"), draw.seconds(0, 0.8), draw.seconds(0.2, 4));
+  return list(word("jumps"), draw.random.below(40) + 1, draw.seconds(0.1, 0.4));
+}
+
+Datum arm(Draw& draw) {
+  switch (draw.random.below(3)) {
+    case 0:
+      return list(word("away"), draw.seconds(0.2, 4));
+    case 1:
+      return list(word("acks-late"), draw.seconds(0.05, 1.5), draw.seconds(1, 6));
+    default:
+      return list(word("stops-short"));
+  }
+}
+
+Datum what(const std::string& kind, Draw& draw) {
+  if (kind == "network") return network(draw);
+  if (kind == "reply") return list(word("lose-reply"), draw.one_of(agents));
+  if (kind == "agent") {
+    const Datum who = draw.one_of(agents);
+    return list(word("kill"), who, draw.random.below(400) + 1, draw.seconds(0.3, 5));
+  }
+  if (kind == "pause") {
+    const Datum who = draw.one_of(with_board);
+    return list(word("pause"), who, draw.seconds(0.05, 5));
+  }
+  if (kind == "board") return list(word(draw.random.below(2) == 0 ? "kill" : "power-cut"), draw.seconds(0.3, 4));
+  if (kind == "disk") return disk(draw);
+  if (kind == "frames") return frames(draw);
+  if (kind == "sight") return sight(draw);
+  if (kind == "arm") return arm(draw);
+  if (kind == "pendant") return list(word("pendant"), draw.seconds(0.5, 6));
+  if (kind == "sensor") return list(word("stuck"), draw.seconds(0.5, 6));
+  if (kind == "slip") return list(word("slip"));
+  if (kind == "misplace") return list(word("misplace"), draw.seconds(0.1, 0.5));
+  if (kind == "hand") return hand(draw);
+  return list(word("stop"), draw.seconds(0.3, 5));
+}
+
+}  // namespace
+
+std::vector<Fault> draw_faults(const std::string& kind, const forms::CellDescription& cell,
+                               const std::vector<Datum>& goal, double phase_s, Random random) {
+  std::vector<Fault> faults;
+  // It is drawn for the whole run.
+  if (kind == "clock") return faults;
+  Draw draw{cell, goal, phase_s, random};
+  const std::uint64_t most = kind == "hand" ? 5 : 3;
+  for (std::uint64_t left = random.below(most) + 1; left > 0; --left) {
+    Fault::When when = draw.when();
+    Datum drawn = what(kind, draw);
+    faults.push_back({kind, std::move(when), std::move(drawn)});
+  }
+  return faults;
+}
+
+}  // namespace pizarra::chaos

@@ -1,0 +1,192 @@
+#include "programs/chaos/fault_player.hpp"
+
+#include <cmath>
+
+#include "lisp/writer.hpp"
+#include "programs/chaos/peek.hpp"
+
+namespace pizarra::chaos {
+
+namespace {
+
+constexpr Duration poll_pause = 20ms;
+constexpr Duration busy_pause = 200ms;
+constexpr int most_tries = 100;
+
+Duration seconds(double s) { return Duration(static_cast<Duration::rep>(std::llround(s * 1e6))); }
+Duration seconds(const Datum& s) { return seconds(s.number()); }
+
+}  // namespace
+
+FaultPlayer::FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, std::vector<Fault> faults,
+                         std::function<void(const std::string&)> tell)
+    : cell_(cell), bystander_(bystander), faults_(std::move(faults)), tell_(std::move(tell)) {}
+
+FaultPlayer::~FaultPlayer() = default;
+
+void FaultPlayer::begin() {
+  for (const Fault& fault : faults_) waiting_.push_back(cell_.time().spawn(happen_in_time(fault)));
+}
+
+Task<void> FaultPlayer::end() {
+  waiting_.clear();
+  ending_ = true;
+  cell_.heal();
+  const Datum steady = list("fingers"_sym, "misplace"_sym, 0.0);
+  co_await ask_world(steady);
+  bool acting = true;
+  while (acting) {
+    co_await sleep(cell_.time(), poll_pause);
+    acting = hands_ > 0 || stops_ > 0;
+  }
+}
+
+Task<void> FaultPlayer::happen_in_time(const Fault& fault) {
+  if (!fault.when.operation.empty()) co_await await_servo(fault.when);
+  co_await sleep(cell_.time(), seconds(fault.when.after_s));
+  happen(fault);
+}
+
+Task<void> FaultPlayer::await_servo(const Fault::When& when) {
+  while (true) {
+    const InHand now = in_hand(cell_.board());
+    if (now.operation == when.operation && now.servo_state == when.servo_state) co_return;
+    co_await sleep(cell_.time(), poll_pause);
+  }
+}
+
+void FaultPlayer::happen(const Fault& fault) {
+  ++happened_;
+  tell_(write(fault_to_datum(fault)));
+  const InHand now = in_hand(cell_.board());
+  if (!now.operation.empty()) coverage_.hit(pair_point(fault.kind, now.operation, now.servo_state));
+  const Datum& what = fault.what;
+  if (fault.kind == "network" || fault.kind == "reply") return do_to_network(what);
+  if (fault.kind == "disk") return do_to_disk(what);
+  if (fault.kind == "frames" || fault.kind == "sight") return do_to_camera(what);
+  if (fault.kind == "arm" || fault.kind == "pendant" || fault.kind == "sensor") return do_to_arm(what);
+  if (fault.kind == "agent") {
+    const auto steps = static_cast<std::uint64_t>(what[2].integer());
+    return cell_.kill(std::string(what[1].text()), seconds(what[3]), steps);
+  }
+  if (fault.kind == "pause") return cell_.pause(std::string(what[1].text()), seconds(what[2]));
+  if (fault.kind == "board") return cell_.kill_board(seconds(what[1]), what.is_form("power-cut"));
+  if (fault.kind == "stop") return acting_.push_back(cell_.time().spawn(stop_for(seconds(what[1]))));
+  if (what.is_form("borrow")) return acting_.push_back(cell_.time().spawn(borrow(what)));
+  if (what.is_form("hand")) return acting_.push_back(cell_.time().spawn(move_hand(what)));
+  if (what.is_form("slip")) return acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "slip"_sym))));
+  if (what.is_form("misplace")) {
+    acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "misplace"_sym, what[1]))));
+  }
+}
+
+void FaultPlayer::do_to_network(const Datum& what) {
+  simulated::Network& network = cell_.network();
+  if (what.is_form("break")) return network.break_connections(std::string(what[1].text()));
+  if (what.is_form("stall")) return network.stall(std::string(what[1].text()), seconds(what[2]));
+  if (what.is_form("lose-reply")) return network.lose_next_reply(std::string(what[1].text()));
+  network.set_delay({.least = 50us, .most = seconds(what[1])});
+  cell_.time().call_at(cell_.time().now() + seconds(what[2]),
+                       [this] { cell_.network().set_delay({.least = 50us, .most = 400us}); });
+}
+
+void FaultPlayer::do_to_disk(const Datum& what) {
+  simulated::SimulatedDisk& disk = cell_.disk();
+  const Duration length = seconds(what[what.size() - 1]);
+  if (what.is_form("full")) disk.set_capacity(disk.used());
+  if (what.is_form("fails")) disk.fail(true);
+  if (what.is_form("slow")) disk.set_flush_time(seconds(what[1]));
+  cell_.time().call_at(cell_.time().now() + length, [this] {
+    cell_.disk().fail(false);
+    cell_.disk().set_capacity(simulated::SimulatedDisk::plenty);
+    cell_.disk().set_flush_time({});
+  });
+}
+
+void FaultPlayer::do_to_camera(const Datum& what) {
+  DeviceFaults& faults = cell_.world().faults;
+  const Time until = cell_.world().process.now() + seconds(what[what.size() - 1]);
+  if (what.is_form("dropped")) faults.frames_dropped_until = until;
+  if (what.is_form("frozen")) faults.frames_frozen_until = until;
+  if (what.is_form("late")) {
+    faults.frames_late_until = until;
+    faults.frame_delay = seconds(what[1]);
+  }
+  if (what.is_form("hidden")) {
+    faults.hidden_until = until;
+    faults.hidden_at = what[1].number();
+  }
+  if (what.is_form("jumps")) {
+    faults.jumps_until = until;
+    faults.jump_px = static_cast<int>(what[1].integer());
+  }
+}
+
+void FaultPlayer::do_to_arm(const Datum& what) {
+  DeviceFaults& faults = cell_.world().faults;
+  const Datum stop = list("arm"_sym, "stop"_sym);
+  if (what.is_form("stops-short")) return acting_.push_back(cell_.time().spawn(ask_world(stop)));
+  const Time until = cell_.world().process.now() + seconds(what[what.size() - 1]);
+  if (what.is_form("away")) faults.arm_away_until = until;
+  if (what.is_form("stuck")) faults.sensor_stuck_until = until;
+  if (what.is_form("acks-late")) {
+    faults.acks_late_until = until;
+    faults.ack_delay = seconds(what[1]);
+  }
+  if (what.is_form("pendant")) {
+    faults.pendant_until = until;
+    acting_.push_back(cell_.time().spawn(ask_world(stop)));
+  }
+}
+
+// What it asks for may not be to be had just then: nothing is held that could slip, or nothing moves.
+Task<void> FaultPlayer::ask_world(Datum request) {
+  [[maybe_unused]] const Result<simulation::Message> done = co_await cell_.world().world->handle(std::move(request));
+}
+
+Task<void> FaultPlayer::move_hand(Datum request) {
+  ++hands_;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    const Result<simulation::Message> moved = co_await cell_.world().world->handle(request);
+    const bool busy = !moved && moved.error().symbol == "busy";
+    if (!busy) break;
+    co_await sleep(cell_.time(), busy_pause);
+  }
+  hand_moved_ = cell_.time().now();
+  --hands_;
+}
+
+Task<void> FaultPlayer::borrow(Datum what) {
+  ++hands_;
+  const Datum remove = list("hand"_sym, "remove"_sym, what[1]);
+  co_await move_hand(remove);
+  const Time until = cell_.time().now() + seconds(what[2]);
+  while (cell_.time().now() < until) {
+    if (ending_) break;
+    co_await sleep(cell_.time(), poll_pause);
+  }
+  // Its mark stays: the word for it is not looked at.
+  const Datum add = list("hand"_sym, "add"_sym, what[1], "circle", what[3], what[4]);
+  co_await move_hand(add);
+  --hands_;
+}
+
+Task<void> FaultPlayer::stop_for(Duration length) {
+  ++stops_;
+  const Datum stop = list("stop"_sym, "bystander"_sym, "chaos");
+  Transaction telling;
+  telling.tell(stop);
+  const Result<Revision> told = co_await bystander_.board->transact(std::move(telling));
+  if (told) co_await sleep(cell_.time(), length);
+  // Whether it stands or not: who does not know says so until it is heard.
+  while (true) {
+    Transaction retracting;
+    retracting.retract(list("stop"_sym, "bystander"_sym, "?"_sym));
+    const Result<Revision> gone = co_await bystander_.board->transact(std::move(retracting));
+    if (gone) break;
+    co_await sleep(cell_.time(), busy_pause);
+  }
+  --stops_;
+}
+
+}  // namespace pizarra::chaos

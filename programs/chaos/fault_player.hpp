@@ -1,0 +1,65 @@
+#pragma once
+
+// Lets the faults of a run happen, each at its time, and ends them all.
+//
+//   FaultPlayer player(cell, faults, tell);
+//   player.begin();                       // the fault phase
+//   player.end();                         // the quiet phase: all is well again, and nobody interferes
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "programs/chaos/chaos_cell.hpp"
+#include "programs/chaos/coverage.hpp"
+#include "programs/chaos/fault.hpp"
+
+namespace pizarra::chaos {
+
+class FaultPlayer {
+ public:
+  // `tell` hears of each fault as it happens. The cell and `bystander`, with whose session people stop the cell,
+  // outlive it.
+  FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, std::vector<Fault> faults,
+              std::function<void(const std::string&)> tell);
+  ~FaultPlayer();
+  FaultPlayer(const FaultPlayer&) = delete;
+  FaultPlayer& operator=(const FaultPlayer&) = delete;
+
+  void begin();
+  // What was begun by a hand is ended: it does not leave what it carries in the air. Done when nothing is under way.
+  Task<void> end();
+  const Coverage& coverage() const { return coverage_; }
+  std::size_t happened() const { return happened_; }
+  // When a hand last moved something.
+  Time hand_moved() const { return hand_moved_; }
+  bool hand_is_busy() const { return hands_ > 0; }
+
+ private:
+  Task<void> happen_in_time(const Fault& fault);
+  Task<void> await_servo(const Fault::When& when);
+  void happen(const Fault& fault);
+  void do_to_network(const Datum& what);
+  void do_to_disk(const Datum& what);
+  void do_to_camera(const Datum& what);
+  void do_to_arm(const Datum& what);
+  Task<void> move_hand(Datum request);
+  Task<void> borrow(Datum what);
+  Task<void> stop_for(Duration length);
+  Task<void> ask_world(Datum request);
+
+  ChaosCell& cell_;
+  ChaosCell::Client& bystander_;
+  const std::vector<Fault> faults_;
+  const std::function<void(const std::string&)> tell_;
+  Coverage coverage_;
+  std::size_t happened_ = 0;
+  int hands_ = 0;
+  int stops_ = 0;
+  Time hand_moved_{};
+  bool ending_ = false;
+  std::vector<Job> waiting_;
+  std::vector<Job> acting_;
+};
+
+}  // namespace pizarra::chaos

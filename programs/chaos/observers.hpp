@@ -1,0 +1,83 @@
+#pragma once
+
+// Who looks at a running cell from outside and says what must never be: no agent knows of them. They see each request
+// that reaches the arm's controller, what stands on the board, and the world itself.
+//
+//   Observers observers(cell, judge, tell);
+//   observers.begin();
+//   observers.acknowledged(7);                  // the board said that it keeps (chaos-mark 7)
+//   observers.unsafe();                         // a sentence each
+//
+// Looked for: a motion that begins while a stop has stood for longer than it takes to hear of it; a motion that goes on
+// after a stop came to the controller; a motion made again for a request of which another life of the robot agent made
+// it; a motion that the board does not know of; something lost that was acknowledged as durable; a goal said to be
+// reached that the world does not show.
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "programs/chaos/chaos_cell.hpp"
+#include "programs/chaos/coverage.hpp"
+#include "programs/story/judge.hpp"
+
+namespace pizarra::chaos {
+
+class Observers {
+ public:
+  using Tell = std::function<void(Time when, const std::string& kind, const std::string& sentence)>;
+
+  // All outlive it.
+  Observers(ChaosCell& cell, const story::Judge& judge, Tell tell);
+  ~Observers();
+  Observers(const Observers&) = delete;
+  Observers& operator=(const Observers&) = delete;
+
+  void begin();
+  void acknowledged(std::int64_t mark) { marks_.insert(mark); }
+  // Whether the world showed these facts at some time lately.
+  bool showed_lately(const std::vector<Datum>& goal) const;
+  // What stands on the board is held against what was acknowledged.
+  void check_marks();
+  void add_unsafe(std::string sentence);
+  const std::vector<std::string>& unsafe() const { return unsafe_; }
+  const Coverage& coverage() const { return coverage_; }
+  // What is true in the world now, and how each cube lies.
+  const story::WorldState& world() const { return newest_; }
+
+ private:
+  struct Moment {
+    Time when;
+    std::vector<Datum> facts;
+  };
+  void hear(const Datum& request);
+  void note_motion();
+  Task<void> check_halt(Time stopped);
+  Task<void> look();
+  Task<void> look_at_world();
+  void look_at_board();
+  void note_event(const Datum& event);
+  void look_at_presence();
+
+  ChaosCell& cell_;
+  const story::Judge& judge_;
+  const Tell tell_;
+  Coverage coverage_;
+  std::vector<std::string> unsafe_;
+  std::set<std::int64_t> marks_;
+  std::deque<Moment> lately_;
+  story::WorldState newest_;
+  std::int64_t last_event_ = 0;
+  int board_lives_ = 1;
+  std::map<Datum, int> moved_for_;      // a request, and the life of the robot agent that moved for it
+  std::map<std::string, int> present_;  // agents, in which of their lives
+  std::optional<Time> stop_stands_since_;
+  std::string arm_action_;
+  std::vector<Job> halts_;
+  Job looking_;
+};
+
+}  // namespace pizarra::chaos

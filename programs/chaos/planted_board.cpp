@@ -1,0 +1,138 @@
+#include "programs/chaos/planted_board.hpp"
+
+#include <algorithm>
+
+namespace pizarra::chaos {
+
+namespace {
+
+constexpr std::uint64_t one_request_in = 20;
+constexpr std::uint64_t one_reply_in = 10;
+constexpr std::size_t old_looks = 10;
+constexpr double holds_mm = 60;
+
+// Looks come as they were some looks ago, under the newest frame's number.
+class OldLooks : public Watch {
+ public:
+  explicit OldLooks(std::unique_ptr<Watch> watch) : watch_(std::move(watch)) {}
+
+  Task<Result<Change>> next() override {
+    Result<Change> change = co_await watch_->next();
+    if (!change) co_return change;
+    for (Answer& answer : change->added) {
+      for (Fact& fact : answer.facts) fact.datum = aged(fact.datum);
+    }
+    co_return change;
+  }
+
+ private:
+  Datum aged(const Datum& look) {
+    if (!look.is_form("look") || look.size() < 5) return look;
+    looks_.push_back(look);
+    if (looks_.size() > old_looks) looks_.pop_front();
+    std::vector<Datum> items(looks_.front().items().begin(), looks_.front().items().end());
+    items[2] = look[2];
+    return Datum::list(std::move(items));
+  }
+
+  std::unique_ptr<Watch> watch_;
+  std::deque<Datum> looks_;
+};
+
+// A look in which the object is lost.
+Datum without(const Datum& look, std::string_view object) {
+  std::vector<Datum> seen;
+  for (const Datum& entry : look[4].items()) {
+    const bool hidden = entry.size() > 1 && entry[0].text() == object;
+    seen.push_back(hidden ? list(entry[0], "lost"_sym) : entry);
+  }
+  return list(look[0], look[1], look[2], look[3], Datum::list(std::move(seen)));
+}
+
+}  // namespace
+
+Task<Result<void>> PlantedBoard::declare(std::vector<Relation> relations) {
+  return board_.declare(std::move(relations));
+}
+
+bool PlantedBoard::is_dropped(const Datum& fact) {
+  if (has("planner", "plan-not-kept")) return fact.is_form("plan") || fact.is_form("plan-needs");
+  if (has("coordinator", "goal-not-kept")) return fact.is_form("goal");
+  if (has("robot", "motion-not-kept")) return fact.is_form("robot-motion");
+  if (has("vision", "replies-lost") && fact.is_form("reply")) return ++counted_ % one_reply_in == 0;
+  return false;
+}
+
+std::optional<Transaction::Tell> PlantedBoard::changed(Transaction::Tell tell) {
+  const Datum fact = tell.fact;
+  if (is_dropped(fact)) return std::nullopt;
+  if (has("vision", "presence-for-ever") && fact.is_form("agent")) tell.lease = 0;
+  if (has("robot", "always-holds") && fact.is_form("gripper")) tell.fact = list(fact[0], fact[1], holds_mm);
+  if (has("vision", "one-unseen") && fact.is_form("look")) tell.fact = without(fact, "triangle");
+  const bool ends = fact.is_form("goal-state") && !fact[2].is_symbol("running");
+  const bool reached = ends && fact[2].is_symbol("reached");
+  if (reached && has("coordinator", "refused-for-nothing")) {
+    const Failure failure{"no-plan", "planted", {}, {}};
+    tell.fact = list(fact[0], fact[1], "refused"_sym, failure_to_datum(failure));
+  }
+  if (ends && !reached && has("coordinator", "reached-for-refused")) {
+    tell.fact = list(fact[0], fact[1], "reached"_sym, Datum());
+  }
+  return tell;
+}
+
+Task<Result<Revision>> PlantedBoard::transact(Transaction transaction) {
+  std::vector<Transaction::Step> steps;
+  for (Transaction::Step& step : transaction.steps) {
+    auto* tell = std::get_if<Transaction::Tell>(&step);
+    if (tell == nullptr) {
+      steps.push_back(std::move(step));
+      continue;
+    }
+    const Datum fact = tell->fact;
+    if (fact.is_form("goal-state")) goal_state_ = fact;
+    if (std::optional<Transaction::Tell> told = changed(std::move(*tell))) steps.emplace_back(std::move(*told));
+    const bool ends = has("coordinator", "reached-too-soon") && fact.is_form("operation") &&
+                      fact[3].is_symbol("done") && goal_state_.is_form("goal-state");
+    if (!ends) continue;
+    steps.emplace_back(
+        Transaction::Tell{.fact = list(goal_state_[0], goal_state_[1], "reached"_sym, Datum()), .because = {}});
+  }
+  transaction.steps = std::move(steps);
+  return board_.transact(std::move(transaction));
+}
+
+Task<Result<Answers>> PlantedBoard::ask(Query query) {
+  const bool unheard =
+      has("robot", "stop-unheard") && !query.clauses.empty() && query.clauses.front().form.is_form("stop");
+  if (unheard) co_return Answers{};
+  co_return co_await board_.ask(std::move(query));
+}
+
+Task<Result<std::unique_ptr<Watch>>> PlantedBoard::watch(Query query) {
+  const bool is_stop = !query.clauses.empty() && query.clauses.front().form.is_form("stop");
+  const bool is_look = !query.clauses.empty() && query.clauses.front().form.is_form("look");
+  // Nobody is called so.
+  const bool unheard = is_stop && has("robot", "stop-unheard");
+  if (unheard) query = query_for(list("stop"_sym, "nobody-at-all"_sym, "?"_sym));
+  Result<std::unique_ptr<Watch>> watch = co_await board_.watch(std::move(query));
+  const bool old = watch && is_look && has("coordinator", "looks-old");
+  if (old) co_return std::make_unique<OldLooks>(std::move(*watch));
+  co_return watch;
+}
+
+Task<Result<std::optional<Fact>>> PlantedBoard::take(Datum pattern, LeaseId holder) {
+  const bool loses = has("robot", "requests-lost") && ++counted_ % one_request_in == 0;
+  if (!loses) co_return co_await board_.take(std::move(pattern), holder);
+  const Result<std::optional<Fact>> gone = co_await board_.take(std::move(pattern), 0);
+  if (!gone) co_return fail(gone);
+  co_return std::optional<Fact>();
+}
+
+Task<Result<void>> PlantedBoard::renew(LeaseId lease) {
+  const bool forgets = has("planner", "lease-not-renewed");
+  if (forgets) co_return Result<void>();
+  co_return co_await board_.renew(lease);
+}
+
+}  // namespace pizarra::chaos
