@@ -1,0 +1,40 @@
+#!/bin/sh
+# Runs the agent on a board of its own. PIZARRA names the command where it is not on the PATH; PYTHONPATH says where
+# Pizarra's Python is, and PYTHON which interpreter has zmq.
+set -eu
+
+program=$(dirname "$0")/counter.py
+pizarra=${PIZARRA:-pizarra}
+folder=$(mktemp -d)
+board=ipc://$folder/b
+trap 'kill $agent $server 2>/dev/null || true; wait; rm -rf "$folder"' EXIT
+agent= server=
+
+"$pizarra" board --listen "$board" >"$folder/board.log" 2>&1 &
+server=$!
+"${PYTHON:-python3}" "$program" "$board" >"$folder/agent.log" 2>&1 &
+agent=$!
+
+# Asks until the answer comes, some 20 s long.
+expect() {
+  tries=0
+  until "$pizarra" ask --board "$board" "$1" 2>/dev/null | grep -qF "$2"; do
+    tries=$((tries + 1))
+    if [ $tries -gt 100 ]; then
+      echo "FAILED: $1 does not answer $2" >&2
+      cat "$folder/agent.log" >&2
+      exit 1
+    fi
+    sleep 0.2
+  done
+}
+
+expect '(agent counter ?kind ?host)' '?kind = counter'
+"$pizarra" tell --board "$board" '(barrier exit blocked)'
+expect '(passed ?count)' '?count = 1'
+"$pizarra" tell --board "$board" '(barrier exit free)'
+"$pizarra" tell --board "$board" '(barrier exit blocked)'
+expect '(passed ?count)' '?count = 2'
+"$pizarra" tell --board "$board" '(request r1 counter (count))'
+expect '(reply r1 ?answer)' '?answer = (ok 2)'
+echo "counter works"
