@@ -4,40 +4,38 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <csignal>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
-#include "blackboard/journal/journal_writer.hpp"
-#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/journal/journal_file.hpp"
 #include "blackboard/server/board_server.hpp"
-#include "blackboard/store/store.hpp"
+#include "blackboard/server/kept_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "programs/board/cluster_board.hpp"
+#include "programs/board/exits.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 
 namespace pizarra::programs {
 namespace {
 
-enum Exit : int { stopped = 0, bad_usage = 2, bad_address = 3, bad_journal = 4 };
-
 constexpr const char* exit_codes =
     "Exit codes: 0 stopped by SIGINT or SIGTERM, 2 wrong arguments, 3 an address or its keys cannot be used, 4 the "
     "journal cannot be read or opened.";
-
-int complain(const Failure& failure, Exit code) {
-  fmt::print(stderr, "pizarra-board: {}\n", describe(failure));
-  return code;
-}
 
 struct Options {
   server::BoardServerOptions server;
   std::string journal;
   std::string history = "200000";
   std::uint64_t history_bytes = journal::History().bytes;
+  std::string log;
+  std::string certificates;
+  bool log_insecure = false;
+  std::string name;
 };
 
 constexpr std::uint64_t most_history = 1'000'000'000;  // revisions
@@ -62,70 +60,17 @@ std::optional<journal::History> history_from(const std::string& text) {
   return std::nullopt;
 }
 
-// A board that lives again from its journal, where there is one, and goes on writing it.
-class KeptBoard {
- public:
-  explicit KeptBoard(Executor& executor) : executor_(executor) {}
+void say_how_it_goes(const std::optional<Failure>& failure) {
+  const std::string news = failure
+                               ? describe(*failure) + "; what adds to durable facts is refused until it can be written"
+                               : std::string("the journal can be written again");
+  fmt::print(stderr, "pizarra-board: {}\n", news);
+}
 
-  // Null where it keeps none.
-  Result<void> begin(const std::shared_ptr<journal::JournalFile>& file) {
-    // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
-    auto store = std::make_unique<store::Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
-    if (file != nullptr) {
-      const Result<void> recovered = recover(file, *store);
-      if (!recovered) return recovered;
-    }
-    board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
-    if (journal_ != nullptr) board_->set_journal([this](std::string_view line) { journal_->append(line); });
-    board_->resume();
-    return {};
-  }
-  memory::MemoryBoard& board() { return *board_; }
-  journal::JournalWriter* journal() { return journal_.get(); }
-  // When the board ends.
-  void say_what_is_lacking() const {
-    if (journal_ == nullptr || !journal_->failure()) return;
-    fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n",
-               describe(*journal_->failure()));
-  }
-  std::vector<journal::RememberedReply> take_remembered() { return std::exchange(remembered_, {}); }
-
- private:
-  Result<void> recover(const std::shared_ptr<journal::JournalFile>& file, store::Store& store) {
-    Result<std::vector<journal::RememberedReply>> remembered = file->recover(store);
-    if (!remembered) return fail(remembered);
-    remembered_ = std::move(*remembered);
-    journal_ = std::make_unique<journal::JournalWriter>(executor_, file);
-    journal_->on_failure = say_how_it_goes;
-    if (journal_->failure()) say_how_it_goes(journal_->failure());
-    return {};
-  }
-
-  static void say_how_it_goes(const std::optional<Failure>& failure) {
-    const std::string news =
-        failure ? describe(*failure) + "; what adds to durable facts is refused until it can be written"
-                : std::string("the journal can be written again");
-    fmt::print(stderr, "pizarra-board: {}\n", news);
-  }
-
-  Executor& executor_;
-  std::vector<journal::RememberedReply> remembered_;
-  std::unique_ptr<journal::JournalWriter> journal_;
-  std::unique_ptr<memory::MemoryBoard> board_;
-};
-
-// The wall clock's, unless that was set back since the journal's end: a board's times only grow, from life to life, and
-// so do its leases' numbers.
-Time first_moment(const std::string& journal) {
-  Time end{};
-  std::error_code unseen;
-  if (std::filesystem::is_regular_file(journal, unseen)) {
-    // One that cannot be read is reported by whoever goes on from it.
-    const Result<journal::LineStart> last = journal::end_of_journal(journal);
-    if (last) end = last->when;
-  }
-  // Read last: the executor's clock goes on from here.
-  return std::max(RealExecutor::wall_clock(), end);
+// When the board ends.
+void say_what_is_lacking(const journal::JournalWriter* journal) {
+  if (journal == nullptr || !journal->failure()) return;
+  fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n", describe(*journal->failure()));
 }
 
 // Null where none is kept.
@@ -136,15 +81,25 @@ Result<std::shared_ptr<journal::JournalFile>> journal_of(const Options& options)
   return journal::JournalFile::open(options.journal, history);
 }
 
+int serve_with_log(const Options& options) {
+  const Result<cluster::LogAddress> log =
+      cluster::LogAddress::from(options.log, options.certificates, options.log_insecure);
+  if (!log) return complain(log.error(), bad_address);
+  char machine[256] = "board";
+  gethostname(machine, sizeof machine - 1);
+  return serve_in_cluster({*log, options.name.empty() ? machine : options.name, options.server});
+}
+
 int serve(Options options) {
+  if (!options.log.empty()) return serve_with_log(options);
   // First of all: one that another board has is left alone.
   const Result<std::shared_ptr<journal::JournalFile>> file = journal_of(options);
   if (!file) return complain(file.error(), bad_journal);
-  RealExecutor executor(first_moment(options.journal));
+  RealExecutor executor(server::first_moment(RealExecutor::wall_clock, options.journal));
   const StopSignals signals(executor);
   // A file that may not grow is a failure of its journal, not the board's end.
   std::signal(SIGXFSZ, SIG_IGN);
-  KeptBoard kept(executor);
+  server::KeptBoard kept(executor, say_how_it_goes);
   const Result<void> begun = kept.begin(*file);
   if (!begun) return complain(begun.error(), bad_journal);
   options.server.journal = kept.journal();
@@ -155,7 +110,7 @@ int serve(Options options) {
   fmt::print("pizarra-board: ready on {}\n", fmt::join((*server)->addresses(), " "));
   std::fflush(stdout);
   executor.run_until([] { return false; });
-  kept.say_what_is_lacking();
+  say_what_is_lacking(kept.journal());
   if ((*server)->sessions() == 0) return stopped;
   (*server)->say_goodbye();
   executor.call_at(executor.now() + server::BoardServer::goodbye_length, [&executor] { executor.stop(); });
@@ -190,6 +145,19 @@ int main(int argc, char** argv) {
       ->transform(CLI::AsSizeValue(false))
       ->type_name("SIZE")
       ->default_str("1GB");
+  CLI::Option* log =
+      app.add_option("--log", options.log,
+                     "keep durable facts in an etcd cluster, etcd://A,B,C/CELL: of the boards with the same log one "
+                     "leads, and another takes over when it is gone")
+          ->excludes("--journal")
+          ->type_name("ADDRESS");
+  app.add_option("--log-certificates", options.certificates,
+                 "the folder of ca.crt, client.crt and client.key for a log that is not on this machine")
+      ->needs(log)
+      ->type_name("DIR");
+  app.add_flag("--log-insecure", options.log_insecure, "speak to a log that is not on this machine unencrypted")
+      ->needs(log);
+  app.add_option("--name", options.name, "by which the log says who leads; this machine's otherwise")->needs(log);
   app.add_option("--keys", options.server.keys,
                  "ask who comes over tcp for a key of this folder, made by `pizarra keys new`")
       ->type_name("DIR");

@@ -186,7 +186,7 @@ Task<Result<BoardSample>> BoardSampler::next() {
   co_return sample;
 }
 
-// What clients declared otherwise, or tell more of than can be shown, is no reason to show nothing of the rest.
+// A relation that a client declared otherwise, or tells too much of, is no reason to hide the rest.
 Result<void> BoardSampler::go_without(BoardSample& sample, const Failure& failure) {
   if (failure.symbol == "unreachable") return fail(failure);
   sample.agents_unknown = failure;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What goes on on a board between two looks at it, for `top`: who is there, what is told and how fast, what waits for
-// whom, and how long a fact is under way.
+// The activity on a board between two samples, for `top`: who is there, what is told and how fast, what waits for whom,
+// and how long a fact is under way.
 //
 //   BoardSampler sampler(executor, board, "top-17");
 //   co_await sampler.begin();
@@ -13,7 +13,7 @@
 // SENT-US), gone with it: from telling to the board's committing it, to the board's answer, and to its arrival at a
 // watcher. One, because whatever is told pushes the board's past out of its journal. The board says by its own clock
 // when it commits. That is taken for ours, moved by as little as puts the commit between telling and answer: on one
-// machine the two differ by next to nothing. Who may not tell it has no journey to show.
+// machine the two differ by next to nothing. A sampler that may not tell it has no journey to show.
 
 #include <map>
 #include <optional>

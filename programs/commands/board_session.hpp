@@ -9,7 +9,7 @@
 // A board elsewhere may go while something of it is waited for. It is gone at once when it is that of a cell which runs
 // here and ends, a second after it has said goodbye, else when it has answered nothing for `longest_silence`; one that
 // comes back before is none the wiser. Then the talk ends with exit_unavailable; a prompt that a person types at says
-// so and stays. Who ends, also by a signal that ended its executor, takes its presence along.
+// so and stays. A session that ends, also by a signal that ended its executor, takes its presence along.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -41,7 +41,7 @@ struct Destination {
 
 Result<Destination> destination(const BoardChoices& choices);
 
-// What there must be on the board before a form is evaluated, or why it does not come.
+// The agents and relations that a form needs before it is evaluated, or the reason why they do not come.
 using Preparation = std::function<Task<Result<void>>(Board&)>;
 
 // How a word is to talk.

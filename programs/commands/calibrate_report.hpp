@@ -1,6 +1,6 @@
 #pragma once
 
-// What `calibrate` says as it goes, as text or JSON, a line each.
+// The output of `calibrate` as it goes, as text or JSON, a line each.
 //
 //   CalibrateReport report(json, single);
 //   report.pair("left01.jpg right01.jpg", taken, {});

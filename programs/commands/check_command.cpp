@@ -10,10 +10,12 @@
 #include "drivers/camera/stereo_geometry.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
+#include "programs/commands/check_agent.hpp"
 #include "programs/commands/check_planning.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/goal_text.hpp"
 #include "programs/commands/this_host.hpp"
+#include "programs/method/description.hpp"
 #include "programs/story/scenario_run.hpp"
 
 namespace pizarra::programs {
@@ -71,7 +73,7 @@ void warn(const std::string& file, const std::string& sentence) {
   fmt::print(stderr, "{}: warning: {}\n", text_of_bytes(file), text_of_bytes(sentence));
 }
 
-// What is not there yet may come before the cell is run.
+// A file that is missing now may come before the cell is run.
 void warn_of_missing_recordings(const std::string& file, const forms::CellDescription& cell) {
   if (!sees_from_here(cell)) return;
   for (const forms::CameraSource& source : cell.eyes.sources) {
@@ -98,6 +100,14 @@ Result<std::string> check_arm(const std::string& file) {
   const Result<arm::ArmModel> arm = arm::read_arm_file(file);
   if (!arm) return fail(arm);
   return fmt::format("arm {}: {} axes", arm->type, arm->axes.size());
+}
+
+// A description of components for `method`.
+Result<std::string> check_system(const std::string& file) {
+  const Result<method::System> system = method::read_system(file);
+  if (!system) return fail(system);
+  return fmt::format("system \"{}\": {}, {}", system->name, counted(system->components.size(), "component"),
+                     counted(system->connections.size(), "connection"));
 }
 
 Result<std::string> check_scenario_file(const std::string& file) {
@@ -133,8 +143,11 @@ Result<std::string> check_planning(const Source& source, const std::string& next
 
 Result<std::string> check_file(const std::string& file, const std::string& next, const CheckChoices& choices,
                                PlanningCheck& planning) {
+  const Result<std::string> text = read_text_file(file);
+  if (text && is_agent_file(*text)) return check_agent(file, *text);
   const Result<Source> source = forms::read_planning_source_file(file);
   if (!source) return fail(source);
+  if (is_agent_story(*source)) return check_agent_story(*source);
   if (PlanningCheck::knows(*source)) return check_planning(*source, next, planning);
   if (source->data().empty()) return fail("nothing-to-read", file + ": nothing is written here");
   const std::string_view head = source->data().front().head();
@@ -147,6 +160,7 @@ Result<std::string> check_file(const std::string& file, const std::string& next,
   }
   if (head == "cell") return check_cell(file);
   if (head == "arm") return check_arm(file);
+  if (head == "system") return check_system(file);
   if (head == "scenario") return check_scenario_file(file);
   return check_goal_file(file, choices);
 }
@@ -175,8 +189,8 @@ int check_files(const CheckChoices& choices) {
 
 void add_check_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<CheckChoices>();
-  CLI::App* word =
-      app.add_subcommand("check", "Check domain, cell, arm, scenario, goal and planning files; every error is told.");
+  CLI::App* word = app.add_subcommand(
+      "check", "Check domain, cell, arm, scenario, goal, planning and agent files; every error is told.");
   word->add_option("FILE", choices->files, "What the file is, its first form says")->required();
   word->add_option("--domain", choices->domain,
                    "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");

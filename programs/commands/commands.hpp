@@ -14,16 +14,21 @@ namespace pizarra::programs {
 
 void add_demo_command(CLI::App& app, int& status);
 void add_scenario_command(CLI::App& app, int& status);
+void add_chaos_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_up_command(CLI::App& app, int& status);
+void add_hosts_command(CLI::App& app, int& status);
+void add_host_command(CLI::App& app, int& status);
 void add_ps_command(CLI::App& app, int& status);
 void add_down_command(CLI::App& app, int& status);
 void add_shapes_command(CLI::App& app, int& status);
 void add_calibrate_command(CLI::App& app, int& status);
 void add_look_command(CLI::App& app, int& status);
 void add_top_command(CLI::App& app, int& status);
+void add_method_command(CLI::App& app, int& status);
 void add_replay_command(CLI::App& app, int& status);
 void add_repl_command(CLI::App& app, int& status);
+void add_new_command(CLI::App& app, int& status);
 void add_console_command(CLI::App& app, int& status);
 void add_form_commands(CLI::App& app, int& status);  // declare, tell, retract, ask, watch, goal, why
 

@@ -14,6 +14,7 @@
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/commands/line_pipe.hpp"
 
 namespace pizarra::programs {
 
@@ -25,6 +26,7 @@ struct ConsoleChoices {
   std::uint64_t seed = 1;
   bool seed_given = false;
   int port = 0;
+  std::string addresses;  // where they go as well
 };
 
 Result<console::CellView> view_of(const forms::CellDescription& cell) {
@@ -67,13 +69,17 @@ void print_address(const std::string& address) {
 }
 
 // Until somebody stops the executor; every page has left the board then.
-int serve(Executor& executor, console::Console::Setup setup) {
+int serve(Executor& executor, console::Console::Setup setup, const std::string& addresses) {
   setup.name = fmt::format("console-{}", getpid());
   setup.page_folder = shipped_file("agents/console/page/built");
-  setup.next_address = [](const std::string& address) { fmt::print(stderr, "another browser: {}\n", address); };
+  setup.next_address = [addresses](const std::string& address) {
+    fmt::print(stderr, "another browser: {}\n", address);
+    if (!addresses.empty()) add_line(addresses, address);
+  };
   const auto console = console::Console::open(std::move(setup));
   if (!console) return complain(console.error(), exit_unavailable);
   print_address((*console)->address());
+  if (!addresses.empty()) add_line(addresses, (*console)->address());
   executor.run_until([] { return false; });
   const Job closing = executor.spawn((*console)->close());
   executor.run_until([&closing] { return closing.done(); });
@@ -98,13 +104,15 @@ int console_of_own_cell(const ConsoleChoices& choices) {
   const auto board = [&local](const std::string& name) -> Result<std::unique_ptr<Board>> {
     return local.board().view(name);
   };
-  return serve(executor, {.executor = executor,
-                          .streams = local.streams(),
-                          .board = board,
-                          .cell = *view,
-                          .name = {},
-                          .page_folder = {},
-                          .port = choices.port});
+  return serve(executor,
+               {.executor = executor,
+                .streams = local.streams(),
+                .board = board,
+                .cell = *view,
+                .name = {},
+                .page_folder = {},
+                .port = choices.port},
+               choices.addresses);
 }
 
 int console_of_running_cell(const ConsoleChoices& choices) {
@@ -129,13 +137,15 @@ int console_of_running_cell(const ConsoleChoices& choices) {
     if (!made) return fail(made);
     return std::unique_ptr<Board>(std::move(*made));
   };
-  return serve(executor, {.executor = executor,
-                          .streams = **streams,
-                          .board = board_of_page,
-                          .cell = *view,
-                          .name = {},
-                          .page_folder = {},
-                          .port = choices.port});
+  return serve(executor,
+               {.executor = executor,
+                .streams = **streams,
+                .board = board_of_page,
+                .cell = *view,
+                .name = {},
+                .page_folder = {},
+                .port = choices.port},
+               choices.addresses);
 }
 
 int run_console(const ConsoleChoices& choices) {
@@ -160,6 +170,8 @@ void add_console_command(CLI::App& app, int& status) {
   console->add_option("--port", choices->port, "The port on this host's loopback; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
+  console->add_option("--addresses", choices->addresses,
+                      "A file, or a pipe that somebody reads, to which each address is added as a line");
   console->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(console, choices->board);
   console->footer(help_footer("console"));

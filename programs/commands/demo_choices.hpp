@@ -1,6 +1,6 @@
 #pragma once
 
-// What was asked of `demo`, and whether it goes together: an option that would have no effect is refused, not ignored.
+// The options of `demo`, and whether they go together: an option that would have no effect is refused, not ignored.
 //
 //   DemoChoices choices;
 //   choices.given = {"--random", "--journal"};      // the options that were typed

@@ -19,7 +19,7 @@ namespace {
 
 struct FormWord {
   const char* name;
-  const char* argument;  // empty: none
+  const char* argument;
   const char* help;
   const char* example;
   bool asks_agents = false;  // not the board alone
@@ -34,7 +34,7 @@ constexpr FormWord form_words[] = {
     {"watch", "QUERY", "Show what holds and every change, until interrupted", "watch '(on ?x ?y)'"},
     {"goal", "GOAL", "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs",
      "goal '(on circle triangle)'", true},
-    {"why", "", "Ask the coordinator why it does what it does", "why", true},
+    {"why", "PATTERN", "Ask the coordinator why it does what it does, or why the facts that fit stand", "why", true},
 };
 
 struct FormChoices {
@@ -96,7 +96,8 @@ int run_form(const FormWord& word, const FormChoices& choices) {
 void add_form_command(CLI::App& app, int& status, const FormWord& word) {
   auto choices = std::make_shared<FormChoices>();
   CLI::App* added = app.add_subcommand(word.name, word.help);
-  if (*word.argument != '\0') added->add_option(word.argument, choices->arguments)->required();
+  const bool alone = std::string_view(word.name) == "why";
+  added->add_option(word.argument, choices->arguments)->required(!alone);
   added->add_flag("--json", choices->json, "One JSON object a line");
   add_board_options(added, choices->board);
   added->footer(help_footer(word.example));

@@ -17,17 +17,22 @@ int main(int argc, char** argv) {
   int status = pizarra::programs::exit_reached;
   pizarra::programs::add_demo_command(app, status);
   pizarra::programs::add_scenario_command(app, status);
+  pizarra::programs::add_chaos_command(app, status);
   pizarra::programs::add_check_command(app, status);
   pizarra::programs::add_up_command(app, status);
+  pizarra::programs::add_hosts_command(app, status);
+  pizarra::programs::add_host_command(app, status);
   pizarra::programs::add_ps_command(app, status);
   pizarra::programs::add_down_command(app, status);
   pizarra::programs::add_repl_command(app, status);
   pizarra::programs::add_console_command(app, status);
+  pizarra::programs::add_new_command(app, status);
   pizarra::programs::add_form_commands(app, status);
   pizarra::programs::add_look_command(app, status);
   pizarra::programs::add_shapes_command(app, status);
   pizarra::programs::add_calibrate_command(app, status);
   pizarra::programs::add_top_command(app, status);
+  pizarra::programs::add_method_command(app, status);
   pizarra::programs::add_replay_command(app, status);
   return pizarra::programs::run_program(app, argc, argv, status);
 }

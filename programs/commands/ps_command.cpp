@@ -19,15 +19,19 @@ namespace {
 
 struct OnBoard {
   std::vector<Fact> agents;
+  std::vector<Fact> holders;   // (holder CLIENT ROLE SERVER STATE)
   std::vector<Fact> refusals;  // board-refusal
 };
 
-// What the board says, or nothing of what it does not answer in time.
+// The board's answer, or nothing where it does not come in time.
 Task<void> list_facts(client::RemoteBoard& board, OnBoard* out) {
   Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
   Result<std::vector<Fact>> agents = co_await runtime::facts_if_declared(board, std::move(agent));
   if (agents) out->agents = std::move(*agents);
   if (!board.connected()) co_return;
+  Datum holder = list("holder"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> holders = co_await runtime::facts_if_declared(board, std::move(holder));
+  if (holders) out->holders = std::move(*holders);
   Datum refusal = list("board-refusal"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
   Result<std::vector<Fact>> refusals = co_await board.facts(std::move(refusal));
   if (refusals) out->refusals = std::move(*refusals);
@@ -58,6 +62,20 @@ void print_refusal(const launcher::RunState& run, const Datum& refusal, bool jso
              counted(static_cast<std::size_t>(count), "time"), refusal[2].text(), text_of_bytes(refusal[4].text()));
 }
 
+void print_holder(const launcher::RunState& run, const Datum& holder, bool json) {
+  if (json) {
+    fmt::print("{{\"cell\":{},\"client\":{},\"role\":{},\"server\":{},\"state\":{}}}\n", json_string(run.cell),
+               json_string(holder[1].text()), json_string(holder[2].text()), json_string(holder[3].text()),
+               json_string(holder[4].text()));
+    return;
+  }
+  const std::string_view state = holder[4].text();
+  fmt::print("  {}'s {}: {}{}\n", holder[1].text(), holder[2].text(), holder[3].text(),
+             state == "wired"    ? ""
+             : state == "absent" ? ", who is absent"
+                                 : ", who stands in");
+}
+
 void print_run(const launcher::RunState& run, bool json) {
   OnBoard on_board = facts_on(run);
   std::vector<Fact>& agents = on_board.agents;
@@ -84,6 +102,7 @@ void print_run(const launcher::RunState& run, bool json) {
     if (fact != agents.end()) agents.erase(fact);
   }
   for (const Fact& agent : agents) print(agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text(), nullptr);
+  for (const Fact& holder : on_board.holders) print_holder(run, holder.datum, json);
   for (const Fact& refusal : on_board.refusals) print_refusal(run, refusal.datum, json);
 }
 

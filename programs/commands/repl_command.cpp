@@ -26,7 +26,7 @@ struct ReplChoices {
 
 bool is_script(const ReplChoices& choices) { return !choices.forms.empty() || isatty(STDIN_FILENO) == 0; }
 
-// Who types goes on typing while a goal is pursued; a script waits.
+// A person goes on typing while a goal is pursued; a script waits.
 Manner manner_of(const ReplChoices& choices) {
   return {.patience = is_script(choices) ? repl::Interpreter::Patience::ended : repl::Interpreter::Patience::accepted};
 }

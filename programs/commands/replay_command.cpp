@@ -14,6 +14,7 @@
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/moment.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/commands/export_journal.hpp"
 
 namespace pizarra::programs {
 
@@ -23,6 +24,7 @@ struct ReplayChoices {
   std::string journal;
   std::string at;
   std::vector<std::string> forms;
+  std::string mcap;
   bool json = false;
 };
 
@@ -97,7 +99,7 @@ class Player {
   Task<void> evaluate_all() {
     for (const std::string& form : choices_.forms) {
       const repl::Evaluation outcome = co_await evaluate(form);
-      // What a step changed for those who watch is to be seen before the next form.
+      // Changes of a step that watchers see are shown before the next form.
       co_await sleep(executor_, Duration::zero());
       if (outcome == repl::Evaluation::quit) co_return;
       if (outcome == repl::Evaluation::malformed) status_ = exit_usage;
@@ -191,8 +193,20 @@ class Player {
   int status_ = exit_reached;
 };
 
+int run_export(Executor& executor, const ReplayChoices& choices) {
+  const Result<journal::LineStart> end = journal::end_of_journal(choices.journal);
+  if (!end) return complain(end.error(), exit_usage);
+  const Result<Moment> from = choices.at.empty() ? Moment{.revision = 0} : moment_from_text(choices.at, end->when);
+  if (!from) return complain(from.error(), exit_usage);
+  const Result<std::uint64_t> messages = export_journal(executor, choices.journal, *from, choices.mcap);
+  if (!messages) return complain(messages.error(), exit_usage);
+  fmt::print("{}: {} messages\n", choices.mcap, *messages);
+  return exit_reached;
+}
+
 int run_replay(const ReplayChoices& choices) {
   RealExecutor executor;
+  if (!choices.mcap.empty()) return run_export(executor, choices);
   Player player(executor, choices);
   const Result<void> opened = player.open(choices.at.empty() ? std::nullopt : std::optional(choices.at));
   if (!opened) return complain(opened.error(), exit_usage);
@@ -213,6 +227,10 @@ void add_replay_command(CLI::App& app, int& status) {
                    "2026-11-21T12:30:00, or @SECONDS of its clock; the end otherwise")
       ->check(moment_check());
   replay->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
+  replay
+      ->add_option("--mcap", choices->mcap,
+                   "Write the journal, from --at or else its beginning, as an MCAP file for Foxglove, and end")
+      ->excludes("--eval");
   replay->add_flag("--json", choices->json, "One JSON object a line");
   replay->footer(help_footer("replay run.txt --at @60 --eval '(ask (on ?x ?y))'"));
   replay->callback([choices, &status] { status = run_replay(*choices); });

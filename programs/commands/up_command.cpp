@@ -1,5 +1,6 @@
 // `up`: a cell as processes around a board.
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -17,6 +18,8 @@
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/commands/host_presence.hpp"
+#include "programs/commands/line_pipe.hpp"
 #include "programs/commands/this_host.hpp"
 #include "programs/story/narrator.hpp"
 #include "programs/story/scenario_run.hpp"
@@ -31,12 +34,20 @@ struct UpChoices {
   std::string board;
   std::string key;
   std::string keys;
+  std::string world;
+  std::string log;
+  std::string certificates;
+  std::string standby;
+  bool log_insecure = false;
   std::uint64_t seed = 1;
   bool json = false;
+  bool console = false;
 };
 
 // What would have no effect is refused; a key of the environment is there for other words, too.
 Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
+  // Boards that take over from each other are everybody's, and are come to by their addresses alone.
+  if (!choices.log.empty()) return {};
   const bool owns_board = host.name == cell.board_host && choices.board.empty();
   const char* environment = std::getenv("PIZARRA_KEY");
   const bool key_typed = !choices.key.empty() && (environment == nullptr || choices.key != environment);
@@ -55,6 +66,8 @@ Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& 
 // file or a key that cannot be read, a board with relations of another shape.
 const std::vector<int> hopeless_board{2, 3, 4};
 const std::vector<int> hopeless_agent{exit_usage};
+
+std::string first_address(const std::string& addresses) { return addresses.substr(0, addresses.find(',')); }
 
 std::string last_line_of(const std::string& file) {
   std::ifstream in(file);
@@ -78,9 +91,14 @@ class Up {
 
  private:
   void choose_board();
+  Result<void> start_board();
   Result<void> start_all();
   Result<void> find_world();
+  Result<void> start_console(const std::string& cell);
   Result<void> start(const std::string& name, std::vector<std::string> command);
+  Result<void> start_plugin();
+  std::string device_address(const std::string& kind) const;
+  Result<void> start_scheme_agent(const forms::CellSchemeAgent& agent);
   void on_process(const launcher::ProcessEvent& event);
   void save_state();
 
@@ -95,6 +113,7 @@ class Up {
   std::string keys_;  // the folder of those that may come to this host's board
   std::string key_;   // with which this host comes to a board elsewhere
   std::string board_failure_;
+  std::unique_ptr<LinePipe> addresses_;  // of the console
   launcher::Supervisor supervisor_;
 };
 
@@ -103,17 +122,57 @@ Result<void> Up::start(const std::string& name, std::vector<std::string> command
   return supervisor_.start({name, std::move(command), directory_.file(name + ".log"), final_statuses});
 }
 
+// Where the agent's device is, where that is not on a line of its own.
+std::string Up::device_address(const std::string& kind) const {
+  if (launcher::kind_of_agent(kind) == "robot" && launcher::has_arm_plugin(cell_))
+    return "ipc://" + directory_.file("arm-plugin.ipc");
+  return world_address_;
+}
+
+// It runs where the robot agent does.
+Result<void> Up::start_plugin() {
+  const bool here =
+      std::ranges::count(host_.agents, "robot", launcher::kind_of_agent) > 0 && launcher::has_arm_plugin(cell_);
+  if (!here) return {};
+  return start("arm-plugin", {beside_this_program("pizarra-plugin"), "arm", cell_.arm_line.places.front(), "--listen",
+                              device_address("robot")});
+}
+
+// Who has a key of its own comes with it to where keys are asked for, also on the board's own host.
+Result<void> Up::start_scheme_agent(const forms::CellSchemeAgent& agent) {
+  const bool own_key = !agent.key.empty();
+  const std::string& key = own_key ? agent.key : key_;
+  const std::string& board = own_key && !keys_.empty() ? cell_.board_address : board_address_;
+  std::vector<std::string> command = {beside_this_program("pizarra-scheme"),
+                                      "scheme",
+                                      std::filesystem::absolute(agent.file).string(),
+                                      "--name",
+                                      agent.name,
+                                      "--board",
+                                      board,
+                                      "--host",
+                                      host_.name,
+                                      "--time",
+                                      std::to_string(agent.time_ms),
+                                      "--memory",
+                                      std::to_string(agent.memory_mb),
+                                      "--rate",
+                                      fmt::format("{:g}", agent.messages_per_s)};
+  if (!key.empty()) command.insert(command.end(), {"--key", std::filesystem::absolute(key).string()});
+  return start(agent.name, std::move(command));
+}
+
 // The world runs beside the board's host; others of this machine find it by that host's state.
 Result<void> Up::find_world() {
-  world_address_ = "ipc://" + directory_.file("world.ipc");
-  if (host_.name == cell_.board_host) return {};
+  world_address_ = choices_.world.empty() ? "ipc://" + directory_.file("world.ipc") : choices_.world;
+  if (host_.name == cell_.board_host || !choices_.world.empty()) return {};
   for (const launcher::RunState& run : launcher::running_cells()) {
     if (run.cell != cell_.name || run.host != cell_.board_host) continue;
     world_address_ = run.world_address;
     return {};
   }
   for (const std::string& kind : host_.agents) {
-    if (!launcher::needs_world(kind, cell_)) continue;
+    if (!launcher::needs_world(kind, cell_) || device_address(kind) != world_address_) continue;
     return fail("no-world", fmt::format("{} needs the simulated world, and that runs on {}, which is not up on this "
                                         "machine: give {} to that host, or start that host here first",
                                         kind, cell_.board_host, kind));
@@ -121,36 +180,71 @@ Result<void> Up::find_world() {
   return {};
 }
 
+Result<void> Up::start_board() {
+  const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
+  std::vector<std::string> command = {beside_this_program("pizarra-board")};
+  if (!choices_.log.empty()) {
+    const std::string first = first_address(board_address_);
+    const std::string listens_at = owns_board ? first : choices_.standby;
+    if (listens_at.empty()) return {};
+    command.insert(command.end(), {"--listen", listens_at, "--log", choices_.log, "--name", host_.name});
+    if (!choices_.certificates.empty()) command.insert(command.end(), {"--log-certificates", choices_.certificates});
+    if (choices_.log_insecure) command.push_back("--log-insecure");
+    if (!keys_.empty()) command.insert(command.end(), {"--keys", keys_});
+    return start("board", std::move(command));
+  }
+  if (!owns_board) return {};
+  // Only what is durable outlives the board; it is kept as long as the run's folder is.
+  const std::string journal = directory_.file("board.journal");
+  journal::remove_journal(journal);
+  command.insert(command.end(), {"--listen", board_address_, "--journal", journal});
+  if (!keys_.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", keys_});
+  return start("board", std::move(command));
+}
+
 Result<void> Up::start_all() {
   const std::string program = beside_this_program("pizarra-agent");
   const std::string seed = std::to_string(choices_.seed);
   const std::string cell = std::filesystem::absolute(choices_.cell).string();
-  const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
-  if (owns_board) {
-    // Only what is durable outlives the board; it is kept as long as the run's folder is.
-    const std::string journal = directory_.file("board.journal");
-    journal::remove_journal(journal);
-    std::vector<std::string> command = {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal",
-                                        journal};
-    if (!keys_.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", keys_});
-    const Result<void> board = start("board", std::move(command));
-    if (!board) return board;
-  }
+  const Result<void> board = start_board();
+  if (!board) return board;
   if (host_.name == cell_.board_host) {
     const Result<void> world = start("world", {program, "world", cell, "--listen", world_address_, "--seed", seed});
     if (!world) return world;
   }
+  const Result<void> plugin = start_plugin();
+  if (!plugin) return plugin;
   for (const std::string& kind : host_.agents) {
-    std::vector<std::string> command = {program,   "agent",        kind,     cell,       "--board", board_address_,
-                                        "--world", world_address_, "--host", host_.name, "--seed",  seed};
+    if (const forms::CellSchemeAgent* scheme = forms::scheme_agent_called(cell_, kind)) {
+      const Result<void> agent = start_scheme_agent(*scheme);
+      if (!agent) return agent;
+      continue;
+    }
+    std::vector<std::string> command = {program,   "agent",        kind,      cell,
+                                        "--board", board_address_, "--world", device_address(kind),
+                                        "--host",  host_.name,     "--seed",  seed};
     if (!key_.empty()) command.insert(command.end(), {"--key", key_});
-    const bool watched_elsewhere = kind == "vision" && cell_.hosts.size() > 1;
-    const std::string streams = watched_elsewhere ? streams::stream_listen_address(cell_.board_address) : std::string();
+    const bool watched_elsewhere = launcher::kind_of_agent(kind) == "vision" && cell_.hosts.size() > 1;
+    const std::string streams =
+        watched_elsewhere ? streams::stream_listen_address(first_address(cell_.board_address)) : std::string();
     if (!streams.empty()) command.insert(command.end(), {"--streams", streams});
     const Result<void> agent = start(kind, std::move(command));
     if (!agent) return agent;
   }
-  return {};
+  return choices_.console ? start_console(cell) : Result<void>();
+}
+
+// Its address holds a secret: it comes through a pipe of our own, and on no board.
+Result<void> Up::start_console(const std::string& cell) {
+  const std::string path = directory_.file("console.addresses");
+  auto pipe = LinePipe::make(
+      executor_, path, [this](const std::string& address) { narrator_.say(executor_.now(), "console", address); });
+  if (!pipe) return fail(pipe);
+  addresses_ = std::move(*pipe);
+  std::vector<std::string> command = {
+      beside_this_program("pizarra-cell"), "console", cell, "--board", board_address_, "--addresses", path};
+  if (!key_.empty()) command.insert(command.end(), {"--key", key_});
+  return start("console", std::move(command));
 }
 
 void Up::on_process(const launcher::ProcessEvent& event) {
@@ -182,7 +276,10 @@ void Up::choose_board() {
                    : cell_.board_address.empty() || !keys_.empty() ? own_address
                                                                    : cell_.board_address;
   const std::string key = choices_.key.empty() ? host_.key : choices_.key;
-  if (!owns_board && !key.empty()) key_ = std::filesystem::absolute(key).string();
+  const bool shared = !choices_.log.empty();
+  if (shared && !cell_.board_address.empty()) board_address_ = cell_.board_address;
+  if (shared && (owns_board || !choices_.standby.empty())) keys_ = folder;
+  if ((shared || !owns_board) && !key.empty()) key_ = std::filesystem::absolute(key).string();
 }
 
 int Up::run() {
@@ -206,6 +303,7 @@ int Up::run() {
   narrator_.say(executor_.now(), "logs", directory_.path());
   {
     const Job told = executor_.spawn(narrator_.follow(**ears, executor_));
+    const Job present = executor_.spawn(tell_host(**ears, executor_, host_.name));
     executor_.run_until([this] { return supervisor_.stopping(); });
   }
   narrator_.say(executor_.now(), "process", "stopping");
@@ -247,9 +345,22 @@ void add_up_command(CLI::App& app, int& status) {
   up->add_option("--keys", choices->keys,
                  "The folder of the keys that may come to this host's board; the cell's otherwise");
   add_key_option(up, choices->key);
+  up->add_option("--world", choices->world,
+                 "Where the simulated world is, ipc://PATH, in place of the run's folder: for hosts that share a file")
+      ->envname("PIZARRA_WORLD");
+  CLI::Option* log = up->add_option("--log", choices->log,
+                                    "Keep what is durable in an etcd cluster, etcd://A,B,C/CELL, so that another board "
+                                    "takes over when this one is gone");
+  up->add_option("--log-certificates", choices->certificates,
+                 "The folder of ca.crt, client.crt and client.key for that cluster")
+      ->needs(log);
+  up->add_flag("--log-insecure", choices->log_insecure, "Speak to that cluster unencrypted")->needs(log);
+  up->add_option("--standby", choices->standby, "Run a board on this host too, at this one of the cell's addresses")
+      ->needs(log);
   up->add_option("--seed", choices->seed, "What chance begins from in the simulated world")
       ->check(seed_check())
       ->capture_default_str();
+  up->add_flag("--console", choices->console, "Show the cell in a browser, too: the address is said when it is there");
   up->add_flag("--json", choices->json, "One JSON object a line");
   up->footer(help_footer("up examples/01-blocks/cell.scm"));
   up->callback([choices, &status] { status = run_up(*choices); });

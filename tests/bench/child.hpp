@@ -17,7 +17,7 @@
 
 namespace pizarra::bench {
 
-// Numbers and lines between a child and its parent. What does not come within a minute ends the bench.
+// Numbers and lines between a child and its parent. A missing answer ends the bench after a minute.
 class Pipe {
  public:
   explicit Pipe(int file) : file_(file) {}

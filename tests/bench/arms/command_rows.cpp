@@ -1,7 +1,7 @@
-// From the fact `(request ...)` of a motion, told by a client, to the first octet of its move on the wire to the arm's
-// controller, beyond what the board takes to answer a tell; and the same beside a stream of 125 states a second. Board,
-// robot agent (with the emulated controller at the other end of a UDP line of this machine) and client are a process
-// each.
+// The time from the fact `(request ...)` of a motion, told by a client, to the first octet of its move on the wire to
+// the arm's controller. The board's time to answer a tell is subtracted; and the same beside a stream of 125 states a
+// second. Board, robot agent (with the emulated controller at the other end of a UDP line of this machine) and client
+// are a process each.
 
 #include <fmt/format.h>
 

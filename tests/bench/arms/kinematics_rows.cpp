@@ -73,7 +73,7 @@ void time_moves(ArmsBench& bench, const arm::ArmModel& arm) {
   double sum = 0;
   const std::vector<double> seconds =
       medians_of_rounds(9, {[&] {
-                          // What others compute on this core is not the arm's.
+                          // Other work on this core is not counted as the arm's.
                           return thread_seconds_of([&] {
                             for (int i = 0; i < times; ++i) {
                               for (const Move& move : moves)

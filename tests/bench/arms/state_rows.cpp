@@ -35,7 +35,8 @@ void be_a_universal_robot(const std::string& address) {
   simulation::UrEmulator emulator(cabinet);
   const auto rtde = free_port(executor), script = free_port(executor), dashboard = free_port(executor);
   const Job telling = executor.spawn(simulation::serve_rtde(executor, emulator, *rtde));
-  const Job running = executor.spawn(simulation::serve_script(executor, emulator, *script));
+  const Job running =
+      executor.spawn(simulation::serve_interface(executor, emulator, simulation::UrInterface::secondary, *script));
   const Job answering = executor.spawn(simulation::serve_dashboard(executor, emulator, *dashboard));
   line::TcpWire to_rtde(executor, "127.0.0.1", rtde->port());
   line::TcpWire to_script(executor, "127.0.0.1", script->port());

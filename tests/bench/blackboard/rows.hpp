@@ -12,6 +12,7 @@ constexpr int rounds = 7;
 void ask_replica(Figures& figures);
 void in_process(Figures& figures);
 void tracing(Figures& figures);
+void scheme_reaction(Figures& figures);
 void start_and_memory(Figures& figures);
 void tell_round_trip(Figures& figures);
 void tell_to_watcher(Figures& figures);

@@ -1,4 +1,4 @@
-// What one watcher that is stopped costs the others, and the server's memory: facts of 20 KB are told, and a watcher
+// The cost of one stopped watcher to the others, and to the server's memory: facts of 20 KB are told, and a watcher
 // measures how long they take, while another runs, and while it is stopped.
 
 #include <csignal>

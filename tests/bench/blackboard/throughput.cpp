@@ -1,5 +1,5 @@
-// Facts told in batches, stored, matched and forwarded to a watcher in another process, until it has the last of them,
-// against Redis SET pipelined by 64 and small messages through a ZeroMQ router.
+// Facts are told in batches, stored, matched and forwarded to a watcher in another process, until it has the last of
+// them. The peers are Redis SET pipelined by 64 and small messages through a ZeroMQ router.
 
 #include <algorithm>
 

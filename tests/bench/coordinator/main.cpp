@@ -80,7 +80,7 @@ class StillEyes {
 
 Task<void> live(coordinator::CoordinatorAgent& agent) { co_await agent.run(); }
 
-// What the thread computes for each of so many looks, in seconds; nothing where it does not believe what it sees.
+// The thread's computing time for each of so many looks, in seconds; nothing where it does not believe what it sees.
 std::vector<double> looks(int cubes, int count) {
   VirtualExecutor executor;
   memory::MemoryBoard board(executor);

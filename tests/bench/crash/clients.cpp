@@ -94,7 +94,7 @@ class Taker {
   std::int64_t serial_ = 0;
 };
 
-// What a watch says, held against itself and against what the board answers at the same revision.
+// A watch's changes, compared with one another and with the board's answer at the same revision.
 class Follower {
  public:
   Follower(Board& board, int who, int reports) : board_(board), who_(who), reports_(reports) {}

@@ -139,7 +139,7 @@ void Ordeal::settle() {
     if (judge_.unmade() < left) heard = Clock::now();
     left = judge_.unmade();
   }
-  // What was taken by somebody who is not sure of it comes back, and is made by another.
+  // A job taken by a client that is not sure of it comes back, and another does it.
   pass(2s);
 }
 

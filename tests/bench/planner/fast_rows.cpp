@@ -14,7 +14,7 @@ struct FirstPlan {
 };
 constexpr FirstPlan first_plans[] = {{10, 1}, {20, 5}, {50, 50}, {100, 250}, {200, 1000}};
 
-// What a greedy that looks ahead was measured to take on the random blocks of --pddl.
+// The measured time of a greedy search that looks ahead, on the random blocks of --pddl.
 std::optional<double> known_greedy(std::size_t blocks) {
   if (blocks == 50) return 160;
   if (blocks == 100) return 324;

@@ -1,0 +1,283 @@
+#include "programs/board/cluster_board.hpp"
+
+#include <fmt/format.h>
+#include <memory>
+
+#include "blackboard/cluster/cluster_log.hpp"
+#include "blackboard/cluster/etcd_client.hpp"
+#include "blackboard/cluster/standby.hpp"
+#include "blackboard/server/kept_board.hpp"
+#include "blackboard/server/sessions.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "blackboard/wire/gated_transport.hpp"
+#include "programs/board/exits.hpp"
+
+namespace pizarra::programs {
+
+namespace {
+
+using cluster::EtcdClient;
+using cluster::Leadership;
+using cluster::Standby;
+
+// Entries between two snapshots.
+constexpr std::uint64_t entries_a_snapshot = 10'000;
+constexpr Duration looks_for_snapshot_every = 1s;
+// Each epoch gives out leases of its own.
+constexpr int bits_of_leases = 40;
+
+void say(const std::string& news) {
+  fmt::print("pizarra-board: {}\n", news);
+  std::fflush(stdout);
+}
+
+// What etcd says is said once, until it is something else.
+class Troubles {
+ public:
+  void note(const Result<void>& result) {
+    const std::string now = result ? "" : describe(result.error());
+    if (now == said_) return;
+    said_ = now;
+    fmt::print(stderr, "pizarra-board: {}\n", now.empty() ? "the log answers again" : now);
+  }
+
+ private:
+  std::string said_;
+};
+
+using Work = std::function<void(const std::function<bool()>& cancelled)>;
+
+class StandingBy {
+ public:
+  StandingBy(const ClusterChoices& choices, std::shared_ptr<EtcdClient> client)
+      : keys_(choices.log.cell),
+        client_(std::move(client)),
+        standby_(std::make_shared<Standby>(*client_, keys_, choices.name, server::Sessions::random_number(),
+                                           executor_.now())) {}
+
+  // Null when the program is to stop.
+  std::shared_ptr<Standby> run() {
+    const StopSignals signals(executor_);
+    const Job job = executor_.spawn(stand_by());
+    executor_.run_until([&] { return job.done(); });
+    return leads_ ? standby_ : nullptr;
+  }
+  const std::optional<Failure>& failure() const { return failure_; }
+
+ private:
+  Task<void> stand_by() {
+    while (!leads_ && !failure_) {
+      const auto step = std::make_shared<Result<bool>>(false);
+      const auto now = [this] { return executor_.now(); };
+      Work work = [standby = standby_, step, now](const std::function<bool()>&) { *step = standby->step(now); };
+      co_await executor_.offload(std::move(work), Duration::zero());
+      note(*step);
+      if (leads_) co_return;
+      co_await sleep(executor_, cluster::looks_every);
+    }
+  }
+  void note(const Result<bool>& step) {
+    troubles_.note(step ? Result<void>() : fail(step));
+    leads_ = step.value_or(false);
+    if (!step && step.error().symbol != "unavailable") failure_ = step.error();
+  }
+
+  RealExecutor executor_;
+  const cluster::LogKeys keys_;
+  const std::shared_ptr<EtcdClient> client_;
+  const std::shared_ptr<Standby> standby_;
+  Troubles troubles_;
+  bool leads_ = false;
+  std::optional<Failure> failure_;
+};
+
+// While this board leads.
+class Leading {
+ public:
+  Leading(const ClusterChoices& choices, std::shared_ptr<EtcdClient> client, std::shared_ptr<Standby> standby)
+      : choices_(choices),
+        keys_(choices.log.cell),
+        client_(std::move(client)),
+        standby_(std::move(standby)),
+        leadership_(std::make_shared<Leadership>(standby_->take_leadership())),
+        executor_(std::max(RealExecutor::wall_clock(), standby_->copy().end().when)),
+        serves_at_(executor_.now() + (standby_->was_vacant() ? Duration::zero() : cluster::serves_after)),
+        gated_(wire::zeromq(), [this] { return may_answer(); }) {}
+
+  // The exit status, or nothing where another board leads now.
+  std::optional<int> run();
+
+ private:
+  bool may_answer() const {
+    return !deposed_ && !leaves_ &&
+           term_.may_answer(executor_.now(), kept_ == nullptr ? 0 : kept_->board().store().revision());
+  }
+  Task<void> confirm();
+  Task<void> catch_up();
+  Task<void> take_snapshots();
+  void heard(const Result<Revision>& up_to, Time sent);
+  void end(const Failure& failure);
+  std::optional<int> serve();
+
+  const ClusterChoices& choices_;
+  const cluster::LogKeys keys_;
+  const std::shared_ptr<EtcdClient> client_;  // of the log
+  const std::shared_ptr<Standby> standby_;
+  const std::shared_ptr<Leadership> leadership_;
+  RealExecutor executor_;
+  const Time serves_at_;
+  wire::GatedTransport gated_;
+  cluster::Term term_;
+  Troubles troubles_;
+  bool leaves_ = false;
+  std::optional<Failure> deposed_;
+  std::optional<Failure> broken_;
+  std::unique_ptr<server::KeptBoard> kept_;
+};
+
+void Leading::end(const Failure& failure) {
+  (failure.symbol == "deposed" ? deposed_ : broken_) = failure;
+  executor_.stop();
+}
+
+Task<void> Leading::confirm() {
+  Result<std::unique_ptr<EtcdClient>> opened = EtcdClient::open(choices_.log);
+  if (!opened) co_return end(opened.error());
+  const std::shared_ptr<EtcdClient> client = std::move(*opened);
+  while (!leaves_) {
+    const Time sent = executor_.now();
+    const Revision revision = kept_ == nullptr ? 0 : kept_->board().store().revision();
+    const FactId fact = kept_ == nullptr ? 0 : kept_->board().store().next_fact();
+    const auto up_to = std::make_shared<Result<Revision>>(Revision{0});
+    Work work = [=, leadership = leadership_](const std::function<bool()>&) {
+      *up_to = leadership->confirm(*client, sent, revision, fact);
+    };
+    co_await executor_.offload(std::move(work), Duration::zero());
+    heard(*up_to, sent);
+    if (deposed_) co_return;
+    co_await sleep(executor_, std::max(sent + cluster::confirms_every - executor_.now(), Duration(1000)));
+  }
+  // Whoever stands by need not wait.
+  Work leave = [=, this, leadership = leadership_](const std::function<bool()>&) {
+    (void)leadership->resign(*client, executor_.now());
+  };
+  co_await executor_.offload(std::move(leave), Duration::zero());
+}
+
+void Leading::heard(const Result<Revision>& up_to, Time sent) {
+  if (up_to) {
+    term_.confirmed(sent, *up_to);
+    return troubles_.note({});
+  }
+  if (up_to.error().symbol == "deposed") return end(up_to.error());
+  troubles_.note(fail(up_to));
+}
+
+// What came to the log before this board led.
+Task<void> Leading::catch_up() {
+  bool whole = false;
+  while (!whole) {
+    const auto done = std::make_shared<Result<void>>();
+    Work work = [=, this, client = client_, standby = standby_](const std::function<bool()>&) {
+      const Result<std::optional<std::string>> head = cluster::get(*client, keys_.head());
+      *done = head ? standby->copy().follow_to(std::stoull(head->value_or("0"))) : fail(head);
+    };
+    co_await executor_.offload(std::move(work), Duration::zero());
+    whole = done->has_value();
+    if (whole) co_return;
+    troubles_.note(*done);
+    if (done->error().symbol != "unavailable") co_return end(done->error());
+    co_await sleep(executor_, cluster::looks_every);
+  }
+}
+
+Task<void> Leading::take_snapshots() {
+  Result<std::unique_ptr<EtcdClient>> opened = EtcdClient::open(choices_.log);
+  if (!opened) co_return;
+  const std::shared_ptr<EtcdClient> client = std::move(*opened);
+  while (true) {
+    co_await sleep(executor_, looks_for_snapshot_every);
+    // What could not be done now is tried again.
+    Work work = [client, keys = keys_](const std::function<bool()>&) {
+      (void)cluster::take_snapshot(*client, keys, entries_a_snapshot, server::Sessions::random_number());
+    };
+    co_await executor_.offload(std::move(work), Duration::zero());
+  }
+}
+
+std::optional<int> Leading::run() {
+  const StopSignals signals(executor_);
+  const Job confirming = executor_.spawn(confirm());
+  {
+    const Job catching_up = executor_.spawn(catch_up());
+    executor_.run_until([&] { return catching_up.done(); });
+    if (!catching_up.done()) return stopped;
+  }
+  if (broken_) return complain(*broken_, bad_journal);
+  if (deposed_) return std::nullopt;
+  const std::optional<int> status = serve();
+  kept_.reset();
+  leaves_ = true;
+  if (status && !deposed_) executor_.run_until([&] { return confirming.done(); });
+  return status;
+}
+
+std::optional<int> Leading::serve() {
+  Result<std::unique_ptr<EtcdClient>> reading = EtcdClient::open(choices_.log);
+  if (!reading) return complain(reading.error(), bad_address);
+  const auto log =
+      std::make_shared<cluster::ClusterLog>(client_, std::shared_ptr<EtcdClient>(std::move(*reading)), keys_,
+                                            leadership_->epoch(), standby_->copy().number(), choices_.log.text);
+  std::vector<journal::RememberedReply> replies = standby_->copy().replies();
+  std::unique_ptr<store::Store> store = standby_->copy().take_store();
+  store->restore_counters(leadership_->first_revision(), leadership_->first_fact());
+  kept_ = std::make_unique<server::KeptBoard>(executor_, [this](const std::optional<Failure>& failure) {
+    if (failure && failure->symbol == "deposed") return end(*failure);
+    troubles_.note(failure ? fail(*failure) : Result<void>());
+  });
+  kept_->lead(std::move(store), leadership_->epoch().number << bits_of_leases, std::move(replies), log);
+  const Job snapshots = executor_.spawn(take_snapshots());
+  bool may_serve = false;
+  executor_.call_at(serves_at_, [&] { may_serve = true; });
+  executor_.run_until([&] { return may_serve; });
+  if (deposed_) return std::nullopt;
+  if (!may_serve) return stopped;
+  server::BoardServerOptions options = choices_.server;
+  options.journal = kept_->journal();
+  options.remembered = kept_->take_remembered();
+  options.answers_from_journal = true;
+  options.transport = &gated_;
+  const Result<std::unique_ptr<server::BoardServer>> server =
+      server::BoardServer::open(executor_, kept_->board(), options);
+  if (!server) return complain(server.error(), bad_address);
+  say(fmt::format("ready on {}", fmt::join((*server)->addresses(), " ")));
+  executor_.run_until([] { return false; });
+  if (deposed_) return std::nullopt;
+  (*server)->say_goodbye();
+  executor_.call_at(executor_.now() + server::BoardServer::goodbye_length, [this] { executor_.stop(); });
+  executor_.run_until([] { return false; });
+  return stopped;
+}
+
+}  // namespace
+
+int serve_in_cluster(const ClusterChoices& choices) {
+  while (true) {
+    Result<std::unique_ptr<EtcdClient>> opened = EtcdClient::open(choices.log);
+    if (!opened) return complain(opened.error(), bad_address);
+    const std::shared_ptr<EtcdClient> client = std::move(*opened);
+    say("stands by at " + choices.log.text);
+    StandingBy standing(choices, client);
+    const std::shared_ptr<Standby> standby = standing.run();
+    if (standing.failure()) return complain(*standing.failure(), bad_journal);
+    if (standby == nullptr) return stopped;
+    say("leads");
+    Leading leading(choices, client, standby);
+    const std::optional<int> status = leading.run();
+    if (status) return *status;
+    say("another board leads");
+  }
+}
+
+}  // namespace pizarra::programs

@@ -1,0 +1,24 @@
+#pragma once
+
+// A board whose journal is a log in a cluster: it stands by, leads when nobody does, and stands by again when another
+// has taken the lead.
+//
+//   return serve_in_cluster({.log = *address, .name = "board-pc", .server = options});
+
+#include <string>
+
+#include "blackboard/cluster/log_address.hpp"
+#include "blackboard/server/board_server.hpp"
+
+namespace pizarra::programs {
+
+struct ClusterChoices {
+  cluster::LogAddress log;
+  std::string name;  // by which the epoch says who leads
+  server::BoardServerOptions server;
+};
+
+// The program's exit status.
+int serve_in_cluster(const ClusterChoices& choices);
+
+}  // namespace pizarra::programs

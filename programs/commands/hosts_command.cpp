@@ -1,0 +1,145 @@
+// `hosts`: what runs where in a cell, and which hosts are there.
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+
+#include "agents/runtime/declared.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/forms/cell_file.hpp"
+#include "lisp/json.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/commands.hpp"
+
+namespace pizarra::programs {
+
+namespace {
+
+struct HostsChoices {
+  std::string cell;
+  BoardChoices board;
+  bool json = false;
+};
+
+struct HostsSeen {
+  std::vector<Fact> hosts;   // (host NAME VERSION OFFSET-MS)
+  std::vector<Fact> agents;  // (agent NAME KIND HOST)
+  std::optional<Failure> failure;
+};
+
+struct HostRow {
+  std::string host;
+  bool there = false;
+  std::string version;
+  std::optional<std::int64_t> offset_ms;
+  std::vector<std::string> agents;  // that are there
+  std::vector<std::string> absent;  // that the cell file gives to it
+};
+
+Task<void> look_for_hosts(client::RemoteBoard& board, HostsSeen* seen) {
+  Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> agents = co_await runtime::facts_if_declared(board, std::move(agent));
+  if (!agents) {
+    seen->failure = agents.error();
+    co_return;
+  }
+  seen->agents = std::move(*agents);
+  Datum host = list("host"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> hosts = co_await runtime::facts_if_declared(board, std::move(host));
+  if (hosts) seen->hosts = std::move(*hosts);
+}
+
+HostRow& row_of(std::vector<HostRow>& rows, const std::string& host) {
+  const auto found = std::ranges::find(rows, host, &HostRow::host);
+  if (found != rows.end()) return *found;
+  rows.emplace_back().host = host;
+  return rows.back();
+}
+
+// Of the cell file's hosts, in its order, and then of others that agents came from.
+std::vector<HostRow> rows_of(const std::optional<forms::CellDescription>& cell, const HostsSeen& seen) {
+  std::vector<HostRow> rows;
+  if (cell) {
+    for (const forms::CellHost& host : cell->hosts) row_of(rows, host.name).absent = host.agents;
+  }
+  for (const Fact& fact : seen.hosts) {
+    HostRow& row = row_of(rows, std::string(fact.datum[1].text()));
+    row.there = true;
+    row.version = fact.datum[2].text();
+    row.offset_ms = fact.datum[3].integer();
+  }
+  for (const Fact& fact : seen.agents) {
+    HostRow& row = row_of(rows, std::string(fact.datum[3].text()));
+    row.agents.emplace_back(fact.datum[1].text());
+    std::erase(row.absent, row.agents.back());
+  }
+  return rows;
+}
+
+std::string joined_names(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+void print_host(const HostRow& row, bool json) {
+  if (json) {
+    const std::string offset = row.offset_ms ? std::to_string(*row.offset_ms) : "null";
+    fmt::print("{{\"host\":{},\"there\":{},\"version\":{},\"offset-ms\":{},\"agents\":{},\"absent\":{}}}\n",
+               json_string(row.host), row.there, json_string(row.version), offset,
+               json_string(joined_names(row.agents)), json_string(joined_names(row.absent)));
+    return;
+  }
+  const std::string offset = row.offset_ms ? fmt::format("{:+.3f} s", static_cast<double>(*row.offset_ms) / 1000) : "-";
+  fmt::print("{:<16} {:<10} {:<10} {:>12}  {}{}\n", row.host, row.there ? "there" : "away",
+             row.version.empty() ? "-" : row.version, offset, joined_names(row.agents),
+             row.absent.empty() ? "" : "  (absent: " + joined_names(row.absent) + ")");
+}
+
+int run_hosts(HostsChoices choices) {
+  std::optional<forms::CellDescription> cell;
+  if (std::filesystem::is_regular_file(choices.cell)) {
+    Result<forms::CellDescription> described = forms::read_cell_file(choices.cell);
+    if (!described) return complain(described.error(), exit_usage);
+    cell = std::move(*described);
+    // A board that other machines reach needs no cell that runs here.
+    if (choices.board.board.empty() && !cell->board_address.empty()) choices.board.board = cell->board_address;
+  }
+  choices.board.cell = cell ? cell->name : choices.cell;
+  if (!choices.board.board.empty()) choices.board.cell.clear();
+  const Result<Destination> to = destination(choices.board);
+  if (!to) return complain(to.error(), exit_unavailable);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
+  if (!keys) return complain(keys.error(), exit_usage);
+  RealExecutor executor;
+  const auto board = client::RemoteBoard::connect(executor, to->address, "hosts", 3s, *keys);
+  if (!board) return complain(board.error(), exit_usage);
+  HostsSeen seen;
+  const Job job = executor.spawn(look_for_hosts(**board, &seen));
+  executor.run_until([&job] { return job.done(); });
+  if (seen.failure) return complain(*seen.failure, exit_unavailable);
+  if (!choices.json) fmt::print("{:<16} {:<10} {:<10} {:>12}  {}\n", "HOST", "", "VERSION", "CLOCK", "AGENTS");
+  for (const HostRow& row : rows_of(cell, seen)) print_host(row, choices.json);
+  return exit_reached;
+}
+
+}  // namespace
+
+void add_hosts_command(CLI::App& app, int& status) {
+  auto choices = std::make_shared<HostsChoices>();
+  CLI::App* hosts = app.add_subcommand(
+      "hosts", "Show what runs on which host of a cell, which hosts are there, their versions and clocks.");
+  hosts->add_option("CELL", choices->cell,
+                    "The cell file, or the name of a cell that runs here; the only one otherwise");
+  hosts->add_option("--board", choices->board.board, "The board's address; that of the cell otherwise");
+  add_key_option(hosts, choices->board.key);
+  hosts->add_flag("--json", choices->json, "One JSON object a line");
+  hosts->footer(help_footer("hosts two-hosts.scm"));
+  hosts->callback([choices, &status] { status = run_hosts(*choices); });
+}
+
+}  // namespace pizarra::programs

@@ -1,0 +1,49 @@
+// pizarra-bench-loop: how often a goal is reached although something interferes, beside what others have published.
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "programs/command_line/command_tools.hpp"
+#include "tests/bench/loop/rows.hpp"
+
+int main(int argc, char** argv) {
+  using namespace pizarra::bench;
+  CLI::App app("Towers built although cubes slip, are put down askew, moved or taken away, beside published figures.",
+               "pizarra bench loop");
+  LoopBench bench;
+  app.add_option("--seeds", bench.seeds, "Runs a row, of either loop")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app.add_option("--first-seed", bench.first_seed, "The first of them")
+      ->check(pizarra::programs::seed_check())
+      ->capture_default_str();
+  app.add_option("--jobs", bench.jobs, "How many at once; 0: one a core")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--only", bench.only, "These rows alone, and p=0, which they are compared with")
+      ->check(CLI::IsMember(disturbance_row_names()))
+      ->type_name("ROW");
+  app.add_flag("--open-loop", bench.open_loop_alone, "Our open loop alone: the first plan is carried out blindly");
+  app.add_option("--replay", bench.replay, "Tell the story of this seed, of the rows of --only, and measure nothing")
+      ->check(pizarra::programs::seed_check());
+  app.add_flag("--failures", bench.failures, "A line for every run that did not reach its goal");
+  app.footer("Status 0 when every row was measured, short or not; 2 for wrong arguments.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  fmt::print(
+      "reached counts runs; low, high, open and goal are percent, low and high by Wilson at 95 %; ratio is the mean "
+      "time of\n"
+      "the runs that reached their goal, to that of p=0. Published: Code-as-Monitor, arXiv 2412.04455, table 8, and "
+      "what it\n"
+      "compares with. What differs: another arm, marks in place of a language model's eyes, a simulated world that "
+      "judges;\n"
+      "three draws a carry in place of one a time step, so that our open loop fails as often as theirs; parts of the "
+      "edge in\n"
+      "place of cm.\n");
+  disturbance_rows(bench);
+  fmt::print("goals met {} of {}\n", bench.met, bench.goals);
+  return 0;
+}
