@@ -57,7 +57,7 @@ Task<void> say_what_is_awaited(Executor& executor, const client::RemoteBoard& bo
 int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const OwnCameras& own_cameras) {
   const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
-  const bool own_eyes = choices.kind == "vision" && !cell->eyes.is_simulated();
+  const bool own_eyes = launcher::kind_of_agent(choices.kind) == "vision" && !cell->eyes.is_simulated();
   if (own_eyes && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
   if (choices.world.empty() && launcher::needs_world(choices.kind, *cell)) {
     const Failure none{
@@ -83,7 +83,8 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const O
   if (!agent) return complain(agent.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
   Job camera;
-  if (choices.kind == "vision") camera = executor.spawn(launcher::log_camera_news(**board, name, stderr));
+  if (launcher::kind_of_agent(choices.kind) == "vision")
+    camera = executor.spawn(launcher::log_camera_news(**board, name, stderr));
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
   if (signals.received()) return exit_reached;
@@ -119,8 +120,10 @@ void add_agent_command(CLI::App& app, int& status, std::span<char*> arguments, c
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
   agent
-      ->add_option("KIND", choices->kind,
-                   "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
+      ->add_option(
+          "KIND", choices->kind,
+          "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower; vision-2 is another "
+          "vision")
       ->required()
       ->check(launcher::kind_fault);
   agent->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);

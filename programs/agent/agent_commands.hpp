@@ -1,8 +1,8 @@
 #pragma once
 
 // The words that `up` starts processes with, `agent` and `world`, and the programs that know them: pizarra-agent, and
-// pizarra-eyes, which opens every camera of one's own. Who is asked for eyes whose cameras it does not open becomes
-// pizarra-eyes.
+// pizarra-eyes, which opens every camera of one's own. pizarra-agent becomes pizarra-eyes when it is asked for eyes
+// whose cameras it does not open.
 
 #include <span>
 

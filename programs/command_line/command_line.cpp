@@ -23,7 +23,7 @@ std::string suggestion(const std::string& typed, const std::vector<std::string>&
   return near.empty() ? std::string() : fmt::format("; did you mean {}?", near);
 }
 
-// What the parser stumbles on after an unknown option is often only that option's value.
+// The parser's second error after an unknown option is often only that option's value.
 std::string unknown_option(const CLI::App& word) {
   for (const std::string& typed : word.remaining()) {
     if (!typed.starts_with("--")) continue;
@@ -74,7 +74,7 @@ bool output_is_unread() {
   return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
-// What was printed last may be in a buffer still; what could not be written before is known to the stream, but not why.
+// The last output may still be in a buffer; what could not be written before is known to the stream, but not why.
 int status_of_output(int status) {
   const bool flushed = std::fflush(stdout) == 0;
   if (flushed && std::ferror(stdout) == 0) return status;

@@ -43,8 +43,6 @@ std::string counted(std::size_t number, std::string_view thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-std::string shipped_file(const std::string& path) { return std::string(PIZARRA_SOURCE_DIR) + "/" + path; }
-
 std::string beside_this_program(const std::string& name) {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
 }

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "lisp/result.hpp"
+#include "lisp/shipped.hpp"
 #include "programs/command_line/exit_codes.hpp"
 
 namespace pizarra::programs {
@@ -27,9 +28,6 @@ CLI::Validator number_check(double least, double most);
 
 // "1 cube", "4 cubes".
 std::string counted(std::size_t number, std::string_view thing);
-
-// A file that comes with the program: from the tree it was built from.
-std::string shipped_file(const std::string& path);
 
 // Another of our programs, where this one is.
 std::string beside_this_program(const std::string& name);

@@ -66,7 +66,7 @@ std::optional<Time> local_time(const std::string& text) {
   const auto parts = [](const std::tm& t) {
     return std::array{t.tm_year, t.tm_mon, t.tm_mday, t.tm_hour, t.tm_min, t.tm_sec};
   };
-  // What no calendar or clock shows it takes for a later day or hour.
+  // The parser takes a day or hour that does not exist for a later one.
   if (seconds < 0 || parts(said) != parts(meant)) return std::nullopt;
   return Time(std::chrono::seconds(seconds));
 }

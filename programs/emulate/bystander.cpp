@@ -20,7 +20,7 @@ void Bystander::hear() {
   if (count <= 0) return executor_.unwatch_readable(STDIN_FILENO);
   heard_.append(chunk, static_cast<std::size_t>(count));
   for (std::size_t end = heard_.find('\n'); end != std::string::npos; end = heard_.find('\n')) {
-    // Who types faster than the device answers is not heard.
+    // Input that is typed faster than the device answers is lost.
     if (end > 0) lines_.push(heard_.substr(0, end));
     heard_.erase(0, end + 1);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What somebody beside a device does and sees, a line each on standard input: each is answered with how the device is.
+// The actions of a person beside a device, a line each on standard input: each is answered with how the device is.
 //
 //   Bystander bystander(executor, {.obey = ..., .status = ...});
 

@@ -14,7 +14,8 @@ struct EmulateChoices {
   bool pty = false;
   int port = -1;  // the device's own where it is negative
   std::string address = "127.0.0.1";
-  std::string world;  // of the simulated world whose arm is moved; empty: an arm of its own
+  std::string world;     // of the simulated world whose arm is moved; empty: an arm of its own
+  std::string programs;  // the folder of those that a ur5e has stored; empty: it has none
   bool json = false;
 };
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
+#include <sstream>
 
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
@@ -10,6 +12,7 @@
 #include "drivers/line/udp_wire.hpp"
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/motoros_emulator.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "programs/command_line/command_tools.hpp"
@@ -31,18 +34,24 @@ class Serving {
 class HsesServing : public Serving {
  public:
   HsesServing(Executor& executor, simulation::ArmCabinet& cabinet, std::unique_ptr<line::UdpPort> port,
-              std::string address)
+              std::unique_ptr<line::UdpPort> file_port, std::string address)
       : port_(std::move(port)),
+        file_port_(std::move(file_port)),
         address_(std::move(address)),
         emulator_(cabinet),
-        job_(executor.spawn(serve(executor, emulator_, *port_))) {}
-  std::string where() const override { return fmt::format("udp://{}:{}", address_, port_->port()); }
+        job_(executor.spawn(serve(executor, emulator_, *port_))),
+        filing_(executor.spawn(serve_files(executor, emulator_, *file_port_))) {}
+  std::string where() const override {
+    return fmt::format("udp://{}:{},{}", address_, port_->port(), file_port_->port());
+  }
 
  private:
   std::unique_ptr<line::UdpPort> port_;
+  std::unique_ptr<line::UdpPort> file_port_;
   std::string address_;
   simulation::HsesEmulator emulator_;
   Job job_;
+  Job filing_;
 };
 
 Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, simulation::ArmCabinet& cabinet,
@@ -50,7 +59,11 @@ Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, simulation::ArmC
   const std::uint16_t wanted = choices.port < 0 ? arm::hses::port : static_cast<std::uint16_t>(choices.port);
   Result<std::unique_ptr<line::UdpPort>> port = line::UdpPort::listen(executor, choices.address, wanted);
   if (!port) return fail(port);
-  return std::make_unique<HsesServing>(executor, cabinet, std::move(*port), choices.address);
+  const int after = choices.port < 0 ? simulation::HsesFiles::port : choices.port == 0 ? 0 : choices.port + 1;
+  Result<std::unique_ptr<line::UdpPort>> file_port =
+      line::UdpPort::listen(executor, choices.address, static_cast<std::uint16_t>(after));
+  if (!file_port) return fail(file_port);
+  return std::make_unique<HsesServing>(executor, cabinet, std::move(*port), std::move(*file_port), choices.address);
 }
 
 // Ports of one device: its own, any that are free (0), or those from the one asked for on.
@@ -115,17 +128,31 @@ Result<std::unique_ptr<Serving>> serve_host(Executor& executor, simulation::ArmC
                                        std::move(where));
 }
 
+// A file of the folder; none by a name that leads elsewhere.
+std::optional<std::string> stored_program(const std::string& folder, std::string_view name) {
+  if (name.starts_with("/programs/")) name.remove_prefix(std::string_view("/programs/").size());
+  const bool plain = !folder.empty() && !name.empty() && !name.starts_with('.') && name.find('/') == name.npos;
+  if (!plain) return std::nullopt;
+  std::ifstream file(folder + "/" + std::string(name));
+  if (!file) return std::nullopt;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
 class UrServing : public Serving {
  public:
   UrServing(Executor& executor, simulation::ArmCabinet& cabinet, std::vector<std::unique_ptr<line::TcpPort>> ports,
-            std::string address)
+            const EmulateChoices& choices)
       : ports_(std::move(ports)),
-        address_(std::move(address)),
-        emulator_(cabinet),
+        address_(choices.address),
+        emulator_(cabinet, [folder = choices.programs](std::string_view name) { return stored_program(folder, name); }),
         telling_(executor.spawn(simulation::serve_rtde(executor, emulator_, *ports_[0]))),
         answering_(executor.spawn(simulation::serve_dashboard(executor, emulator_, *ports_[2]))) {
-    for (const std::size_t port : {1, 3, 4}) {
-      running_.push_back(executor.spawn(simulation::serve_script(executor, emulator_, *ports_[port])));
+    using enum simulation::UrInterface;
+    for (const auto& [port, kind] : {std::pair(1, secondary), std::pair(3, primary), std::pair(4, real_time)}) {
+      line::ByteWire& line = *ports_[static_cast<std::size_t>(port)];
+      running_.push_back(executor.spawn(simulation::serve_interface(executor, emulator_, kind, line)));
     }
   }
   std::string where() const override { return where_tcp(address_, ports_); }
@@ -139,7 +166,6 @@ class UrServing : public Serving {
   std::vector<Job> running_;
 };
 
-// Programs go to the primary and the real-time server, too.
 Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, simulation::ArmCabinet& cabinet,
                                           const EmulateChoices& choices) {
   constexpr std::uint16_t primary_port = 30001;
@@ -148,7 +174,7 @@ Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, simulation::ArmCab
       choices, {arm::rtde::port, arm::rtde::script_port, arm::rtde::dashboard_port, primary_port, real_time_port});
   Result<std::vector<std::unique_ptr<line::TcpPort>>> ports = listen_at_all(executor, choices.address, wanted);
   if (!ports) return fail(ports);
-  return std::make_unique<UrServing>(executor, cabinet, std::move(*ports), choices.address);
+  return std::make_unique<UrServing>(executor, cabinet, std::move(*ports), choices);
 }
 
 class SimpleServing : public Serving {
@@ -205,6 +231,34 @@ Result<std::unique_ptr<Serving>> serve_with_track(Executor& executor, simulation
   return serve_simple_tcp(executor, cabinet, choices, {.track = true});
 }
 
+class MotorosServing : public Serving {
+ public:
+  MotorosServing(Executor& executor, simulation::ArmCabinet& cabinet, line::ByteOrder order,
+                 std::vector<std::unique_ptr<line::TcpPort>> ports, std::string address)
+      : ports_(std::move(ports)),
+        address_(std::move(address)),
+        emulator_(executor, cabinet, order),
+        moving_(executor.spawn(simulation::serve_motion(executor, emulator_, *ports_[0]))),
+        telling_(executor.spawn(simulation::serve_state(executor, emulator_, *ports_[1]))) {}
+  std::string where() const override { return where_tcp(address_, ports_); }
+
+ private:
+  std::vector<std::unique_ptr<line::TcpPort>> ports_;
+  std::string address_;
+  simulation::MotorosEmulator emulator_;
+  Job moving_;
+  Job telling_;
+};
+
+template <line::ByteOrder order>
+Result<std::unique_ptr<Serving>> serve_motoros(Executor& executor, simulation::ArmCabinet& cabinet,
+                                               const EmulateChoices& choices) {
+  const std::vector<std::uint16_t> wanted = ports_of(choices, {arm::motoros::motion_port, arm::motoros::state_port});
+  Result<std::vector<std::unique_ptr<line::TcpPort>>> ports = listen_at_all(executor, choices.address, wanted);
+  if (!ports) return fail(ports);
+  return std::make_unique<MotorosServing>(executor, cabinet, order, std::move(*ports), choices.address);
+}
+
 // An arm that can be emulated: its name here, its file among arms/, and who answers for it.
 struct ArmKind {
   std::string_view name;
@@ -214,8 +268,10 @@ struct ArmKind {
   bool serial = false;  // whether it has serial lines, too
 };
 
-constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
+constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses, 2},
                              {"up6-nx100", "motoman-up6", serve_host, 1, true},
+                             {"up6-motoros", "motoman-up6", serve_motoros<line::ByteOrder::little>, 2},
+                             {"up6-motoros-fs100", "motoman-up6", serve_motoros<line::ByteOrder::big>, 2},
                              {"ur5e", "ur5e", serve_ur, 5},
                              {"f3", "crs-f3", serve_simple, 2, true},
                              {"f3-track", "crs-f3", serve_with_track, 2}};

@@ -52,8 +52,9 @@ void add_emulate_command(CLI::App& app, int& status) {
       ->add_option(
           "device", choices->device,
           "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), up6-nx100 "
-          "(Ethernet Server, or a serial line), ur5e (RTDE, URScript, dashboard), f3 (ROS-Industrial "
-          "simple_message) or f3-track (with its track); or gripper (Modbus TCP)")
+          "(Ethernet Server, or a serial line), up6-motoros (MotoROS), up6-motoros-fs100 (in the other byte order), "
+          "ur5e (RTDE, URScript, dashboard), f3 (ROS-Industrial simple_message) or f3-track (with its track); or "
+          "gripper (Modbus TCP)")
       ->required()
       ->check(CLI::IsMember(device_names()));
   CLI::Option* pty =
@@ -62,9 +63,10 @@ void add_emulate_command(CLI::App& app, int& status) {
   CLI::Option* tcp =
       add_port(emulating, "--tcp", choices->port,
                "At this TCP port, and those after it where it has several; 0 takes any that are free; otherwise the "
-               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 30004, 30002, 29999, 30001 and 30003 of ur5e, "
-               "11000 and 11002 of f3 and f3-track, 502 of gripper");
-  CLI::Option* udp = add_port(emulating, "--udp", choices->port, "The same of up6, which is at a UDP port: 10040");
+               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 50240 and 50241 of up6-motoros, 30004, 30002, "
+               "29999, 30001 and 30003 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper");
+  CLI::Option* udp =
+      add_port(emulating, "--udp", choices->port, "The same of up6, which is at UDP ports: 10040 and 10041");
   tcp->excludes(pty)->excludes(udp);
   udp->excludes(pty);
   emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")
@@ -77,6 +79,10 @@ void add_emulate_command(CLI::App& app, int& status) {
       ->check([](const std::string& text) {
         return text.starts_with("ipc://") ? std::string() : "a simulated world is at ipc://PATH";
       });
+  emulating
+      ->add_option("--programs", choices->programs,
+                   "The folder of a ur5e's stored programs, files of URScript that the dashboard loads and plays")
+      ->check(CLI::ExistingDirectory);
   emulating->add_flag("--json", choices->json, "One JSON object a line");
   emulating->footer(help_footer(
       "emulate ptu46-17.5 --tcp 4000",

@@ -10,6 +10,7 @@
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/wire/wire_socket.hpp"
 #include "lisp/writer.hpp"
 #include "tests/fuzz/frames.hpp"
 #include "tests/scratch.hpp"

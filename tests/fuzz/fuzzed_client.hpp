@@ -28,7 +28,7 @@ class FuzzedClient {
 
   const std::string& session() const { return session_; }
   void say(const std::string& frame) { socket_.send({}, frame); }
-  // What was said may have ended the session, and begun another.
+  // The message may have ended the session and begun another.
   void go_on() {
     constexpr int most_sessions = 256;  // more than an input can end
     for (int i = 0; i < most_sessions; ++i) {

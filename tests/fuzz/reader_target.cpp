@@ -1,4 +1,4 @@
-// What is read is written so that it is read again as the same; a text with places finds them.
+// A datum that was read is written so that it is read again as the same; a text with places finds them.
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
-// What two clients say to a board server that keeps a journal: each line of the input is a frame, of the one of this
-// machine or, where it begins with `!`, of one that comes over the network with a key that permits little. SESSION
-// stands for the session of the first, KEYED for that of the second. Then the server must still answer who said
-// something, and the next board must find in the journal what this one had to keep.
+// Two clients talk to a board server that keeps a journal: each line of the input is a frame. A line that begins with
+// `!` is of the client that comes over the network with a key that permits little; the others are of the client of this
+// machine. SESSION stands for the session of the first, KEYED for that of the second. Then the server must still answer
+// who said something, and the next board must find in the journal what this one had to keep.
 
 #include <algorithm>
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include <string_view>
 #include <unistd.h>
 
+#include "blackboard/journal/journal_file.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/real_executor.hpp"

@@ -1,4 +1,4 @@
-// Who waits for something of a board does not wait for ever when the board is gone, and goes on when it comes back.
+// A client does not wait for ever when the board is gone, and goes on when it comes back.
 
 #include <csignal>
 #include <filesystem>

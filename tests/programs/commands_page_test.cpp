@@ -25,7 +25,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// What fits the first group of the expression, of every line that it fits.
+// The first group of the expression, in every line that fits it.
 std::vector<std::string> found(const std::vector<std::string>& lines, const std::regex& expression) {
   std::vector<std::string> all;
   for (const std::string& line : lines) {
@@ -63,7 +63,7 @@ void add_helped(const std::string& program, const std::string& command, Commands
 Commands asked_of_the_programs() {
   Commands commands;
   for (const char* program :
-       {PIZARRA_CELL, PIZARRA_BOARD, PIZARRA_AGENT, PIZARRA_PLAN, PIZARRA_EMULATE, PIZARRA_KEYS}) {
+       {PIZARRA_CELL, PIZARRA_BOARD, PIZARRA_AGENT, PIZARRA_PLAN, PIZARRA_EMULATE, PIZARRA_KEYS, PIZARRA_SCHEME}) {
     add_helped(program, "", commands);
   }
   return commands;
@@ -100,7 +100,7 @@ Commands of_the_page() {
   return commands;
 }
 
-// What the first has and the second lacks, a line each.
+// The lines that the first has and the second lacks.
 std::string lacking(const Commands& first, const Commands& second) {
   std::string all;
   for (const auto& [command, options] : first) {

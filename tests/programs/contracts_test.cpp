@@ -1,4 +1,4 @@
-// What an agent says by its (contract ...) that it reads and posts, is what it reads and posts: compared with the
+// The facts that an agent reads and posts by its (contract ...) are those that it reads and posts: compared with the
 // traffic of a whole demo.
 
 #include <algorithm>
@@ -16,10 +16,11 @@ namespace {
 
 using Names = std::set<std::string>;
 
-// What every agent does by what it stands on: its presence, and requests and replies.
-const Names of_every_agent = {"agent", "contract", "request", "reply", "relation-stats"};
+// What every agent does by what it stands on: its presence and name, and requests and replies.
+const Names of_every_agent = {"agent", "bound", "context", "contract", "request", "reply", "relation-stats"};
 
-// What an agent reads only where something goes wrong, or where somebody asks for it, which nobody does in these cells.
+// The relations that an agent reads only where something goes wrong, or where somebody asks for it, which nobody does
+// in these cells.
 const std::map<std::string, Names> on_occasion = {{"person", {"vision-failed"}}, {"pan-tilt", {"place"}}};
 
 // The names in one part of a contract.

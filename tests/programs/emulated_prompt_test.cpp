@@ -27,7 +27,8 @@ class Emulated {
                 scratch_folder() + device + ".log") {
     EXPECT_TRUE(wait_until([this] { return device_.said().find('\n') != std::string::npos; }, patience));
     const std::string line = device_.said().substr(0, device_.said().find('\n'));
-    port_ = line.substr(line.rfind(':') + 1);
+    const std::string ports = line.substr(line.rfind(':') + 1);
+    port_ = ports.substr(0, ports.find(','));
   }
   const std::string& port() const { return port_; }
 

@@ -1,4 +1,4 @@
-// What a run leaves behind, and the words that ask it: the journal of `demo`, `ask --journal`, `replay`.
+// The files that a run leaves behind, and the commands that ask them: the journal of `demo`, `ask --journal`, `replay`.
 
 #include <fstream>
 #include <gtest/gtest.h>

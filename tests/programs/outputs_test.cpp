@@ -24,7 +24,7 @@ TEST(Outputs, AFileThatCannotBeWrittenIsToldBeforeAnythingRuns) {
   }
 }
 
-// What a full disk does, for files of more than some blocks of 512 bytes.
+// A full disk, for files of more than some blocks of 512 bytes.
 Said run_with_small_files(int blocks, const std::string& words) {
   return run("--help > /dev/null; trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; " + PIZARRA_CELL + " " +
              words);

@@ -320,7 +320,7 @@ TEST(Plan, MayBeAnotherPlannersAndIsChecked) {
   EXPECT_EQ(plan("(on a b)", "--planner 'ff {domain}'").status, 2);
 }
 
-// What another planner left behind when it crashed, failed or ran out of time counts only where it is a plan.
+// The output of a planner that crashed, failed or ran out of time counts only where it is a plan.
 TEST(Plan, OfAnotherPlannerThatEndsBadlyIsTakenOnlyWhereItWorks) {
   const auto with = [](const std::string& script, const std::string& options = "") {
     return plan("(on a b)", fmt::format("--pddl {} --planner '{} # {{domain}} {{problem}}'", options, script));

@@ -51,7 +51,7 @@ class TappedCell {
   const std::map<std::string, std::unique_ptr<BoardTap>>& boards() const { return boards_; }
   // As the agent tells it, or an empty list.
   Datum contract_of(const std::string& agent);
-  // What the world answers to a question of the judge, or an empty list.
+  // The world's answer to a question of the judge, or an empty list.
   Datum ask_world(Datum question);
 
  private:

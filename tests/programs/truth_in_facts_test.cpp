@@ -92,7 +92,7 @@ TEST_F(TruthInFacts, OnlyTheAgentsAndTheVisitorTellAnything) {
 }
 
 TEST_F(TruthInFacts, EveryRelationHasOneTellerButThoseThatAllAgentsShare) {
-  const std::set<std::string> shared{"agent", "contract", "request", "reply"};
+  const std::set<std::string> shared{"agent", "bound", "context", "contract", "request", "reply"};
   std::map<std::string, std::set<std::string>> tellers;
   for (const Told& told : journal_.told) tellers[std::string(told.fact.head())].insert(told.teller);
   for (const auto& [relation, who] : tellers) {
@@ -110,7 +110,7 @@ TEST_F(TruthInFacts, ThePersonTellsWherePixelsAreAndNoOtherNumberOfTheWorld) {
   for (const Told& told : journal_.told) {
     if (told.teller != "person") continue;
     const std::string_view relation = told.fact.head();
-    if (relation == "agent" || relation == "contract") continue;
+    if (relation == "agent" || relation == "contract" || relation == "bound" || relation == "context") continue;
     if (relation == "person") {
       EXPECT_FALSE(holds_number(told.fact)) << write(told.fact);
       continue;

@@ -92,10 +92,12 @@ TEST(IncludeRule, EachRoomOfTheBoardIncludesOnlyTheRoomsItStandsOn) {
                      {"watch", {"", "store"}},
                      {"wire", {"", "time"}},
                      {"journal", {"", "time", "store", "wire"}},
+                     {"cluster", {"", "time", "store", "wire", "journal"}},
                      {"memory", {"", "time", "store", "watch", "journal"}},
                      {"server", {"", "time", "store", "watch", "wire", "journal", "memory"}},
                      {"client", {"", "time", "store", "wire"}},
-                     {"streams", {"", "time", "wire"}}};
+                     {"streams", {"", "time", "wire"}},
+                     {"simulated", {"", "time", "wire", "journal", "memory", "server"}}};
   expect_rooms("blackboard/", may);
 }
 
