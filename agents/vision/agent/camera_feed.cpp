@@ -133,8 +133,8 @@ Task<void> CameraFeed::capture(Time after) {
   int corrupt = 0;
   Duration rest = {};
   while (wanted_) {
-    // However much a frame costs, as long again is for requests and to be present. Who is stopped meanwhile and started
-    // again waits for a newer frame still.
+    // However much a frame costs, as long again is for requests and to be present. A feed that is stopped meanwhile and
+    // started again still waits for a newer frame.
     co_await sleep(executor_, rest);
     const Result<camera::StereoFrame> frame = co_await camera_.next(after, false);
     const bool good = frame && fits(*model_, frame->left) && fits(*model_, frame->right) && frame->captured > after;

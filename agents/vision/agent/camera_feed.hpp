@@ -44,7 +44,7 @@ class CameraFeed {
   // comes in time.
   Task<Result<camera::StereoFrame>> next(Time after, Duration timeout);
 
-  // What was seen lately is kept, for who points at something that has moved on since.
+  // Recent frames are kept, for a person who points at something that has moved on since.
   static constexpr std::size_t most_kept = 200;
   static constexpr std::size_t most_kept_bytes = 48 << 20;
   // The frame of this number, or the first one after it where nobody took that one. Failure: frame-gone.

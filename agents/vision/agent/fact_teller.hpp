@@ -1,7 +1,8 @@
 #pragma once
 
-// How the vision agent tells: everything under its name and its presence, so that it goes with the agent. What a lapsed
-// presence or an absent board took away is lost() until told anew; of single frames, the next one tells.
+// How the vision agent tells: everything under its name and its presence, so that it goes with the agent. Facts that a
+// lapsed presence or an absent board took away are lost() until they are told anew. Facts of a single frame are not
+// repeated: the next frame brings its own.
 //
 //   VisionFacts facts(context, service);
 //   facts.begin_anew();
@@ -25,7 +26,7 @@ class VisionFacts {
       : context_(context), service_(service) {}
 
   bool lost() const { return told_under_ != service_->presence(); }
-  // What is told from here on stands under the presence of now.
+  // Facts that are told from here on stand under the current presence.
   void begin_anew();
 
   // These as they come, in one transaction.
@@ -36,9 +37,10 @@ class VisionFacts {
   Task<void> tell_objects(std::vector<Datum> facts);
   // What tracking has seen in a frame; of each mark, since when it is seen or lost.
   Task<void> tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings);
-  // What was found, and what that is most like otherwise, go by their objects' new names; the fact goes with either.
+  // `found` facts get the new names of their two objects: the one found, and the one that it is most like otherwise. A
+  // fact of which either object is forgotten is retracted.
   Task<void> follow_found(Renames renames, const LearnedObjects& objects);
-  // What was told of earlier frames holds no longer.
+  // Retracts what was told of earlier frames.
   Task<void> unsay();
 
   // As it is.

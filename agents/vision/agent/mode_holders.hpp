@@ -43,7 +43,7 @@ class ModeHolders {
   // As MarkTracker::rename().
   void rename(const Renames& renames);
 
-  // What this client holds goes on without it, as anybody's; false where it holds nothing.
+  // The modes that this client holds go on without it, as anybody's. False where it holds none.
   bool keep(const std::string& client);
 
   // Those who hold anything and can die.

@@ -27,18 +27,18 @@ struct SeenPlaces {
 };
 Datum places_datum(const SeenPlaces& places);
 
-// (pose X Y Z RX RY RZ (C ...)): mm from the middle of the base line, degrees about x, then y, then z, and the upper
-// triangle of the covariance of the place and of small turns about the camera's axes.
+// (pose X Y Z RX RY RZ (C ...)): mm from the middle of the base line; degrees about x, then y, then z. C is the upper
+// triangle of the covariance, of the place and of small turns about the camera's axes.
 Datum pose_datum(const MarkPose& pose);
 
 // (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES), with the pose where that is known: of other places
 // where it may be, eight at most.
 Datum found_fact(std::uint64_t frame, const FoundMark& found);
 
-// One look: (look FRAME TEXT (("a" seen CONFIDENCE PART ...) ("b" bridged CONFIDENCE PART ...) ("c" lost) ...)), TEXT
-// being track_reply(), and each PART told by its name: those of places_datum(), (face DEGREES), which is how far its
-// face looks to the right of the camera, and (second NAME MARGIN), what it is most like otherwise and by how much less.
-// Of one that was lost a moment ago the place is where it should be.
+// One look: (look FRAME TEXT (("a" seen CONFIDENCE PART ...) ("b" bridged CONFIDENCE PART ...) ("c" lost) ...)). TEXT
+// is track_reply(). Each PART begins with its name: those of places_datum(); (face DEGREES), how far its face looks to
+// the right of the camera; and (second NAME MARGIN), what it is most like otherwise and by how much less. Of one that
+// was lost a moment ago the place is where it should be.
 Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
 // seen, bridged or lost.

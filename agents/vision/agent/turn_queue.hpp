@@ -1,8 +1,8 @@
 #pragma once
 
-// Whose turn it is at the eyes. What one client asks for is done in the order in which it asked, one after another.
-// What excludes what others do goes round among the clients: each has one turn, and is the last again then. What is
-// soon done goes before learnings, but before each not for ever.
+// The order of requests at the eyes. Requests of one client are done one after another, as they were asked. Requests
+// that exclude others take turns by client: after its turn a client is the last again. Brief requests go before
+// learnings, but only so many before each.
 //
 //   TurnQueue turns;
 //   Result<int> mine = turns.enter("planner", TurnQueue::Kind::brief, now);   // fails with `busy`
@@ -10,8 +10,8 @@
 //   turns.begin(*mine);
 //   turns.leave(*mine, now);                                                  // also where it never began
 //
-// A request waits for others since its own client's request before it was done (first_since). Who gives up for that
-// keeps its place for when it asks again.
+// A request waits for others since its own client's request before it was done (first_since). A client that gives up
+// waiting keeps its place for when it asks again.
 
 #include <cstdint>
 #include <map>
@@ -26,8 +26,8 @@ namespace pizarra::vision {
 
 class TurnQueue {
  public:
-  // What goes on beside what others do and waits for its own client's requests alone; what excludes others and takes a
-  // moment; and what excludes them for two seconds.
+  // A request that excludes nobody and waits for its own client's requests alone; one that excludes others for a
+  // moment; and one that excludes them for two seconds.
   enum class Kind : std::uint8_t { beside, brief, learning };
 
   // Fewer than a service handles at once, so that what need not wait is always answered.
@@ -47,7 +47,7 @@ class TurnQueue {
   bool is_next(int number) const;
   void begin(int number) { turns_[*position(number)].begun = true; }
   void leave(int number, Time now);
-  // Whose request that excludes others is being done, or is the next; empty: nobody's.
+  // The client of the excluding request that is being done, or is the next; empty where there is none.
   std::string served() const;
 
  private:

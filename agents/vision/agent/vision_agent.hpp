@@ -4,9 +4,9 @@
 // is known to it. Its replies are the thesis' Table C.2 to the letter; facts as docs/facts.md lists them.
 //
 // Lifecycle: constructed, run() spawned; `(connect)` opens the capture and starts the data channel, `learn`, `find` and
-// `track` open it themselves (`track` connects too, for its only output is that channel). What was learned is kept
-// (object_memory.hpp), so that a restarted agent knows it; what was tracked is not resumed. A camera that fails is
-// tried again with back-off and the fact `(camera-state ...)` says so.
+// `track` open it themselves (`track` connects too, for its only output is that channel). Learned objects are kept
+// (object_memory.hpp), so that a restarted agent knows them. It does not resume tracking. A camera that fails is tried
+// again with back-off and the fact `(camera-state ...)` says so.
 //
 // Modes: idle, capturing, learning, finding, tracking. Learning and tracking exclude each other; a find suspends a
 // tracking and resumes it, and disturbs no learning. Each client connects and tracks for itself (mode_holders.hpp), has

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the vision agent offers, posts, reads, lets you configure and monitor. Every fact begins with its name: several
-// of its kind share a board.
+// The vision agent's contract: what it offers, posts, reads, lets you configure and monitor. Every fact begins with its
+// name: several of its kind share a board.
 
 #include <string_view>
 

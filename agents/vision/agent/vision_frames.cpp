@@ -39,7 +39,7 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
     turns_changed.wake_all();
   }
   publish(frame);
-  // Of what is looked at for finds it is shown what was found.
+  // A frame that was taken for finds is shown by the find, with what it found.
   if (finding_for.empty()) begin_showing(frame, sightings);
   if (!tracks || !holders.connected()) co_return;
   co_await facts.tell_look(frame.number, sightings);

@@ -100,7 +100,7 @@ Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
   co_return Datum();
 }
 
-// What other eyes have learned under names that nothing is learned under here. Answers the names.
+// Takes over the objects of other eyes under names that are unused here. Answers these names.
 Task<Result<Datum>> VisionAgent::State::learn_from(Asked asked) {
   co_await follow_memory();
   const Result<LearnedObjects> theirs = co_await memory.known_to(asked.name);

@@ -81,7 +81,7 @@ struct VisionAgent::State {
   using SampleNames = std::map<std::int64_t, std::string>;
   SampleNames names_of_samples() const;
   Renames renamed_since(const SampleNames& before) const;
-  // What is tracked, and what is to be accepted, as it is called now.
+  // Tracked and awaited objects get their new names.
   Task<void> follow_renames(Renames renames);
   Task<void> tell_holders();
   Task<void> tell_state_again();

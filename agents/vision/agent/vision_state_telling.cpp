@@ -1,4 +1,4 @@
-// What the board is told of the eyes, and when.
+// How and when the eyes' state is told to the board.
 
 #include "agents/vision/agent/vision_state.hpp"
 #include "agents/vision/objects/look_alike.hpp"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* file_name = "objects.sqlite";
 
-// Of all that is kept of a sample, its bitmap included. What every format keeps is in the same words in all.
+// The checksum of all that is kept of a sample, its bitmap included. Every format words what they have in common alike.
 std::int64_t sum_of(const LearnedSample& sample) {
   const std::string nameless;
   const Datum facts = learned_template_fact(nameless, sample);

@@ -149,7 +149,7 @@ const Failure* ObjectMemory::trouble_with(std::string_view object) const {
   return found == troubles_.end() ? nullptr : &found->why;
 }
 
-// What an earlier life of the agent left on the board.
+// Takes up the facts that an earlier life of the agent left on the board.
 Task<Result<void>> ObjectMemory::recall_facts() {
   Result<Recalled> recalled = co_await read_facts(context_.name);
   if (!recalled) co_return fail(recalled);

@@ -1,16 +1,16 @@
 #pragma once
 
-// What the vision agent knows of objects, and where that is kept: in its durable facts `learned`, `learned-template`
-// and `learned-focal` alone, or, where a folder is given, in an object database, of which the facts are then the
-// picture that others read.
+// The objects that the vision agent knows. They are kept in its durable facts `learned`, `learned-template` and
+// `learned-focal`. Where a folder is given they are kept in an object database, and the facts are a copy of it for
+// others to read.
 //
 //   ObjectMemory memory(context, "objects");            // or "": the board alone
 //   Result<void> recalled = co_await memory.recall();
 //   Result<std::int64_t> done = co_await memory.change(ForgetObject{"circle"});
 //   const LearnedObject* circle = memory.objects().find("circle");
 //
-// A database that cannot be used, or samples of it that are damaged, are troubles() and nothing worse: what is sound is
-// used, and where nothing can be read, what the board remembers is.
+// A database that cannot be used, and damaged samples in it, are only troubles(). Sound samples are used. Where nothing
+// can be read, the facts on the board are.
 
 #include "agents/runtime/agent.hpp"
 #include "agents/vision/database/object_database.hpp"
@@ -36,16 +36,16 @@ class ObjectMemory {
   // Failures: full, not-learned, name-taken, those of the database and of the board.
   // The id of the sample that was kept; 0 where none was to be, or in no database.
   Task<Result<std::int64_t>> change(ObjectChange change);
-  // What other eyes know, by what stands on the board of it. Failures: the board's.
+  // The objects of other eyes, read from their facts on the board. Failures: the board's.
   Task<Result<LearnedObjects>> known_to(std::string agent);
-  // What keeps a sample of that name from being used; null: nothing does.
+  // The trouble that keeps a sample of that name from being used; null where there is none.
   const Failure* trouble_with(std::string_view object) const;
 
  private:
   Result<void> open();
   Result<KeptObjects> read();
   Result<std::int64_t> apply(const ObjectChange& change);
-  // What was read, or, where that failed, what the board remembers.
+  // Takes up the objects read, or, where that failed, the facts on the board.
   Task<Result<void>> take_up(Result<KeptObjects> kept);
   Task<Result<void>> recall_facts();
   struct Recalled {

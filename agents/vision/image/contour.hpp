@@ -18,8 +18,8 @@ namespace pizarra::vision {
 
 using MarkContour = std::vector<cv::Point>;  // the region's border pixels, px, 8-connected, in order
 
-// What a contour is followed in has cols() and rows(), and says inside(index) of the pixel (x, y) whose index is
-// y * stride() + x, as a BitImage does.
+// The field that a contour is followed in. Like a BitImage it has cols() and rows(), and inside(index) of the pixel (x,
+// y), the index being y * stride() + x.
 class MaskField {
  public:
   explicit MaskField(const cv::Mat1b& mask) : pixels_(mask.data), stride_(mask.step), size_(mask.size()) {}

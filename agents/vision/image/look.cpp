@@ -17,7 +17,7 @@ constexpr double left_of_noise = 0.375;  // after smoothing
 // Means of two, rounded up, are one instruction for sixteen pixels.
 std::uint8_t mean(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a + b + 1) >> 1); }
 
-// What is between `here` and the mean of its neighbours.
+// The mean of `here` and the mean of its two neighbours.
 void average(const std::uint8_t* before, const std::uint8_t* here, const std::uint8_t* after, int count,
              std::uint8_t* __restrict out) {
   for (int x = 0; x < count; ++x) out[x] = mean(mean(before[x], after[x]), here[x]);

@@ -1,7 +1,7 @@
 #pragma once
 
-// How the eyes look at an image: as it is where it is quiet, and smoothed where it is noisy, which takes five eighths
-// of a sensor's noise away and moves no centre (but widens marks a little, and unevenly, by the pixels' phase).
+// How the eyes look at an image. A quiet image is used as it is, a noisy one is smoothed. That takes five eighths of a
+// sensor's noise away. It moves no centre, but widens marks a little, and unevenly, by the pixels' phase.
 //
 //   const double noise = noise_of(grey);
 //   ImageCut all = look_at(grey, {0, 0, grey.cols, grey.rows}, noise);

@@ -9,8 +9,8 @@
 namespace pizarra::vision {
 namespace {
 
-// What is printed is two and a half times as dark as its paper, or more, in a shadow too; each level is so many times
-// the one before.
+// Each level is so many times the one before. Print is at least two and a half times as dark as its paper, in a shadow
+// too, so that several levels lie between them.
 constexpr double level_ratio = 1.22;
 constexpr double least_level = 9;
 constexpr double most_level = 235;
@@ -73,7 +73,8 @@ std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone) {
       }
     }
   }
-  // What is the same at several levels has a steep border; the middle one of them is far from either side of it.
+  // A region that is the same at several levels has a steep border. The middle one of its levels is far from either
+  // side of it.
   const auto area = [](const std::vector<Seen>& seen) { return seen[seen.size() / 2].region.area_px; };
   std::ranges::stable_sort(groups, std::ranges::greater(), area);
   std::vector<LevelRegion> out;

@@ -7,8 +7,8 @@
 //   const double doubt = ground_doubt(grey, noise, mark);
 //   const double confidence = confidence_if_off(of_whole, doubt, 1);
 //
-// What is as bright as the ground passes for it; the edge of a shadow or of the card, and another thing, that come as
-// near as two pixels do not.
+// A cover as bright as the ground passes for it. The edge of a shadow or of the card, or another thing, does not, where
+// it comes as near as two pixels.
 
 #include "agents/vision/marks/mark_measure.hpp"
 

@@ -44,10 +44,10 @@ struct SeenMark {
 std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, MarkTone tone);
 
 // How far noise may move its centre along x, as a standard deviation in px, in an image of this noise. The centre is
-// the mean of columns weighted by how far each pixel is from the ground's level, so noise of one sigma a pixel moves it
-// by sigma sqrt(sum of (x - centre)^2) / (sum of weights): the propagation of uncertainty to first order (JCGM
-// 100:2008, 5.1.2). Of a large mark only the pixels along its edge are weighed. A tag's centre goes with its corners:
-// measured.
+// the mean of columns, each pixel weighted by how far it is from the ground's level. So noise of one sigma a pixel
+// moves it by sigma sqrt(sum of (x - centre)^2) / (sum of weights). This is the propagation of uncertainty to first
+// order (JCGM 100:2008, 5.1.2). Of a large mark only the pixels along its edge are weighed. A tag's centre goes with
+// its corners: measured.
 double centre_noise_px(const SeenMark& mark, double noise);
 // And with what the pixels' phase and the light's slope add besides, as it was measured of marks in any light.
 double centre_spread_px(const SeenMark& mark, double noise);

@@ -14,7 +14,7 @@ constexpr int waves = MarkOutline::count;
 constexpr double lost_by_blur = 3;
 constexpr double least_part = 0.5;
 constexpr double most_part = 1.1;
-// What the three waves of a triangle have at least, in its squared standard deviations.
+// The least power of a triangle's three waves, in its squared standard deviations.
 constexpr double least_triangle_power = 0.02;
 
 using Round = std::array<float, turns>;  // a value for each turn

@@ -29,9 +29,9 @@ MarkOutline outline_of(const MarkSignature& signature);
 // Three corners are what is most of it.
 bool is_triangle(const MarkOutline& outline);
 
-// What is left of the seen one's waves, turned and all lessened as the learned one's would be by some blur of at most
-// `most_blur` standard deviations: mean squares, in standard deviations squared. Noise is in all waves; what nobody
-// learned may differ by one of them alone.
+// The difference between the waves of a seen outline and those of the learned one, which is turned, and blurred by at
+// most `most_blur` standard deviations, as fits best. Mean squares, in standard deviations squared. Noise is in all
+// waves; an unlearned shape may differ by one of them alone.
 struct OutlineDifference {
   double in_all = 0;
   double in_one = 0;  // the greatest

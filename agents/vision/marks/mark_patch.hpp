@@ -21,7 +21,7 @@ struct MarkPatch {
   static constexpr int margin_px = 3;
 
   // False where the region is no solid mark on even ground: cut by the image's edge, full of holes or of other tones,
-  // touched by something, or of too little contrast. What is larger than a patch is cut from a reduced image.
+  // touched by something, or of too little contrast. A region larger than a patch is cut from a reduced image.
   // `contour` is of the pixels of `from`.
   bool cut(const ImageCut& from, const MarkContour& contour, MarkTone tone);
 
@@ -43,10 +43,10 @@ struct MarkPatch {
   int ground_level = 0;
   int contrast = 0;  // their distance
   // Row by row, `contrast` where the mark is, 0 where the ground is, in between where an edge crosses a pixel. Not
-  // clamped: noise must not add weight. What lies two pixels outside and is yet unlike the ground belongs to something
-  // else. A light gradient moves the centre a little, by the same in both images (0.06 px at 30 % over the image's
-  // width); fitting the light per mark would cost more in depth than it gains. Across a large mark light changes: it is
-  // divided out, the mark's inside is `contrast` all over, and its edge alone tells where it is.
+  // clamped: noise must not add weight. Pixels two or more outside that are unlike the ground belong to something else.
+  // A light gradient moves the centre a little, by the same in both images (0.06 px at 30 % over the image's width);
+  // fitting the light per mark would cost more in depth than it gains. Across a large mark light changes: it is divided
+  // out, the mark's inside is `contrast` all over, and its edge alone tells where it is.
   std::array<std::int16_t, most_side_px * most_side_px> values;
 
  private:

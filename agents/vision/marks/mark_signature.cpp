@@ -35,7 +35,7 @@ float sample(const WeightedShape& shape, float x, float y) {
   return above + fy * (below - above);
 }
 
-// sample() of four places at once, given in px; times `scale`, rounded. What it needs of the shape is got ready once.
+// sample() of four places at once, given in px; times `scale`, rounded. The shape's part in it is prepared once.
 class FourSampler {
  public:
   explicit FourSampler(const WeightedShape& shape)
@@ -81,7 +81,7 @@ class FourSampler {
   cv::v_float32x4 last_y_;
 };
 
-// What is averaged over squares of pixels, with zeros around.
+// A shape averaged over squares of pixels, with zeros around.
 struct CoarseShape {
   std::vector<std::int16_t> weights;
   WeightedShape shape;

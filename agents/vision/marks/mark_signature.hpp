@@ -1,7 +1,7 @@
 #pragma once
 
-// What shape a mark has, whatever its place, size, turn and view: its weights sampled on rings after the mark's second
-// moments have been made those of a circle (which undoes size and the foreshortening of a yawed face).
+// The shape of a mark, whatever its place, size, turn and view. The mark's second moments are made those of a circle,
+// which undoes size and the foreshortening of a yawed face. Then its weights are sampled on rings.
 //
 // The square template of a learned object is the same normalised shape as a small picture; signatures can be taken
 // from it again, so that the template is all that need be kept. A seen mark has few samples; a learned shape is sampled

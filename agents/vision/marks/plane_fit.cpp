@@ -29,7 +29,7 @@ constexpr double usual_perspective = 0.03;
 // Of an edge, px: at least so much.
 constexpr double least_edge_spread = 0.08;
 constexpr double biweight = 4.685;
-// What is farther off supports nothing, px and as a part of the mark's standard deviation.
+// Edges farther off support nothing: px, and a part of the mark's standard deviation.
 constexpr double most_off_px = 0.75;
 constexpr double most_off_share = 0.04;
 constexpr double least_found = 0.5;
@@ -192,7 +192,7 @@ class Registration {
     a(7, 7) += prior;
     b(6) -= prior * h(2, 0);
     b(7) -= prior * h(2, 1);
-    // What the outline leaves open, as a circle its turn, stays.
+    // Unknowns that the outline leaves open, such as a circle's turn, stay as they are.
     a.diagonal().head<6>().array() += 1e-4 * a.diagonal().head<6>().maxCoeff();
     const Vector8 d = a.ldlt().solve(b);
     if (!d.allFinite()) return false;

@@ -8,8 +8,8 @@
 //
 // Each edge is the centroid of the grey levels' change around its steepest place, so that neither blur nor motion moves
 // it where the border is straight; near corners it is left out. A few Gauss-Newton steps with the homography's own
-// derivatives, each edge weighted by how far it is off (J. W. Tukey's biweight). What a circle leaves open, and how
-// strong the perspective may be, a prior holds: no mark is as near as that.
+// derivatives, each edge weighted by how far it is off (J. W. Tukey's biweight). A prior holds what a circle leaves
+// open, and bounds the perspective: no mark is as near as that.
 
 #include "agents/vision/marks/mark_patch.hpp"
 #include "agents/vision/marks/plane_outline.hpp"

@@ -17,14 +17,15 @@ namespace pizarra::vision {
 inline constexpr int least_mark_area_px = 60;  // to be learned
 inline constexpr int least_seen_area_px = 50;  // to be found, farther away
 inline constexpr std::size_t most_marks = 128;
-// What is wider or higher than nine tenths of the image is no mark: ground must be seen around it.
+// A mark is at most nine tenths of the image wide and high: ground must be seen around it.
 bool is_too_large_for_a_mark(cv::Size box, cv::Size image);
 std::size_t longest_contour_px(cv::Size image);
 
 class ImageSegmentation {
  public:
-  // `grey`: 8 bit, one channel; it may be shared, not copied. `focal_px`: of its camera, where that is known. Of what
-  // lies within `rows` and does not reach their first or last one; that is the same as of the whole image.
+  // `grey`: 8 bit, one channel; it may be shared, not copied. `focal_px`: of its camera, where that is known. Only
+  // regions within `rows` that do not reach the first or the last one are told; these are the same as in the whole
+  // image.
   ImageSegmentation(const cv::Mat& grey, double noise, double focal_px = 0, cv::Range rows = cv::Range::all());
   explicit ImageSegmentation(const cv::Mat& grey) : ImageSegmentation(grey, noise_of(grey)) {}
 

@@ -57,8 +57,8 @@ struct Print {
   int side;
 };
 
-// What is seen at a place is the print a little beside it, as far as the corners are off: linear least squares
-// (B. Lucas, T. Kanade, An iterative image registration technique, IJCAI 1981).
+// A place shows the print a little beside it, as far as the corners are off: linear least squares (B. Lucas, T. Kanade,
+// An iterative image registration technique, IJCAI 1981).
 Unknowns fit(const Print& print, const cv::Mat1f& seen) {
   cv::Matx<double, unknowns, unknowns> normal = cv::Matx<double, unknowns, unknowns>::zeros();
   Unknowns right = Unknowns::all(0);

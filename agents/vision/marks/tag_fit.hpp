@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a tag's corners are where its cells say. What lies along a part of its border leaves a smaller square, in
-// which the cells can still be read; but then they are not where the corners put them.
+// Whether a tag's corners are where its cells say. A cover along its border leaves a smaller square, in which the cells
+// can still be read. They are then not where the corners put them.
 //
 //   const double off = middle_off_px(grey, corners, *dictionary, 17);
 

@@ -20,7 +20,7 @@ struct TagSquare {
 std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& area,
                                         const cv::aruco::Dictionary& dictionary);
 
-// What the corners enclose, as a square so many pixels wide.
+// The image between the corners, as a square so many pixels wide.
 cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px);
 
 }  // namespace pizarra::vision

@@ -197,8 +197,8 @@ struct Reading {
   double likeness;
 };
 
-// The tag around the point, of whatever family. What one family reads another may too, with cells that it mends: the
-// likest is meant, of those that are equal the first.
+// The tag around the point, of whatever family. Several families may read one tag, some by mending cells: the likest
+// reading is taken, the first of equal ones.
 std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d point,
                                 std::span<const TagFamily> considered = tag_families()) {
   std::optional<Reading> best;

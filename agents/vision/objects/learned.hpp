@@ -1,11 +1,12 @@
 #pragma once
 
-// What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
+// Learned objects by name, each with one or more samples of its mark. Kept as the durable facts:
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
 //   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE BY TEMPLATE) what recognition needs besides
 //   (learned-focal NAME NUM FOCAL)                                                     where it is known
-// TONE being dark, light, or the tag that it is, and BY how its SIZE is known (LearnedSample::SizeBy); so that a
-// restarted agent reads them back; and, where a cell says so, as files too (object_database.hpp).
+//
+// TONE is dark, light, or the tag that it is. BY is how its SIZE is known (LearnedSample::SizeBy). A restarted agent
+// reads them back. Where a cell says so they are also kept as files (object_database.hpp).
 //
 //   LearnedObjects objects;
 //   objects.add("circle", sample);                 // again under the same name: a second sample
@@ -83,7 +84,7 @@ struct LearnedObject {
   };
   std::array<std::vector<Rival>, LearnedSample::blurs.size()> rivals = {};
 
-  // What it is found by, where one of its samples is a tag.
+  // The tag that it is found by, where one of its samples is a tag.
   const Tag* tag() const;
 };
 

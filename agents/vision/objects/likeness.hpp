@@ -18,8 +18,8 @@ std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedO
 // How much a mark is like an object, and the learned object that it is most like otherwise.
 struct Likeness {
   double error = 0;
-  // By how much the mark's picture and outline, and the grey of its middle, differ from those of the likest sample, as
-  // a part of what noise, blur and a turned face may make of them. Above 1 it is something that nobody learned.
+  // How much the mark's picture, outline and the grey of its middle differ from those of the likest sample. 1 is what
+  // noise, blur and a turned face may make of them; a mark above that is something unlearned.
   double doubt = 0;
   // The same as a part of what it may be without being as much as other shapes differ by: no less than the doubt, and
   // more in noise that would hide these.

@@ -9,7 +9,7 @@ namespace {
 constexpr double impossible = std::numeric_limits<double>::infinity();
 const MarkMatch same_tag{.error = 0, .shape_error = 0};
 constexpr double least_slimness = 0.55;
-// Of what is seen as from the front however far it is tilted.
+// For marks that are seen as from the front, however far they are tilted.
 constexpr double least_flattened = 0.3;
 // Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
 constexpr double roundness_weight = 0.25;

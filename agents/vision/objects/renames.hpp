@@ -11,7 +11,7 @@ namespace pizarra::vision {
 
 using Renames = std::map<std::string, std::string>;  // from the old name to the new one
 
-// What the object that had this name is called now.
+// The present name of the object that had this one.
 std::string name_now(const Renames& renames, const std::string& name);
 
 }  // namespace pizarra::vision

@@ -9,10 +9,10 @@ namespace {
 // All that follows was measured of the five marks in 120,000 of the bench's scenes (30 seeds), and of 112,500 marks
 // turned away by up to 45 degrees.
 //
-// A picture may be off by so much, and an outline by a share of what is not round about it: by blur, by a sharper image
-// than it was learned from, and by perspective. What is light lies on something dark that ends near it: the blurred
-// border of that makes both more. Noise adds to the picture's error too, but no more of it is let pass: one mark in a
-// thousand differs by more, and what is as small, blurred and noisy, and differs by as much, is another thing as a
+// How far a picture may be off, and an outline, as a share of what is not round about it. The causes are blur, a
+// sharper image than it was learned from, and perspective. A light mark lies on something dark that ends near it: the
+// blurred border of that adds to both. Noise adds to the picture's error too, but no more of it is let pass: one mark
+// in a thousand differs by more, and what is as small, blurred and noisy, and differs by as much, is another thing as a
 // rule.
 struct Allowance {
   double picture;
@@ -20,9 +20,9 @@ struct Allowance {
 };
 constexpr Allowance of_dark{0.065, 0.04};
 constexpr Allowance of_light{0.1, 0.06};
-// What an outline may differ by besides, in squared standard deviations of the mark: by the pixels' phase; and by the
-// noise, squared, the less the more pixels there are. Of a small mark neighbouring samples share pixels, so that its
-// outline is less noisy than that.
+// An outline may also differ, in squared standard deviations of the mark, by the pixels' phase, and by the square of
+// the noise, the less the more pixels there are. Of a small mark neighbouring samples share pixels, so that its outline
+// is less noisy than that.
 constexpr double outline_slack = 0.0004;
 constexpr double outline_noise = 25;  // px^2
 constexpr double least_sampled_px = 3.5;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a mark that matches a learned object may be something that nobody learned: by how much its picture, its
-// outline and the grey of its middle differ from the sample's, as a part of what the image's noise, blur and a turned
+// Whether a mark that matches a learned object may be something unlearned. Its picture, its outline and the grey of its
+// middle are compared with the sample's. The difference is told as a part of what the image's noise, blur and a turned
 // face may make of a mark of its size.
 //
 //   if (shape_doubt(mark, match_of(mark, object)).doubt > 1) ...       // it is something else

@@ -77,7 +77,7 @@ ClickedPlace::ClickedPlace(const cv::Mat& grey, cv::Point2d click)
   fill();
 }
 
-// What is of another level than the place where the filling began.
+// The pixels of another level than the place where the filling began.
 cv::Mat1b ClickedPlace::unlike() const {
   const cv::Mat1b& image = segmentation_.image();
   const cv::Rect about(seed_.x - 1, seed_.y - 1, 3, 3);
@@ -172,7 +172,7 @@ bool ClickedPlace::stands_out() const {
   return cv::countNonZero(beside & unlike()) >= least_set_off * cv::countNonZero(beside);
 }
 
-// What is even around the point and no mark is the ground; or what an open contour holds; or a mark that leaks.
+// The even area around the point is either the ground, or within an open contour, or a mark that leaks.
 std::unexpected<Failure> ClickedPlace::why_none() const {
   const cv::Mat1b other = unlike();
   const cv::Mat1b even = connected(other == 0, seed_);

@@ -46,7 +46,7 @@ double length(double x, double y) { return std::sqrt(x * x + y * y); }
 // The axis at a right angle.
 std::size_t across(std::size_t axis) { return axis ^ 1; }
 
-// What of the new is taken over in so many seconds.
+// The share of the new that is taken over in so many seconds.
 double gain(double rate, double seconds) { return std::min(1.0, rate * seconds); }
 
 }  // namespace
@@ -103,7 +103,7 @@ double WholeMark::covering(const Evidence& covered, const Evidence& other) const
   return if_turned / if_covered;
 }
 
-// What covers a triangle along one side leaves a triangle of the same form with the corner opposite.
+// A cover along one side of a triangle leaves a triangle of the same form, with the corner opposite.
 WholeMark::Evidence WholeMark::evidence_of_a_side(const Axes& now, double seconds) const {
   const double spread = (axes_[0].spread + axes_[1].spread) / 2;
   const double change = spread - (now[0].spread + now[1].spread) / 2;
@@ -162,7 +162,7 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double m
   const std::array<Evidence, 4> seen = evidence(now, seconds);
   const double off = std::max(length(seen[0].off, seen[1].off), length(seen[2].off, seen[3].off));
   if (off <= most_off_px && !smaller) return Look::whole;
-  // Who moves so far may well turn by 30 degrees.
+  // A mark that moves so far may well turn by 30 degrees.
   if (is_elsewhere(seen)) return off <= 2 * most_off_px ? Look::whole : Look::unlike;
   if (smaller) return speaks_against_covering(seen) ? Look::turned : Look::covered;
   const Scales scale = scales(now);
@@ -177,7 +177,7 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double m
     if (one.off < most_off_px / 2) continue;
     const double by_covering = covering(one, other);
     if (by_covering > sure) return Look::covered;
-    // What comes back from behind something is a part at first.
+    // A mark that comes back from behind something shows only a part at first.
     const bool explained = length(one.missed, std::min(other.moved, other.missed)) < clear_px + most_missed * one.off;
     if (hidden_ && by_covering > 1 / sure && explained) return Look::covered;
   }

@@ -1,8 +1,8 @@
 #pragma once
 
-// What a mark that is followed in one image looked like while it was whole. Half a square is as good a square as one
-// whose face is turned, so that what slides over a mark, or joins it, is no matter of shape. It is one of motion:
-// turning and going away shrink a mark about its centre; covering takes one side away and leaves the opposite one where
+// Remembers how a mark that is followed in one image looked while it was whole, and tells a turned one from a covered
+// one. Shape does not tell them apart: half a square is as good a square as one whose face is turned. Motion does.
+// Turning and going away shrink a mark about its centre. Covering takes one side away and leaves the opposite one where
 // it was, so that the centre moves as far as the loss says.
 //
 //   WholeMark whole(first, captured);
@@ -11,8 +11,8 @@
 //   whole.wait(captured);               // a frame without it
 //
 // Slow covering shows over many frames only, so the memory is moved by what is seen little by little, and not at all
-// while covering explains the look better. It lasts as long as the covering does: a hand may rest. What it remembers in
-// vain, of a mark that was put down anew and looks covered there, ends when that is seen whole or elsewhere.
+// while covering explains the look better. It lasts as long as the covering does: a hand may rest. A mark that was put
+// down anew may look covered there. That ends when it is seen whole or elsewhere.
 
 #include "agents/vision/marks/mark_measure.hpp"
 #include "blackboard/time/clock.hpp"
@@ -49,7 +49,7 @@ class WholeMark {
     bool moves() const;
     double foreseen(double seconds) const { return place + (moves() ? seconds * speed : 0); }
   };
-  // What the change of size and the motion of the centre say of each other on one axis, px.
+  // How the change of size and the motion of the centre explain each other on one axis, px.
   struct Evidence {
     double off = 0;     // how far the centre is off, at most, if the change of size is covering
     double moved = 0;   // what the centre moved unforeseen if it is not

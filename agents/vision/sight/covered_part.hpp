@@ -20,14 +20,13 @@ double spread_product_px2(const SeenMark& mark);
 // Where so much of the mark, 0 to 1, may be covered from one side.
 double off_if_missing_px(const SeenMark& now, double missing);
 
-// Of what was learned `front_slimness` slim, by this look alone: a face that is turned may as well be one that is
-// covered.
+// By this look alone, for a mark that was learned `front_slimness` slim: a turned face may as well be a covered one.
 double may_be_off_by_shape_px(const SeenMark& now, double front_slimness);
 
-// What is left of the confidence in a whole mark where a centre that is told may be `most_off_px` off: one half where
-// it may be just that.
+// The confidence where the centre may be `off_px` off: `of_whole` is that in a whole mark, and one half is left at
+// `most_off_px`.
 double confidence_if_off(double of_whole, double off_px, double most_off_px);
-// That nothing covers it, where that is what is left.
+// How surely nothing covers the mark, where that much confidence is left.
 double confidence_in_whole(double confidence, double of_whole);
 
 }  // namespace pizarra::vision

@@ -9,7 +9,7 @@
 namespace pizarra::vision {
 namespace {
 
-// What is left of a value that noise of this spread makes about 0.
+// The value, shrunk towards 0 by as much as noise of this spread may make it.
 double beyond_noise(double value, double spread) {
   return value == 0 ? 0 : value * std::max(0.0, 1 - spread * spread / (value * value));
 }
@@ -39,9 +39,9 @@ double yaw_deg(const FacePlane& plane) {
   return plane.ahead <= 0 ? 0 : -std::atan(plane.across / plane.ahead) * 180 / std::numbers::pi;
 }
 
-// A plane's image is J times it, J = f / Z P E: E two unit vectors along the plane, P what the line of sight makes of a
-// step in space. So J J' = (f / Z)^2 P (1 - n n') P', and the covariance from the front has the trace and the
-// determinant of the image's by it, however the plane's own axes lie.
+// A plane's image is J times it, J = f / Z P E: E are two unit vectors along the plane, and P projects a step in space
+// along the line of sight. So J J' = (f / Z)^2 P (1 - n n') P'. With it the trace and the determinant of the covariance
+// from the front follow from the image's, however the plane's own axes lie.
 FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left) {
   const double mm_per_px = depth_mm(model, plane.along_sight * model.focal_px) / model.focal_px;
   const double across = plane.across - plane.ahead * plane.x;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The plane of a face that a pair of cameras sees, by how its mark is squeezed and sheared from one image to the other,
-// and what the mark looks like from the front.
+// The plane of a face that a pair of cameras sees, and what its mark looks like from the front. The plane shows in how
+// the mark is squeezed and sheared from one image to the other.
 //
 //   const FacePlane plane = face_plane(model, left, right);
 //   const FrontView front = view_from_front(model, plane, left);
@@ -27,7 +27,7 @@ struct FacePlane {
   double along_sight;  // d / f: so much of the normal is along the line of sight
 
   double normal2() const { return across * across + down * down + ahead * ahead; }
-  // What the tilt about the horizontal makes of a length along y.
+  // The factor by which the tilt about the horizontal changes a length along y.
   double tilt() const { return down / along_sight; }
   double shown_height() const;
 };

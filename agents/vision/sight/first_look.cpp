@@ -15,8 +15,8 @@ namespace {
 constexpr double learned_spread = 0.01;
 // So many standard deviations noise hardly makes.
 constexpr double clear = 3;
-// What is nearer may be so by any distance, and explains any plane: by so much, a logarithm, a turned face that has
-// just the plane that it should have is likelier.
+// How much likelier, as a logarithm, a turned face is that has just the plane that it should have: a nearer cover may
+// be at any distance, and explains any plane.
 constexpr double by_chance = 2;
 
 // How far the centre of a triangle moves for every px that the root of the product of its standard deviations shrinks,

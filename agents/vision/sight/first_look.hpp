@@ -1,8 +1,8 @@
 #pragma once
 
-// How far the centre of a mark may be off that a pair of cameras sees for the first time, by the sizes with which the
-// object was learned: whether it is whole, and turned, or covered in part. What is whole is as large from the front as
-// it was learned, both by the plane of its face and by how slim it looks; what is covered looks turned where its plane
+// How far the centre of a mark may be off that a pair of cameras sees for the first time. The sizes with which the
+// object was learned say whether it is whole and turned, or covered in part. A whole mark is as large from the front as
+// it was learned, both by the plane of its face and by how slim it looks. A covered mark looks turned where its plane
 // is not, or has a plane that does not go with how narrow it looks, or is too near for its size.
 //
 //   const FaceSize now = face_size(model, left, right, front_slimness(object));
@@ -17,9 +17,9 @@ namespace pizarra::vision {
 double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
 
 // The same by one camera alone, which does not know how far away the mark is: by how slim it looks and, of a triangle,
-// by how large. What is cut off along a straight edge leaves a triangle of one, as slim as it was where the edge lies
-// along a side; no other shape is left as slim as it was and its own. So a triangle that looks smaller than it ever
-// looked when it was learned is whole and farther away, or it is not; and nobody knows.
+// by how large. A straight edge that covers a part of a triangle leaves a triangle, as slim as before where the edge
+// lies along a side. No other shape keeps its form and slimness. So a triangle that looks smaller than it ever did when
+// it was learned is whole and farther away, or covered: nothing tells which.
 double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& left);
 // By how large a triangle looks alone; of anything else 0.
 double may_be_off_by_size_px(const LearnedObject& object, const SeenMark& left);

@@ -43,7 +43,7 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
 
 }  // namespace
 
-// What so many px in an image 320 px wide are in this one.
+// Converts px of an image 320 px wide into px of this one.
 double px_in(const cv::Mat& image, double px) { return px * std::max(1.0, image.cols / 320.0); }
 
 // Most marks are where they are expected; then little need be looked at.

@@ -11,7 +11,7 @@
 
 namespace pizarra::vision {
 
-// What so many px in an image 320 px wide are in this one.
+// Converts px of an image 320 px wide into px of this one.
 double px_in(const cv::Mat& image, double px);
 
 // The mark that was `last`, near `centre`. Nothing where no closed contour of its tone is around that.

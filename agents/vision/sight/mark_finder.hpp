@@ -38,7 +38,7 @@ class MarkFinder {
   // Failures: `ambiguous`, `too-large`, `too-small`, `crowded`, and `not-seen` for whatever else.
   Result<FoundMark> find(StereoSight& sight, const LearnedObject& object, Time now);
   std::optional<cv::Point2d> place_of(const std::string& name) const;
-  // What was found then or later, each where it was found last.
+  // The objects found then or later, each where it was found last.
   std::vector<FoundPlace> found_since(Time then) const;
   // As MarkTracker::rename().
   void rename(const Renames& renames);

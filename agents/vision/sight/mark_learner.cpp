@@ -37,7 +37,8 @@ std::optional<FrontView> view_from_front(const camera::StereoModel& model, const
   return FrontView{spread_product_px2(seen) * mm_per_px * mm_per_px, seen.slimness};
 }
 
-// What the thesis' Table C.1 and the template picture say of a square; a tag is found by neither.
+// A tag's portrait is that of a square: the values of the thesis' Table C.1, and the template picture. It is found by
+// neither.
 MarkPortrait portrait_of_tag(const cv::Mat& grey, const SeenMark& seen) {
   MarkPortrait out{.corners = 4, .picture = {}};
   cv::Mat small;

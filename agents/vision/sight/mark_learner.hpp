@@ -43,7 +43,7 @@ class MarkLearner {
   std::vector<SeenMark> marks_in(StereoSight& sight) const;
   // Whether the mark is seen in this frame, and could be no other.
   bool follow(StereoSight& sight);
-  // What their mean shows, where the last frame is one of those that are averaged.
+  // Measures the mean of the frames, where the last frame is one of those that are averaged.
   Result<void> end_filling(StereoSight& sight, const Result<SeenMark>& mark);
   Result<void> end_filling();
   Result<void> check_kind() const;

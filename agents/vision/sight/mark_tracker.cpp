@@ -149,7 +149,7 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
   return now;
 }
 
-// What is said of a frame in which it was not found.
+// The sighting of a frame in which the mark was not found.
 TrackSighting MarkTracker::miss(Track& track, Time now) const {
   track.whole.wait(now);
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
@@ -198,7 +198,7 @@ void MarkTracker::count_twins(StereoSight& sight, Track& track, const LearnedObj
   if (!track.began_among_alike) track.began_among_alike = now.likeness.twins > least_twins;
 }
 
-// What hides it for a while may go on hiding it for as long.
+// A cover that hid it for a while may go on hiding it for as long.
 bool MarkTracker::is_doubted(Track& track, const SeenPair& now) const {
   if (!track.before) return false;
   const Track& before = *track.before;

@@ -2,15 +2,15 @@
 
 // Follows several objects from frame to frame in both images. Each object is found once; then its closed contour is
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere, in
-// this same frame and in every later one, while the others go on. What is followed is recognised anew in every frame,
-// so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides a part
-// of it, or is told with less confidence where that cannot be known (wholeness.hpp). A loss of half a second is
-// bridged: the object is expected where its motion would have brought it, and is said not to be seen. So long, nothing
-// elsewhere is taken for it that is of another size; and never what looked like it elsewhere in the image in which it
-// was found or in that in which it was seen last. One that was in neither may be another, so that what is found
+// this same frame and in every later one, while the others go on. The mark is recognised anew in every frame: a hand,
+// the gripper or another cube in its place is a loss, never a position. A cover over a part of it is a loss too, or
+// lowers the confidence where that cannot be known (wholeness.hpp). A loss of half a second is bridged: the object is
+// expected where its motion would have brought it, and is said not to be seen. For so long, a mark of another size
+// elsewhere is not taken for it. A mark that looked like it elsewhere, in the image in which it was found or in that in
+// which it was seen last, never is. A mark that was in neither image may be another object. So one that is found
 // elsewhere than where it was lost is not sure until it has been followed for as long as it had been lost, from half a
-// second to five; and where the one that was lost is seen again meanwhile, it is there. Where others like it were there
-// from the first, it may be one of those, and is not sure while they are in view.
+// second to five. Where the lost one is seen again meanwhile, it is there. Where others like it were there from the
+// first, it may be one of those, and is not sure while they are in view.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -54,7 +54,8 @@ class MarkTracker {
 
   // Once more is harmless. Of several that are alike it begins with the one nearest to `seen_last`. Failure `full`.
   Result<void> add(const LearnedObject& object, std::optional<cv::Point2d> seen_last = {});
-  // What is tracked is tracked on under its new name, and only once: what bore that name before has been forgotten.
+  // A tracked object is tracked on under its new name, and only once: the object that bore this name has been
+  // forgotten.
   void rename(const Renames& renames);
   void keep_only(const std::set<std::string>& names) {
     std::erase_if(tracks_, [&](const Track& track) { return !names.contains(track.name); });
@@ -105,11 +106,11 @@ class MarkTracker {
   TrackSighting miss(Track& track, Time now) const;
   // It was seen before, and is not now.
   void note_loss(Track& track, const LearnedObject& object);
-  // Where what is followed elsewhere was not it, but is hidden no more where it was lost.
+  // Goes back to the mark where it was lost, where it is hidden no more: the one followed elsewhere was another.
   void come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
-  // What others like it are in view, where it may have been one of them from the first.
+  // Counts the others like it that are in view, where it may have been one of them from the first.
   void count_twins(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
-  // Whether what is seen may be another, by where it is.
+  // Whether the mark seen may be another object's, by where it is.
   bool is_doubted(Track& track, const SeenPair& now) const;
   // What was seen becomes what is followed.
   void take(const StereoSight& sight, Track& track, SeenPair&& now) const;

@@ -19,7 +19,7 @@ constexpr int steps = 8;
 constexpr double least_edge_spread = 0.08;
 // Neighbouring edges share pixels: so many are as good as one less.
 constexpr double independent_share = 0.5;
-// What an outline leaves open, as a circle its turn, is known to no better than this.
+// The spread of a turn that the outline leaves open, such as a circle's.
 constexpr double unknown_turn_rad = 1.8;
 // By how much worse the other tilt must be.
 constexpr double clearly_worse = 4;

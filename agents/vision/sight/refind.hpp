@@ -1,7 +1,7 @@
 #pragma once
 
 // Which mark of one image is one of the image before, where a hand took both: everything has moved, turned a little,
-// come nearer. What looks alike is told apart by what lies around it.
+// come nearer. Marks that look alike are told apart by what lies around them.
 //
 //   const MarkedImage now = marked_image(sight.left(), sight.left_segmentation().marks());
 //   const Refound found = refind(clicked, before, now);

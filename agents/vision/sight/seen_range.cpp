@@ -59,9 +59,9 @@ double disparity_if_covered_px(const SeenMark& left, const SeenMark& right) {
   return std::hypot(least_covered_px, motion_by_strip * (left.width_px - right.width_px));
 }
 
-// A tilted face, its centroid at P, and Z along the optical axis. What is nearer by a part e is larger by 3 e in either
-// image, and a centroid's disparity is 1 + e times as large there: to second order both centroids are those of a point
-// off by -4 Cov(P, Z) / Z, over the mark. The disparity's slopes along the mark, which the plane says, say Cov(P, Z).
+// A tilted face, its centroid at P, and Z along the optical axis. A piece that is nearer by a part e is larger by 3 e
+// in either image, and its disparity is 1 + e times as large. To second order both centroids are those of a point off
+// by -4 Cov(P, Z) / Z, over the mark. The disparity's slopes along the mark, which the plane says, say Cov(P, Z).
 struct TiltError {
   double mm;
   double part_spread;  // of the range
@@ -98,7 +98,7 @@ SeenRange range_of_pose(const camera::StereoModel& model, const PlanePose& pose)
   return {range, std::hypot(spread_by_size * range, std::sqrt(variance))};
 }
 
-// A mark that is as high as it is wide is foreshortened along one line alone, so that its larger principal standard
+// A mark that is as high as it is wide is foreshortened along one line alone. So its larger principal standard
 // deviation is the size of its face, however it is tilted. Of one that is slim only a yaw is known.
 std::optional<SeenRange> range_of_shape(const camera::StereoModel& model, double face_mm, double front_slimness,
                                         const SeenMark& left) {

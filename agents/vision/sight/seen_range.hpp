@@ -6,16 +6,16 @@
 //   range->mm, range->spread_mm
 //
 // A pair's range is f b / d, so that it is off by the same part as f, b and d are (JCGM 100:2008, 5.1.2; L. Matthies,
-// S. Shafer, Error modeling in stereo navigation, IEEE Journal of Robotics and Automation 3(3), 1987). What both images
-// err alike, as by the light's slope, cancels in d. What is left of it, all of it independent:
+// S. Shafer, Error modeling in stereo navigation, IEEE Journal of Robotics and Automation 3(3), 1987). Errors that both
+// images share, as by the light's slope, cancel in d. The others are independent:
 // - noise, by which each centre moves: centre_noise_px();
 // - where edges fall between pixels, and what blur makes of that: disparity_by_phase_px(), measured;
 // - how the face is tilted: its nearer side looks larger, which is taken out; by how much is not exactly known;
 // - what the camera says of its calibration: StereoDeviations;
 // - what covers a part, where it is not clearly whole: other strips of it from either camera. A strip of width w takes
-//   w / sqrt(12) off the standard deviation of a square's width, and w / 2 off its centre, so that the two centres are
+//   w / sqrt(12) off the standard deviation of a square's width, and moves its centre by w / 2. So the two centres are
 //   off by sqrt(3) times the difference of the widths. (A face that is turned looks the same.)
-// What moves between the moments of the two images is not in it.
+// Motion between the moments of the two images is not in it.
 
 #include <optional>
 

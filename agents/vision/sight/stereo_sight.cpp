@@ -23,7 +23,7 @@ constexpr double tag_reach = 0.4;
 // How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
 constexpr int border_slack_px = 3;
 constexpr double least_border_share = 0.7;
-// What the right image shows of a mark at less than this part of the disparity that its size asks for is another size.
+// A mark in the right image is of another size where its disparity is less than this part of what its size asks for.
 constexpr double least_disparity_share = 0.87;
 
 // The least disparity at which the object can be, going by its learned sizes; nothing where one was learned without.
@@ -61,8 +61,8 @@ bool shows_border(const cv::Mat1b& right, const SeenMark& left, const std::vecto
   return agreeing >= least_border_share * static_cast<double>(border.size());
 }
 
-// Whether one yaw of the face gives both widths, as parts of the learned one. A face of yaw p seen at slope t off the
-// axis is cos(p) + t sin(p) = sqrt(1 + t^2) cos(p - atan(t)) times as wide as one that faces the camera.
+// Whether one yaw of the face gives both widths, as parts of the learned one. A face of yaw p, seen at slope t off the
+// axis, is narrower than one that faces the camera. The factor is cos(p) + t sin(p) = sqrt(1 + t^2) cos(p - atan(t)).
 bool yaw_explains(double left_width, double left_slope, double right_width, double right_slope, double tolerance) {
   const double full = std::sqrt(1 + left_slope * left_slope);
   if (left_width > widest * full) return false;

@@ -8,7 +8,7 @@
 namespace pizarra::vision {
 namespace {
 
-// What turning in the image makes of the height of what is nearly round, as a part of what it lacks to be round.
+// How far turning in the image changes the height of a nearly round mark, as a part of what it lacks to be round.
 constexpr double turning_share = 0.1;
 // How far a slimness is off, as a part of it, by the light's slope and the pixels' phase.
 constexpr double slimness_spread = 0.005;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What one image says of how large a mark would look if its face were not yawed, by how slim it looks beside how slim
-// it is from the front, whichever way it is turned in the image. A yaw squeezes a mark along x.
+// How large a mark would look if its face were not yawed, as one image tells it. A yaw squeezes a mark along x. So the
+// mark's slimness is compared with its slimness from the front, whichever way it is turned in the image.
 //
 //   const Unyawed look = unyawed(mark, front_slimness(object));
 //   const double depth_mm = focal_px * size_mm / look.size_px;

@@ -10,7 +10,7 @@
 namespace pizarra::vision {
 namespace {
 
-// What the light's slope and the blur make of a length, as a part of it.
+// How far the light's slope and the blur change a length, as a part of it.
 constexpr double length_spread = 0.003;
 // How far a length drifts, as a part of it, where the mark moves by its own width; farther by the root.
 constexpr double drift = 0.0075;

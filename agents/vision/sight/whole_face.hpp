@@ -11,16 +11,16 @@
 //   const double off = whole.off_if_covered_px(now, now_left);
 //   whole.follow(now, now_left);        // once it is taken for the mark
 //
-// What is remembered is the largest look, however long ago, for what covers a mark may come slowly and rest. It is the
-// less sure the farther the mark has gone since: no calibration is the same everywhere. One look alone is not
-// remembered, but what many have in common.
+// The largest look is remembered, however long ago, for a cover may come slowly and rest. It is the less sure the
+// farther the mark has gone since: no calibration is the same everywhere. Not one look alone is remembered, but what
+// many have in common.
 
 #include "agents/vision/objects/learned.hpp"
 #include "agents/vision/sight/stereo.hpp"
 
 namespace pizarra::vision {
 
-// What the mark's standard deviations would be from the front.
+// The mark's standard deviations as they would be from the front.
 struct FaceSize {
   struct Reading {
     double value;
@@ -50,8 +50,8 @@ FaceSize if_not_tilted(FaceSize size);
 // How much of `whole` is missing, where it may be off by `slack` besides.
 double missing(double whole, const FaceSize::Reading& now, double slack);
 
-// What lies nearer than the mark and over one side of it hides more from one camera than from the other. So the mark
-// looks turned; but both centres come apart as well, by half as much, so that it looks too near, and too small.
+// A nearer cover over one side of the mark hides more from one camera than from the other. So the mark looks turned.
+// But both centres come apart as well, by half as much, so that it looks too near and too small.
 struct Narrowed {
   double off_px;     // how far the centre is off if it is covered
   double too_small;  // how much of its size is missing then

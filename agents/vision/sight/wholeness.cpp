@@ -11,17 +11,17 @@
 namespace pizarra::vision {
 namespace {
 
-// One camera alone: of looks that a tilt, or a straight edge over a part, would make alike, and of triangles that look
-// smaller than they were learned, how many are tilted, or farther away, for each that is covered. Where nothing uneven
-// lies beside the mark, what covers it is as light as its ground, and lies along just such a line.
+// One camera alone cannot tell some looks apart: a tilt and a straight edge over a part may look alike, and a triangle
+// that looks small is farther away or covered. These are the numbers of tilted, and of farther, marks for each covered
+// one. Where nothing uneven lies beside the mark, a cover must be as light as its ground, and lie along just such a
+// line.
 struct Odds {
   double tilted_for_one_covered;
   double farther_for_one_covered;
 };
 constexpr Odds on_even_ground{20, 12};
 constexpr Odds on_uneven_ground{0.002, 0.05};
-// What is uneven beside an outline that is all there is a shadow's edge about as often as something that covers a part:
-// never sure.
+// Uneven ground beside a complete outline is a shadow's edge about as often as a cover over a part: never sure.
 constexpr double shadow_share = 0.5;
 // An outline whose edges are elsewhere is hardly the mark's; one that is no plane's before this camera may be, where
 // the lens bends what is straight.
@@ -106,7 +106,7 @@ Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const Learn
   if (now.right) out.face = face_size(model, object, now);
   if (now.right) out.may_be_off_px = may_be_off_by_learned_px(object, *out.face, now.left);
   if (!now.right) {
-    // What the pair has just seen is no farther away than it was.
+    // A mark that the pair has just seen is no farther away than it was.
     const bool size_known = left_ && face_;
     const double by_learned = size_known ? may_be_off_by_shape_px(now.left, front_slimness(object))
                                          : may_be_off_by_learned_px(object, now.left);

@@ -1,8 +1,7 @@
 #pragma once
 
-// What is remembered of a tracked mark as it looked while nothing covered it, in either image and to the pair, and what
-// that says of how it looks now: whether a part of it is certainly covered, and how far its centre may be off where
-// that cannot be known.
+// Remembers how a tracked mark looked while nothing covered it, in either image and to the pair. Compared with that, a
+// look is certainly covered in part, or its centre may be off by so much where that cannot be known.
 //
 //   Wholeness whole;
 //   const Wholeness::Look look = whole.look_at(model, object, pair, captured, 1, false);

@@ -12,7 +12,7 @@ namespace {
 // How far the centre moves for every px that the standard deviation shrinks, where one along a side of a triangle is
 // covered.
 const double motion_by_side = std::sqrt(8.0);
-// What noise takes off an axis that is as wide as it was, as a part of it.
+// How much noise may take off an axis that is as wide as it was, as a part of it.
 constexpr double slack = 0.01;
 // How much of what is wider is taken over in a frame: noise alone widens nothing for long.
 constexpr double gain = 0.3;
@@ -35,7 +35,7 @@ double WidestLook::off_if_covered_px(const SeenMark& now) const {
   return (triangle_ ? motion_by_side : motion_by_strip) * missing;
 }
 
-// What is wider here and narrower there may be nearer and covered.
+// A mark that is wider on one axis and narrower on another may be nearer and covered.
 void WidestLook::follow(const SeenMark& now) {
   const Spreads spreads = spreads_of(now);
   if (!widest_) {

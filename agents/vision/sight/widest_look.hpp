@@ -8,8 +8,8 @@
 //   widest.follow(first);               // what is taken for the mark
 //   const double off = widest.off_if_covered_px(now);
 //
-// What is smaller to all sides is farther away, but of a triangle: what lies along one of its sides leaves a triangle.
-// The memory only grows: a hand may rest.
+// A mark that is smaller to all sides is farther away. A triangle may be covered instead: a cover along one of its
+// sides leaves a triangle. The memory only grows: a hand may rest.
 
 #include <array>
 #include <optional>
