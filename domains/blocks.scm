@@ -39,9 +39,9 @@
     (preconds (leans <ob1> <ob2>) (bare <ob1>) (arm-empty))
     (effects (on-table <ob1>) (clear <ob1>) (clear <ob2>) (bare <ob2>) (del (leans <ob1> <ob2>))))
 
-  ; The measurements of a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object would
-  ; stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. Beliefs have wider bounds
-  ; than new sightings, so that noise at a bound does not make them flicker.
+  ; The measurements of a look: (seen NAME X Y Z) is where a mark stands, (grip X Y Z) where the mark of a held object
+  ; would stand; (gripper OPENING) is measured between the fingers; (unseen NAME) is of a mark seen a moment ago.
+  ; Beliefs have wider bounds than new sightings, so that noise at a bound does not make them flicker.
   (perception
     (sees OBJECT)
     (constant cube 60)                  ; a cell says otherwise with (cube-size MM)

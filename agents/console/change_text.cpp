@@ -46,7 +46,7 @@ std::string change_text(std::int64_t watch, const Change& change) {
     add_item(added, added_text(answer));
     ++told;
   }
-  // What is gone has a place in the page or has none; its identity is enough.
+  // A removed answer has a place in the page or has none; its identity is enough.
   std::string removed;
   for (const Answer& answer : change.removed) add_item(removed, fmt::format("[{}]", ids_of(answer)));
   return fmt::format(

@@ -14,7 +14,7 @@ HttpAnswer plain(unsigned status, std::string sentence) {
   return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
 }
 
-// What a page of another origin, or a fact that is shown, could make a browser do: nothing.
+// The page's content policy. A page of another origin, or a fact that is shown, can make the browser do nothing.
 std::string content_policy(int port) {
   return fmt::format(
       "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "

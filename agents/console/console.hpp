@@ -1,8 +1,8 @@
 #pragma once
 
-// The console: the cell in a browser. A server on loopback that gives the page to anyone who asks for it by the right
-// name, and what is on the board only to a browser that has exchanged a token for a cookie (access.hpp). Each page has
-// a board session of its own (session.hpp).
+// The console: the cell in a browser. A server on loopback gives the page to anyone who asks for it by the right name.
+// It shows the board only to a browser that has exchanged a token for a cookie (access.hpp). Each page has a board
+// session of its own (session.hpp).
 //
 //   Result<std::unique_ptr<Console>> console = Console::open({.executor = executor, .streams = streams, ...});
 //   print((*console)->address());                  // http://127.0.0.1:40213/#TOKEN

@@ -1,8 +1,8 @@
 #pragma once
 
-// Image streams as JPEGs, each frame encoded once for all who look, away from the agents' thread. Only the newest frame
-// is encoded: what comes meanwhile takes the place of what waits. Who has a slow line looks at a light picture: 320 px
-// wide at most, and of less quality.
+// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread. Only the newest frame
+// is encoded: a frame that comes meanwhile replaces the one that waits. A page on a slow line gets a light picture: 320
+// px wide at most, and of less quality.
 //
 //   ImageFeeds feeds(executor, streams);
 //   auto look = feeds.look("vision-colour", [](const ImageFeeds::Picture& picture) { ... });

@@ -1,7 +1,7 @@
 #pragma once
 
-// One page: its WebSocket and its own session with the board, under a name of its own. What the page may do is what
-// that name may; the page's code decides nothing.
+// One page: its WebSocket and its own session with the board, under a name of its own. The page may do what that name
+// may; the page's code decides nothing.
 //
 // The page says forms, one a message:
 //   (follow N QUERY)            what holds of the query and every change, also of relations that are yet to come
@@ -24,8 +24,8 @@
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; images as
 // binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it.
 //
-// What is bounded: 64 watches, 16 requests in hand, 4 streams, images under way (four of each, 64 kB of all). A page
-// that does not take in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
+// Bounds: 64 watches, 16 requests in hand, 4 streams, images under way (four of each, 64 kB of all). A page that does
+// not take in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
 
 #include <deque>
 #include <functional>
@@ -61,7 +61,7 @@ class Session {
   // As many images as the round trip needs are under way of a stream, and this many bytes of all.
   static constexpr std::size_t max_images_under_way = 4;
   static constexpr std::size_t max_image_bytes_under_way = 64 << 10;
-  // What it is asked or shows at once comes behind this much at most, also of what the system holds for the page.
+  // The most that a reply waits behind, the system's own buffers for the page included.
   static constexpr std::size_t max_unheard_bytes = 256 << 10;
 
   struct Setup {
@@ -97,7 +97,7 @@ class Session {
     std::unique_ptr<ImageFeeds::Look> look;
   };
   using Number = std::int64_t;
-  // A jog that the page holds on to. What it says counts while it is younger than the deadline.
+  // A jog that the page holds on to. The page's word counts while it is younger than the deadline.
   struct Jog {
     Datum robot;
     Duration deadline;

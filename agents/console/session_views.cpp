@@ -164,7 +164,8 @@ Task<void> Session::start_watch(Number number, Query query, bool when_declared) 
   co_await send_changes(number, std::move(*watch));
 }
 
-// What a page does not take waits on the board, which tells it all that holds when too much does.
+// Changes that a page does not take wait on the board. When too many wait, the board tells the page anew all that
+// holds.
 Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
   while (true) {
     const Result<Change> change = co_await watch->next();

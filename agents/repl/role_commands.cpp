@@ -87,7 +87,7 @@ Task<Result<Datum>> Interpreter::role_of(Datum client, Datum role) {
   co_return fail("absent", fmt::format("{} is not served in any role{}", client.text(), hint), client);
 }
 
-// What is to be said of a server that is to take over from this one: one that is not there yet serves when it comes.
+// A remark on a server that is to take over from this one. A server that is not there yet serves when it comes.
 Task<Result<std::string>> Interpreter::remark_on_server(Datum server, Datum present) {
   const Result<std::vector<Fact>> agents = co_await context_.board.facts(read_pattern("(agent ? ? ?)"));
   if (!agents) co_return fail(agents);

@@ -23,8 +23,8 @@ struct Wish {
 // Failure malformed.
 Result<std::vector<Wish>> wishes_from(const Datum& form);
 
-// "reach 710, host bench" where the properties meet every wish; nothing where one is missing or differs. What is
-// greater or less is asked of numbers alone.
+// "reach 710, host bench" where the properties meet every wish; nothing where one is missing or differs. Only numbers
+// are compared as greater or less.
 std::optional<std::string> met_by(const std::vector<Wish>& wishes, const std::map<std::string, Datum>& properties);
 
 }  // namespace pizarra::repl

@@ -7,7 +7,8 @@ namespace pizarra::robot {
 
 namespace {
 
-// What has come meanwhile to a process that was kept from running is looked at before its silence is believed.
+// This process may have been kept from running. So it reads what came meanwhile before it believes in a client's
+// silence.
 constexpr Duration second_look = 2ms;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a held jog means for an arm that stands somewhere: on and on in one direction, until it is let go or the arm
+// The motion of a held jog, from where the arm stands: on and on in one direction, until it is let go or the arm
 // reaches no further. Pure, as plan_motion() is.
 //
 //   const Result<Motion> way = plan_jog(model, room, "left", joints);
@@ -20,7 +20,7 @@ namespace pizarra::robot {
 // How far the grip centre goes, and the tool turns, at most from the last sign of the hand to where the arm stands.
 inline constexpr double jog_overrun_mm = 10;
 inline constexpr double jog_overrun_deg = 10;
-// What it takes to notice the silence, to stop and to brake.
+// The time to notice the silence, to stop and to brake.
 inline constexpr Duration jog_stopping = 100ms;
 
 Result<Motion> plan_jog(const arm::ArmModel& model, const std::optional<Room>& room, std::string_view direction,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Who serves a client in each of its roles, while all of them run. A client names what it needs, a role, and never the
-// agent that plays it:
+// Roles: which agent serves a client in which of its needs, changeable while all of them run. A client names a role,
+// and never the agent that plays it:
 //
 //   (wired CLIENT ROLE SERVER)            durable: who is to serve; anybody who may tell it changes it
 //   (holder CLIENT ROLE SERVER STATE)     who does; the client tells it under its presence.
@@ -15,7 +15,8 @@
 //   bool there = co_await roles.wait_for("eyes", deadline);
 //   Result<Datum> seen = co_await roles.call("eyes", list("get-objects"_sym), 2s);
 //
-// Until somebody wires a role, its usual server is wired to it. Who asks once, as a prompt does, asks holder_of().
+// Until somebody wires a role, its usual server is wired to it. A client that asks once, as a prompt does, asks
+// holder_of().
 
 #include <map>
 #include <string>

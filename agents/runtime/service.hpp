@@ -38,8 +38,8 @@ class Service {
   Service(AgentContext& context, Contract contract);
   ~Service();
 
-  // Declares the runtime's and the contract's relations, waits until the name is free, tells presence and contract. Who
-  // offers anything is bound by its name (own_name.hpp), where its key lets it.
+  // Declares the runtime's and the contract's relations, waits until the name is free, tells presence and contract. An
+  // agent that offers anything is bound by its name (own_name.hpp), where its key lets it.
   Task<Result<void>> start();
   // Serves until destroyed, or until the board or the presence is lost for good.
   Task<Result<void>> serve(Handler handler);

@@ -7,9 +7,9 @@
 //   SchemeAgent agent(context, {.file = "conveyor.scm"});
 //   Job job = executor.spawn(agent.run());
 //
-// Lifecycle: as every agent. Until a file loads it is present without operations, as (program NAME broken WHY). What a
-// program told goes within two seconds of being replaced, unless the new one tells it too. It ends, with too-much-kept,
-// when what its program keeps takes more memory than it may.
+// Lifecycle: as every agent. Until a file loads it is present without operations, as (program NAME broken WHY). Facts
+// of a replaced program go within two seconds, unless the new one tells them too. It ends, with too-much-kept, when
+// what its program keeps takes more memory than it may.
 
 #include <optional>
 

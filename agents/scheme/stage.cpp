@@ -203,7 +203,7 @@ Task<Result<void>> Stage::introduce() {
     const Result<Revision> told = co_await commit(std::move(rules));
     if (!told) co_return fail(told);
     const Result<std::vector<Fact>> facts = co_await context_.board.facts(list("rule"_sym, agent, "?"_sym, "?"_sym));
-    // Who may not read them tells without naming the rule.
+    // An agent that may not read them tells its facts without naming the rule.
     if (facts) {
       for (const Fact& fact : *facts) rule_facts_[std::string(fact.datum[2].text())] = fact.id;
     }

@@ -6,8 +6,8 @@
 //   auto stage = std::make_shared<Stage>(context, caller, program, lease, allowance, log);
 //   Result<Performed> performed = co_await Stage::perform(stage, "stop-belt", bindings, {fact.id});
 //
-// What a program tells stands under the stage's lease, unless the relation is one of its own and durable. A run that
-// breaks a limit switches its part off for as long as the stage lives.
+// A program's facts stand under the stage's lease, unless the relation is one of its own and durable. A run that breaks
+// a limit switches its part off for as long as the stage lives.
 
 #include <functional>
 #include <map>
@@ -37,7 +37,7 @@ class Stage {
   // program raised it by itself to answer an operation.
   static Task<Result<Performed>> perform(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
                                          std::vector<FactId> because);
-  // What the file wants told once it is loaded, and the rules themselves.
+  // Tells the facts that the file wants told once it is loaded, and its rules.
   Task<Result<void>> introduce();
 
   // Facts that a conclusion holds: each stands while somebody holds it.

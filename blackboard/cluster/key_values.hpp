@@ -1,7 +1,7 @@
 #pragma once
 
-// What a cluster log asks of the store under it: keys in order, and transactions that happen as a whole or not at all.
-// Etcd is one (etcd_client.hpp); the tests have a model of one.
+// The store under a cluster log: keys in order, and transactions that happen as a whole or not at all. Etcd is one
+// (etcd_client.hpp); the tests have a model of one.
 //
 //   Result<Reply> reply = store.transact({.compares = {{epoch, "7"}}, .puts = {{head, "42"}}}, 200ms);
 //   if (!reply) ...                      // unavailable: whether it happened is not known

@@ -21,7 +21,7 @@ Result<std::optional<Leadership>> Leadership::campaign(KeyValues& key_values, co
   if (*standing) {
     const Result<EpochValue> former = epoch_from(**standing);
     if (!former) return fail(former);
-    // What went out before an answer was lost has happened.
+    // The transaction of which the answer was lost has happened.
     if (former->nonce == nonce) return found(key_values, keys, nonce);
     if (!seen || seen->epoch != former->number) return std::optional<Leadership>();
     mine.number = former->number + 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Who of a cell's boards leads, and for how long it may answer.
+// Which of a cell's boards leads, and for how long it may answer.
 //
 //   Result<std::optional<Leadership>> won = Leadership::campaign(key_values, keys, copy.alive(), "board-pc", nonce);
 //   Term term;
@@ -45,7 +45,7 @@ class Term {
 
 class Leadership {
  public:
-  // What a board may use of revisions and of facts' numbers before it has said so again: far more than it can.
+  // How many revisions and fact numbers a board may use before it announces the next ones: far more than it can.
   static constexpr std::uint64_t reserve = std::uint64_t{1} << 32;
 
   // `seen`: what the leader said last, if there is one. Nothing where another was faster, or the leader lives.

@@ -54,7 +54,7 @@ class Log {
   // As it was at a moment, into an empty store. Failure `forgotten` when compaction has let that moment go, `not-yet`
   // when there is no such revision.
   virtual Result<PlayedBack> read(store::Store& store, const Moment& until) const = 0;
-  // What a group should have at most, before the next one begins.
+  // The bytes after which a group should end and the next one begin.
   virtual std::size_t group_bytes() const { return 1 << 20; }
 };
 

@@ -51,7 +51,7 @@ struct BoardServerOptions {
   // Whether every answer waits until the journal has what came before it: where another board may take over that knows
   // of nothing else.
   bool answers_from_journal = false;
-  // What carries the frames, and where the numbers of sessions come from. Both outlive the server.
+  // The transport of the frames, and the source of the sessions' numbers. Both outlive the server.
   wire::Transport* transport = &wire::zeromq();
   std::function<std::uint64_t()> random_number = Sessions::random_number;
 };

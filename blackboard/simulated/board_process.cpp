@@ -59,7 +59,7 @@ Result<void> BoardProcess::begin(Life& life) {
   return {};
 }
 
-// What it is made of is taken down when nothing of it reaches the network or the disk any more.
+// Its parts are destroyed once none of them reaches the network or the disk any more.
 void BoardProcess::kill() {
   life_->process.kill();
   network_.unplug(name);

@@ -26,7 +26,7 @@ void DiskFile::lose_some(Random& random) {
     const std::size_t end = static_cast<std::size_t>(before->offset) + before->text.size();
     if (data.size() < end) data.resize(end, '\0');
     std::ranges::copy(before->text, data.begin() + before->offset);
-    // What made it longer is not there, unless something behind it is.
+    // The bytes that a lost write added are gone, unless a later write behind them lasts.
     const bool is_last = data.size() > before->bytes;
     if (is_last && random.below(2) == 0) data.resize(std::max(end, before->bytes));
   }

@@ -32,7 +32,7 @@ struct DiskFile {
   std::int64_t set_aside = 0;  // bytes beyond what is written that nobody else may have
   bool locked = false;         // by a board, for as long as it lives
 
-  // What stood where something was written since it was flushed.
+  // The contents that an unflushed write replaced.
   struct Before {
     std::int64_t offset;
     std::string text;

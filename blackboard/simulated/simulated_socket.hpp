@@ -30,7 +30,7 @@ class SimulatedSocket : public wire::FrameSocket {
 
  private:
   friend class Network;
-  // What has come to its process, which may be held up.
+  // Takes a frame that has come to its process, which may be held up.
   void take(const std::string& peer, std::string frame);
   void hear_connected();
 

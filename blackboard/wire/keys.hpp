@@ -11,7 +11,7 @@
 //   tell       tell and retract facts, except those that another told under its lease
 //   take       take facts
 //   read       ask for and watch facts
-//   override   replace and retract what another told under its lease, too
+//   override   replace and retract also facts that another told under its lease
 //
 //   Result<KeyPair> pair = make_keys("keys", "robot", permissions);   // writes both files
 //   Result<ClientKeys> keys = read_client_keys("keys/robot.secret");  // with the board's public key, board.key beside

@@ -14,10 +14,10 @@
 //     (home  0 100 -72 -90 0 500)                          ; a number an axis
 //     (ready 0 60 -90 -90 0 500))
 //
-// `articulated` may be polar, scara or gantry instead; arm_model.hpp says which axes each has and what they count.
-// Of `articulated`, without an axis of roll, also (side 133) where the links' plane lies beside axis 1, and (across
-// 100) where the tool lies beside the pitch axis. What is left out is 0, counts upwards (sense 1) and from the link
-// before. (pizarra arm) interprets it.
+// `articulated` may be polar, scara or gantry instead; arm_model.hpp says which axes each has and what they count. Of
+// `articulated`, without an axis of roll, also (side 133) where the links' plane lies beside axis 1, and (across 100)
+// where the tool lies beside the pitch axis. A number that is left out is 0. An axis counts upwards (sense 1) and from
+// the link before, unless it says otherwise. (pizarra arm) interprets it.
 
 #include "drivers/arm/arm_model.hpp"
 #include "lisp/reader.hpp"

@@ -61,7 +61,7 @@ struct Range {
   double high;
 };
 
-// What it reads is sense * (value - zero), where the value is
+// An axis reads sense * (value - zero). The value is
 //   turn, spin      anticlockwise from above, the tool down
 //   shoulder        the elevation of the upper arm, or of the polar arm
 //   elbow, pitch    how much what follows is raised against the link before; or its elevation, where `from_base`

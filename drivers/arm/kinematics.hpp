@@ -13,8 +13,8 @@
 //
 //   R = Rz(turn) R0 Ry(elevation of the forearm) Rz(-roll) Ry(pitch) Rz(-spin),  R0 = columns (z, -y, x)
 //
-// The thesis' convention of the CRS-F3 (Table B.3): th1 = 90 + j2 and th2 = 90 + j2 + j3 are the elevations of upper
-// arm and forearm, and the tool is down where j5 = -180 - j2 - j3 and j4 = 0.
+// The thesis' convention of the CRS-F3 (Table B.3): th1 = 90 + j2 is the elevation of the upper arm, th2 = 90 + j2 + j3
+// that of the forearm; the tool is down where j5 = -180 - j2 - j3 and j4 = 0.
 //
 //   const Result<Joints> there = inverse(model, pose, joints);       // nearest to where the arm stands
 //   forward(model, *there);                                          // pose again

@@ -1,9 +1,9 @@
 #pragma once
 
-// The first thing that is asked of an arm's controller, and of one that was away: whether it is of the arm that is
-// meant, and that nothing moves there for nobody. What another had begun before goes on at most controllers, whatever
-// became of who began it; it is stopped here, for every driver alike. So is, unseen, the arm of a controller that does
-// not say whether it moves. What somebody moves by the pendant is theirs.
+// The first questions to an arm's controller, and to one that was away: is it of the arm that is meant, and does
+// nothing move there for nobody? At most controllers a motion goes on whatever becomes of the client that began it. It
+// is stopped here, for every driver alike. The arm of a controller that does not say whether it moves is stopped as
+// well. An arm that somebody moves by the pendant is left alone.
 //
 //   const Result<ArmMeeting> met = co_await meet_arm(executor, driver, model);
 //

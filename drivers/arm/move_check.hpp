@@ -1,7 +1,7 @@
 #pragma once
 
-// What every arm driver refuses before anything goes over its wire: waypoints beyond the limits, what is no number; and
-// whether an arm stands where one of this file can.
+// Checks that every arm driver makes. Before a move goes over its wire: waypoints within the limits, and real numbers.
+// Of a reading: whether an arm of this file can stand there.
 
 #include <cmath>
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ inline Result<void> check_move(const ArmModel& model, const std::vector<Joints>&
   return {};
 }
 
-// What a controller may report beyond a limit, degrees or mm.
+// How far beyond a limit a controller may report an axis, degrees or mm.
 inline constexpr double limit_slack = 1;
 
 // Failure: joint-limit (with the axis).

@@ -82,7 +82,7 @@ Range range_of(const ArmModel& model, const Joints& joints, std::size_t index) {
   const Axis& axis = model.axes[index];
   if (!axis.stops) return axis.limits;
   const Posture posture = posture_of(model, joints);
-  // What the axis would read with no angle between it and the link before.
+  // The reading of the axis with no angle between it and the link before.
   const double carrier = axis.role == Role::pitch ? forearm_elevation_deg(model, posture) : posture.place[1];
   const double level = axis.sense * (carrier - axis.zero);
   const double a = level + axis.sense * axis.stops->low;

@@ -31,8 +31,8 @@ Joints joints_of(const ArmModel& model, const Posture& posture);
 // How far the last of the three leads the wrist's frame above the horizontal: scara and gantry hold it straight down.
 double forearm_elevation_deg(const ArmModel& model, const Posture& posture);
 
-// What the axis may read with the others where they are: its limits and, of an axis that is counted from the base, what
-// its stops leave of them.
+// The readings that the axis can take with the others where they are: its limits, and, of an axis that is counted from
+// the base, the part of them within its stops.
 Range range_of(const ArmModel& model, const Joints& joints, std::size_t axis);
 
 }  // namespace pizarra::arm

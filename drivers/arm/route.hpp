@@ -5,8 +5,7 @@
 //
 //   for (const Leg& leg : legs_of(model, joints, waypoints)) ...
 //
-// What the legs lead through stays within 0.05 degrees (or mm) of the waypoints' axes, or 0.2 mm and 0.05 degrees of
-// their line.
+// The legs stay within 0.05 degrees (or mm) of the waypoints' axes, or within 0.2 mm and 0.05 degrees of their line.
 
 #include "drivers/arm/kinematics.hpp"
 

@@ -28,9 +28,9 @@ class ExternalPlanner {
   explicit ExternalPlanner(std::string command, ProcessLimits limits = {})
       : command_(std::move(command)), limits_(limits) {}
 
-  // Failures: bad-command ({domain} or {problem} is missing), planner-missing (no such program), planner-crashed (a
-  // signal, also one that a shell tells as a status of 128 and more), planner-failed (an exit status, and no plan),
-  // garbage (no plan in what it wrote, or no plain file in its plan's place), time-out, cancelled, too-much-output,
+  // Failures: bad-command ({domain} or {problem} is missing); planner-missing (no such program); planner-crashed (a
+  // signal, also one that a shell tells as a status of 128 and more); planner-failed (an exit status, and no plan);
+  // garbage (no plan in its output, or no plain file in its plan's place); time-out, cancelled, too-much-output;
   // no-folder (nowhere to write).
   Result<PlanClaim> plan(const std::string& domain, const std::string& problem, const PlanOperators& operators,
                          const std::function<bool()>& cancelled) const;

@@ -12,8 +12,8 @@ namespace pizarra::simulation {
 
 class SimulatedArm : public arm::ArmDriver {
  public:
-  // What it does where the other end has forgotten that it has control: a world that began anew gives it again, without
-  // an alarm that this could reset; whether a real arm's may be taken, its commander says.
+  // The reaction where the other end has forgotten that this arm has control. A world that began anew gives control
+  // again, and has no alarm that this could reset. Of a real arm its commander says whether it may be taken.
   enum class AfterLoss : std::uint8_t { take_control, fail };
 
   // The link outlives it. The device is `arm` or `second-arm`.

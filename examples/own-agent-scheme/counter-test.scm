@@ -1,4 +1,4 @@
-; What others tell counter, and what is expected of it.
+; Facts that others tell counter, and the facts that it is expected to tell.
 (tell (barrier exit blocked))
 (expect (passed 1))
 (tell (barrier exit free))

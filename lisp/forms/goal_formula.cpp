@@ -46,7 +46,7 @@ bool contradicts_itself(const Way& way) {
                              [&](const Datum& literal) { return literal.is_form("not") && way.contains(literal[1]); });
 }
 
-// What goes beyond another way is none of its own.
+// A way that asks for more than another one is dropped.
 Ways shortest(Ways ways) {
   std::ranges::sort(ways,
                     [](const Way& a, const Way& b) { return a.size() != b.size() ? a.size() < b.size() : a < b; });

@@ -3,9 +3,9 @@
 // A text that a person wrote, interpreted by one of our Scheme modules: text in, normalised Datum or one report of all
 // errors out.
 //
-// `(pizarra MODULE)` exports `interpret` (or another `procedure`), which gets the list of all data of the source, and
-// the `more` arguments, and returns `(ok VALUE)` or `(errors (symbol "sentence" (path ...) ("context" ...)) ...)`,
-// where a path leads from the top of the source to the wrong element. (pizarra forms) does the plumbing:
+// `(pizarra MODULE)` exports `interpret` (or another `procedure`). It gets the list of all data of the source, and the
+// `more` arguments. It returns `(ok VALUE)` or `(errors (symbol "sentence" (path ...) ("context" ...)) ...)`. A path
+// leads from the top of the source to the wrong element. (pizarra forms) does the plumbing:
 // lisp/modules/pizarra/forms.scm.
 //
 //   Result<Source> source = read_source_file("cell.scm");

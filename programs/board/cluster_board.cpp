@@ -32,7 +32,7 @@ void say(const std::string& news) {
   std::fflush(stdout);
 }
 
-// What etcd says is said once, until it is something else.
+// A trouble with etcd is reported once, until it becomes another one.
 class Troubles {
  public:
   void note(const Result<void>& result) {

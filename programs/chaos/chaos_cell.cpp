@@ -165,7 +165,7 @@ void ChaosCell::supervise() {
     }
     if (agents_.contains(kind) || away_until_[kind] > now) continue;
     if (plant_ == "not-restarted" && kind == "planner") continue;
-    // What keeps it from starting now may not when it is tried next.
+    // The cause that keeps it from starting now may be gone at the next attempt.
     if (!start(kind)) away_until_[kind] = now + 1s;
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is wrong with the devices of a cell just now, which its lines to them bring about (device_line.hpp). Times are
-// the world's.
+// The present faults of a cell's devices. The cell's lines to them bring these about (device_line.hpp). Times are the
+// world's.
 //
 //   DeviceFaults faults;
 //   faults.arm_away_until = time.now() + 2s;

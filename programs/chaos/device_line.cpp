@@ -11,7 +11,7 @@ namespace {
 using simulation::Message;
 
 constexpr Duration way = 100us;
-// Who asks later than a frame was taken is given the next one.
+// A client that asks so long after a frame was taken is given the next one.
 constexpr Duration behind_a_frame = 1ms;
 
 struct Answer {

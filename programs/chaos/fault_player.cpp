@@ -139,7 +139,7 @@ void FaultPlayer::do_to_arm(const Datum& what) {
   }
 }
 
-// What it asks for may not be to be had just then: nothing is held that could slip, or nothing moves.
+// The request may be impossible just then: nothing is held that could slip, or nothing moves.
 Task<void> FaultPlayer::ask_world(Datum request) {
   [[maybe_unused]] const Result<simulation::Message> done = co_await cell_.world().world->handle(std::move(request));
 }

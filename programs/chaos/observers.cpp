@@ -18,7 +18,7 @@ constexpr Duration stop_is_heard = 100ms;
 constexpr Duration brakes_take = 250ms;
 constexpr Duration look_slack = 60ms;
 
-// What an event's sentence tells of, where that is a point of the coverage.
+// Events that are points of the coverage, recognised by words of their sentence.
 struct Telling {
   std::string_view kind;
   std::string_view words;
@@ -130,7 +130,7 @@ void Observers::look_at_board() {
   }
   const std::vector<Datum> arm = facts_of(board, "(arm robot stopped ?)");
   const std::string action = arm.empty() ? std::string() : std::string(arm.front()[3].text());
-  // What it was told to do is no reason of its own.
+  // An order that it was given is no reason of its own.
   const bool is_reason = !action.empty() && !action.starts_with('(');
   if (action != arm_action_ && is_reason) coverage_.hit("arm " + action);
   arm_action_ = action;
@@ -148,7 +148,7 @@ void Observers::note_event(const Datum& event) {
   }
 }
 
-// Who lives on and is not present any more has lost its lease.
+// An agent that lives and is not present any more has lost its lease.
 void Observers::look_at_presence() {
   for (const std::string& kind : cell_.kinds()) {
     const bool there = !facts_of(cell_.board(), list("agent"_sym, Datum::symbol(kind), "?"_sym, "?"_sym)).empty();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Who looks at a running cell from outside and says what must never be: no agent knows of them. They see each request
-// that reaches the arm's controller, what stands on the board, and the world itself.
+// Observers look at a running cell from outside and report what must never happen. No agent knows of them. They see
+// each request that reaches the arm's controller, the facts on the board, and the world itself.
 //
 //   Observers observers(cell, judge, tell);
 //   observers.begin();
@@ -40,12 +40,12 @@ class Observers {
   void acknowledged(std::int64_t mark) { marks_.insert(mark); }
   // Whether the world showed these facts at some time lately.
   bool showed_lately(const std::vector<Datum>& goal) const;
-  // What stands on the board is held against what was acknowledged.
+  // Compares the facts on the board with those that were acknowledged.
   void check_marks();
   void add_unsafe(std::string sentence);
   const std::vector<std::string>& unsafe() const { return unsafe_; }
   const Coverage& coverage() const { return coverage_; }
-  // What is true in the world now, and how each cube lies.
+  // The facts that are true in the world now, and how each cube lies.
   const story::WorldState& world() const { return newest_; }
 
  private:

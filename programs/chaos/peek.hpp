@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands on the board of a running cell, looked at from outside: no agent and no session takes part in it.
+// Reads the facts on the board of a running cell from outside: no agent and no session takes part in it.
 //
 //   std::vector<Datum> facts = facts_of(cell.board(), "(goal-state 1 ? ?)");   // none where the board does not live
 

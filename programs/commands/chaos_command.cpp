@@ -65,7 +65,7 @@ std::optional<std::vector<std::size_t>> numbers_of(const std::string& text) {
   return numbers;
 }
 
-// What a line to replay a run says beside its seed and faults.
+// The rest of a line that replays a run, beside its seed and faults.
 std::string replay_with(const ChaosChoices& choices) {
   std::string words;
   if (!choices.cell_file.ends_with("examples/01-blocks/cell.scm")) words += " " + choices.cell_file;

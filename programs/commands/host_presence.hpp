@@ -1,6 +1,6 @@
 #pragma once
 
-// What `up` tells of the host that it runs on, for `hosts` to show: `(host NAME VERSION OFFSET-MS)`, under a lease. The
+// `up` tells of the host that it runs on, for `hosts` to show: `(host NAME VERSION OFFSET-MS)`, under a lease. The
 // offset is how far this machine's wall clock is ahead of the board's clock.
 //
 //   const Job told = executor.spawn(tell_host(board, executor, "arm-pc"));        // until it is destroyed

@@ -30,7 +30,7 @@ constexpr std::string_view old_name = "counter";
 constexpr std::string_view old_class = "Counter";
 constexpr std::size_t longest_name = 64;
 
-// What can name an agent, a file, a CMake project and, in another spelling, a class.
+// Whether the name suits an agent, a file, a CMake project and, in another spelling, a class.
 Result<void> check_name(const std::string& name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; };

@@ -138,7 +138,7 @@ Result<void> Up::start_plugin() {
                               device_address("robot")});
 }
 
-// Who has a key of its own comes with it to where keys are asked for, also on the board's own host.
+// An agent with a key of its own joins with it at the address that asks for keys, also on the board's own host.
 Result<void> Up::start_scheme_agent(const forms::CellSchemeAgent& agent) {
   const bool own_key = !agent.key.empty();
   const std::string& key = own_key ? agent.key : key_;

@@ -33,7 +33,7 @@ std::string recommend(const Nature& nature) {
 void advise(Connection& connection, double seconds) {
   const bool pushes = connection.pattern == "PUSH";
   const bool waits = connection.pattern == "QUERY";
-  // What a publisher tells is the server's side of the balance; who asked for it once is light.
+  // The facts that a publisher tells are the server's side of the balance. The client asked once, which weighs little.
   const Nature nature{.addressees = connection.addressees,
                       .waits = waits,
                       .bytes = pushes ? 0 : connection.bytes,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Connect: the pattern that the thesis' Tables 4.4 and 4.5 have for a connection, by the number of addressees, by
-// whether the client waits, and by the balance of what goes there and back.
+// Connect: recommends a connection's pattern, by the thesis' Tables 4.4 and 4.5. It depends on the number of
+// addressees, on whether the client waits, and on the balance of the bytes there and back.
 //
 //   recommend({.addressees = 1, .waits = true, .bytes = 40, .bytes_back = 20});     // QUERY
 
@@ -11,7 +11,7 @@ namespace pizarra::method {
 
 // A message of so many bytes is heavy: a page of text, far more than any command.
 inline constexpr double heavy_bytes = 1024;
-// Who waits longer for an answer had better be told of it: the thesis asks of its eyes an answer within 2 s.
+// A client that waits longer for an answer had better be pushed it: the thesis asks its eyes to answer within 2 s.
 inline constexpr double long_wait_ms = 2000;
 
 struct Nature {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What people write of components, and the lists that stand with the drivers:
+// Descriptions of components that people write, and the lists that stand with the drivers:
 //
 //   (system "the thesis' cell"
 //     (component vision-server (physical) (performance) (connections 3))

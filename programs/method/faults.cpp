@@ -7,7 +7,7 @@ namespace pizarra::method {
 
 namespace {
 
-// What is asked within so long before the end of the look may still be answered.
+// A question so close to the end of the look may still be answered.
 constexpr double open_for_s = 10;
 
 std::string times(std::size_t count) { return count == 1 ? "once" : fmt::format("{} times", count); }
@@ -31,7 +31,7 @@ void find_false_contracts(const Traffic& traffic, std::vector<Fault>& faults) {
     for (const std::string& watcher : flow.watchers) {
       const auto agent = traffic.agents.find(watcher);
       if (agent == traffic.agents.end()) continue;
-      // What it tells itself it need not say that it reads.
+      // A contract need not say that an agent reads a relation that it posts itself.
       const bool own = names_in(agent->second.contract, "posts").contains(relation);
       if (own || names_in(agent->second.contract, "reads").contains(relation)) continue;
       faults.push_back({"false-contract", watcher,
@@ -40,7 +40,7 @@ void find_false_contracts(const Traffic& traffic, std::vector<Fault>& faults) {
   }
 }
 
-// What people look at is named among a contract's monitors.
+// A relation for people to look at is named among a contract's monitors.
 bool is_for_people(const Traffic& traffic, const std::string& relation) {
   return std::ranges::any_of(traffic.agents, [&](const auto& agent) {
     return names_in(agent.second.contract, "monitors").contains(relation);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the method finds, as text for people, as JSON, and as a picture for a paper.
+// The findings of the method, as text for people, as JSON, and as a picture for a paper.
 //
 //   const Report report = report_on(traffic, kinds, lists);
 //   fmt::print("{}", text_of(report));

@@ -96,9 +96,9 @@ struct Traffic {
 
 // The names in a contract's part: offers, posts, reads, configures, monitors.
 std::set<std::string> names_in(const Datum& contract, std::string_view part);
-// What every agent tells and watches by what it stands on, which says nothing of the system.
+// A relation that every agent tells or watches through the runtime, and that says nothing of the system.
 bool is_of_every_agent(const std::string& relation);
-// Prompts, tools and tellers of stories: who uses the cell and is no part of it.
+// Prompts, tools and tellers of stories: they use the cell and are no part of it.
 bool is_visitor(const std::string& kind);
 // Who reads it: those seen to watch it, or, where watches are not seen, those whose contract says so.
 std::set<std::string> readers_of(const Traffic& traffic, const std::string& relation);

@@ -43,7 +43,7 @@ int run_plugin(const PluginChoices& choices) {
   const StopSignals signals(executor);
   const Result<PluginLibrary> library = PluginLibrary::load(choices.library, plugin_folders(choices.folder));
   if (!library) return complain(library.error(), exit_usage);
-  // What it might start has no more rights than it.
+  // A program that it might start gets no more rights than it has.
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   const Result<std::unique_ptr<PluginDevice>> device = make_device(choices, *library, executor);
   if (!device) return complain(device.error(), exit_usage);

@@ -25,7 +25,7 @@ class Trial {
     executor_.run_for(step);
   }
 
-  // What is wrong with the form, or why it is none; nothing where all is as expected.
+  // Answers what was not as expected, or nothing. Fails where the form is none of these.
   Result<std::string> perform(const Datum& form);
   Result<std::string> loaded();
 

@@ -17,7 +17,7 @@
 
 namespace pizarra::programs {
 
-// Failures: those of a form that is none of these. What was not as expected is answered, each with its line.
+// Failures: those of a form that is none of these. Answers whatever was not as expected, each with its line.
 Result<std::vector<std::string>> try_agent(const std::string& name, scheme::SchemeOptions options, const Source& story);
 
 }  // namespace pizarra::programs

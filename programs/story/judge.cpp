@@ -36,7 +36,7 @@ std::vector<Datum> folded(const std::vector<Datum>& facts) {
   return out;
 }
 
-// What the goal wants in the end, as the world's names are spelled; types keep their spelling.
+// The facts that the goal wants in the end, with names spelled as the world does; types keep their spelling.
 std::vector<Datum> wanted_in_the_end(const std::vector<Datum>& goal) {
   std::vector<Datum> normal;
   for (const Datum& form : goal) normal.push_back(forms::without_variables(form));

@@ -24,7 +24,7 @@ struct StoryOptions {
   // Ends the story before its end when a signal has come; none: nothing does. Outlives the run.
   const StopSignals* stop = nullptr;
   DirectorOptions director = {};
-  // What goes on in the cell beside the story until that ends, as to measure; none: nothing does.
+  // A task that runs beside the story until that ends, for instance to measure. Empty: none.
   std::function<Task<void>(launcher::LocalCell& cell)> beside = {};
 };
 

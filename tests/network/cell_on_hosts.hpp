@@ -33,7 +33,7 @@ class CellOnHosts {
   bool comes(const std::string& host, const std::string& words, const std::string& wanted,
              std::chrono::seconds patience = std::chrono::seconds(90)) const;
   bool all_are_there() const;
-  // What all hosts have said, for a test that failed.
+  // The output of all hosts, for a test that failed.
   std::string said() const;
 
  private:

@@ -8,7 +8,7 @@
 //   while (auto packet = line.give(now)) ...
 //   line.next();                            // when the next one is due, if one is under way
 //
-// What is under way when the conditions change keeps its time. The same seed loses the same packets.
+// Packets under way when the conditions change keep their times. The same seed loses the same packets.
 
 #include <chrono>
 #include <cstdint>

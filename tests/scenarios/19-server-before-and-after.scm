@@ -1,5 +1,5 @@
-; Clients begin before their servers and outlive them (a), a server comes back that died with its name bound (b), all of
-; several go and come (c), and a wrong kind is wired (d).
+; Clients begin before their servers and outlive them (a). A server that died with its name bound comes back (b). All of
+; several go and come (c). A server of a wrong kind is wired (d).
 (scenario "servers come late, go and come back, and one of a wrong kind is wired"
   (cell "cells/two-of-each.scm")
   (before-goal (kill planner) (kill planner-2) (kill vision) (kill vision-2) (kill coordinator) (wait 3)

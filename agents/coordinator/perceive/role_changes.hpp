@@ -1,7 +1,7 @@
 #pragma once
 
-// What follows when another agent plays a role while the coordinator works: its facts are followed, it is told to
-// track, and the story says so.
+// Follows changes of roles while the coordinator works. It follows the facts of the agent that now plays the role,
+// tells it to track, and says so in the story.
 //
 //   RoleChanges changes(context, roles, surroundings, eyes, story, service);
 //   Job following = executor.spawn(changes.follow());

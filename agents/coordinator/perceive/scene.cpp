@@ -34,7 +34,7 @@ void Scene::take_camera(const CameraModel& model) {
   turn_view();
 }
 
-// What the arm's word is off by was seen by that camera. The view stays for what is under way.
+// The offset of the arm's word was measured with that camera. The view stays, for an operation under way.
 void Scene::forget_camera() {
   model_.reset();
   pose_off_mm_ = Eigen::Vector3d::Zero();
@@ -134,8 +134,8 @@ std::optional<std::string> Scene::foremost(const std::set<std::string>& but) con
   return foremost;
 }
 
-// What falls off a pile comes to lie within this, in cubes. Behind a cube that stands alone, one that was never seen is
-// not looked for: it is more likely to be away.
+// A cube that falls off a pile comes to lie within this, in cubes. Behind a cube that stands alone, one that was never
+// seen is not looked for: it is more likely to be away.
 std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but) const {
   constexpr double falls_within = 3;
   const Sighting* last = sightings_.find(missing);

@@ -11,7 +11,7 @@ namespace pizarra::coordinator {
 
 using Facts = std::set<Datum>;
 
-// What of `needed`, facts and (not FACT), is not so.
+// Those of `needed`, facts and (not FACT), that do not hold.
 std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed);
 
 struct GroundOperation {

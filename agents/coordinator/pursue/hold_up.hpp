@@ -1,14 +1,14 @@
 #pragma once
 
-// What holds the cell up and says nothing of its goal: somebody's stop, the pendant, an arm whose line is silent or
-// that has an alarm, a disk that is full. It is waited for, and the pursuit then begins with a look.
+// Hold-ups stop the cell and say nothing of its goal: somebody's stop, the pendant, an arm whose line is silent or that
+// has an alarm, a full disk. The pursuit waits until one ends, and then begins with a look.
 //
 //   HoldUp hold_up(context, story, vigil);
 //   if (is_hold_up(why)) done = co_await hold_up.await_end(why);      // interrupted, or it lasts too long
 //   hold_up.went_on();                                                 // an operation was done
 //
-// A stop is waited for as long as it stands; what else holds the cell up ten minutes at most. It is tried again after a
-// second at first, and after eight in the end.
+// A stop is waited for as long as it stands, any other hold-up ten minutes at most. It is tried again after a second at
+// first, and after eight in the end.
 
 #include <optional>
 

@@ -85,7 +85,7 @@ Task<Result<NextOperation>> Planning::next(std::int64_t goal) {
 Result<NextOperation> Planning::read(const Datum& reply) const {
   if (reply.size() != 4) return fail("bad-reply", "the planner handed out no operation", reply);
   NextOperation next{static_cast<std::size_t>(reply[0].integer()), {}, facts_of(reply[2]), facts_of(reply[3])};
-  // What the domain says always holds is not seen, and needs no watching.
+  // Facts that the domain says always hold are not seen, and need no watching.
   const std::vector<Datum>& always = domain_.domain().facts;
   for (const Datum& fact : always) {
     next.needed.erase(fact);

@@ -28,7 +28,8 @@ class Planning {
   // Has a plan made from what is believed now, and answers its operations, one after another; none where the goal
   // holds. Failures: no-plan (proved), gave-up, absent, and what the planner says of a task it cannot read.
   Task<Result<std::vector<Datum>>> make_plan(std::int64_t goal, std::vector<Datum> facts);
-  // What is seen, and what the domain says is always there, with their types: over these a goal quantifies.
+  // The objects that are seen, and those that the domain says are always there, with their types. A goal quantifies
+  // over these.
   forms::TypedObjects objects() const;
   // From what is believed now. Failures: off-plan, where no end of the goal's plan serves; not-ready, where it has
   // none; absent.

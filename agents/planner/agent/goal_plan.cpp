@@ -60,7 +60,7 @@ Result<GoalPlan> plan_goal(Replanner& replanner, PlanningTask task, const std::v
     if (!plan) {
       const bool ends = !is_proof(plan.error()) && plan.error().symbol != "gave-up";
       if (ends) return fail(plan);
-      // What was given up is no proof, whatever was proved of the others.
+      // A search that was given up is no proof, whatever was proved of the others.
       if (!why_none || (is_proof(*why_none) && !is_proof(plan.error()))) why_none = plan.error();
       continue;
     }

@@ -9,9 +9,9 @@
 
 namespace pizarra::planner {
 
-// For a fact, or `(not FACT)`, of which it was proved that it never holds. The chain ends in one of these: a fact that
-// is missing at the beginning, a type without objects, an object of another type, an operator that no objects suit, a
-// cost without a value, or an action whose needs never hold together. Cancelled, it says what it has found out.
+// For a fact, or `(not FACT)`, of which it was proved that it never holds. The chain ends in a fact that is missing at
+// the beginning; a type without objects; an object of another type; an operator that no objects suit; a cost without a
+// value; or an action whose needs never hold together. Cancelled, it says what it has found out.
 std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
                       const std::function<bool()>& cancelled);
 

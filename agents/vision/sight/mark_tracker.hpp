@@ -8,9 +8,9 @@
 // expected where its motion would have brought it, and is said not to be seen. For so long, a mark of another size
 // elsewhere is not taken for it. A mark that looked like it elsewhere, in the image in which it was found or in that in
 // which it was seen last, never is. A mark that was in neither image may be another object. So one that is found
-// elsewhere than where it was lost is not sure until it has been followed for as long as it had been lost, from half a
-// second to five. Where the lost one is seen again meanwhile, it is there. Where others like it were there from the
-// first, it may be one of those, and is not sure while they are in view.
+// elsewhere than where it was lost is not sure at first. It must have been followed for as long as it had been lost,
+// from half a second to five. Where the lost one is seen again meanwhile, it is there. Where others like it were there
+// from the first, it may be one of those, and is not sure while they are in view.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));

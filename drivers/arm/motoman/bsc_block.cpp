@@ -38,7 +38,7 @@ std::optional<std::size_t> size_of_sign(std::string_view octets) {
   }
   if (octets == std::string_view(&dle, 1)) return 0;
   if (!begins_a_block(octets.front())) return std::nullopt;
-  // What cannot stand in a block ends one that noise began.
+  // An octet that cannot stand in a block ends a block that noise began.
   if (octets.find_first_of(never_in_text, 1) < octets.find_first_of(ends)) return std::nullopt;
   const std::size_t last = octets.find_first_of(ends);
   if (last == std::string_view::npos && octets.size() >= longest_block) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What goes over a serial line by the rules that Yaskawa's older controllers share with IBM's Binary Synchronous
+// Octets on a serial line by the rules that Yaskawa's older controllers share with IBM's Binary Synchronous
 // Communications: control characters, and blocks that carry text.
 //
 //   ENQ  ACK0 (10 30)  ACK1 (10 31)  NAK  EOT

@@ -7,10 +7,11 @@
 //
 // Lifecycle: open(); send() and receive(), one at a time. A cancelled one leaves a link half way; the next begins
 // afresh. Where an answer is lost the sender asks for it again (ENQ), a block whose sum is wrong comes again (NAK), and
-// a block that comes twice is one. Who has heard all of a text and waits for EOT in vain takes it for sent.
+// a block that comes twice is one. A receiver that has heard all of a text and waits for EOT in vain takes the text for
+// complete.
 //
-// Where both begin at once the one that insists goes first: the controller. What it says then was for somebody who is
-// gone, and is dropped; so nobody takes the answer to another's question.
+// Where both begin at once the one that insists goes first: the controller. Its text then was for a client that is
+// gone, and is dropped. So nobody takes the answer to another's question.
 //
 // How many times and how long it waits is its own choice, as those of a controller are its parameters.
 

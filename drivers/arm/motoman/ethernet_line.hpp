@@ -8,9 +8,9 @@
 //   HOSTCTRL_REQUEST SVON 2<CR><LF>                 OK: SVON<CR><LF>
 //   1<CR>                                           0000<CR>
 //
-// A command is begun by its operands alone: what fails before they are sent may be tried again, also a motion. What
-// fails after them, a motion's answer that does not come, is `no-answer`. Questions and other orders are then asked
-// again for a second.
+// A command begins only with its operands: one that fails before they are sent may be tried again, also a motion. A
+// motion whose answer does not come after them fails with `no-answer`. Questions and other orders are then asked again
+// for a second.
 //
 // How far it is proven: docs/write-a-driver.md.
 
@@ -53,7 +53,7 @@ class EthernetLine : public HostLine {
   const std::string device_;
   line::Frames lines_;
   Turns turns_;
-  // Nothing is under way over it. What was cut off in the middle would be answered to whoever comes next.
+  // Nothing is under way over it. The answer to an exchange that was cut off in the middle would go to the next one.
   bool session_ = false;
 };
 

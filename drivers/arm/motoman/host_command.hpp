@@ -45,7 +45,7 @@ class HostLine {
   virtual Duration longest_silence() const { return 150ms; }
 };
 
-// What the code of a refusal is as a failure.
+// The failure of a refusal with this code.
 std::unexpected<Failure> refused_command(const std::string& name, std::string_view code);
 // Whether the text is a code of four digits; "0000" says that all is well.
 bool is_host_code(std::string_view text);

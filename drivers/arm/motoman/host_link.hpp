@@ -7,8 +7,8 @@
 //   HostLink link(line);
 //   MotomanArm arm(executor, link, model);
 //
-// Positions are asked for as pulses (RPOSJ) and in the base frame (RPOSC 0), moves ordered as PMOVJ and MOVL, the
-// gripper's variables read and written as D variables (SAVEV 2, LOADV 2).
+// Positions are asked for as pulses (RPOSJ) and in the base frame (RPOSC 0). Moves are ordered as PMOVJ and MOVL. The
+// gripper's variables are read and written as D variables (SAVEV 2, LOADV 2).
 //
 // How far it is proven: docs/write-a-driver.md; never with hardware. The order of the
 // operands is that of public clients used with NX100 and DX200 controllers; what RALARM answers is from memory.

@@ -27,7 +27,7 @@ std::unexpected<Failure> wrong(const char* what) {
   return fail("bad-message", std::string("this is no message of a High Speed Ethernet Server: ") + what);
 }
 
-// What both have in common, up to where they differ; answers the id.
+// Reads the part that requests and replies have in common. Answers the id.
 Result<std::uint8_t> read_common(line::OctetReader& read, std::uint8_t kind) {
   if (read.text(mark.size()) != mark || read.u16() != header_size) return wrong("it does not begin like one");
   const std::uint16_t size = read.u16();

@@ -11,13 +11,13 @@
 // controller says its own tool is, so that neither its tool's length nor its base frame's origin need be known; the
 // axes of that frame must be the cell's.
 //
-// Every target is gone to exactly once, whatever the line loses or repeats: one whose answer does not come is looked
-// into (does the arm run? is it there?) before it is ordered again, and no other is ordered before. It does so as the
-// arm's only commander, and over lines on which no datagram is older than the target in hand: the protocol has nothing
-// by which a controller would know an old one. What remains is an order that the network kept for longer. While the arm
-// moves the controller refuses it; while the arm stands it is carried out, and read(), which finds an arm in remote
-// mode running for nobody, holds it: it goes as far as it gets between two readings. Between two targets of a move it
-// is taken for the second's beginning, and the move fails, `stopped`, where it leads.
+// Every target is gone to exactly once, whatever the line loses or repeats. Where an answer does not come, the driver
+// looks (does the arm run? is it there?) before it orders the target again, and orders no other before. That holds
+// while it is the arm's only commander, and no datagram on the line is older than the target in hand: the protocol has
+// nothing by which a controller would know an old one. An order that the network kept for longer remains a danger.
+// While the arm moves the controller refuses it. While the arm stands it is carried out; read() finds an arm in remote
+// mode running for nobody and holds it, so that it moves between two readings only. Between two targets of a move it is
+// taken for the second's beginning, and the move fails, `stopped`, where it leads.
 //
 // take_control() resets alarms, ends its own hold and switches the servos on; not at the pendant's word, whose TEACH
 // refuses it. None of the protocols has a bit of the emergency stop: with it pressed the servos are off and do not come

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a MotomanArm needs of a Motoman controller, whichever protocol reaches it: pulses, millimetres and switches, as
-// the controller has them.
+// The interface of a MotomanArm to a Motoman controller, whichever protocol reaches it: pulses, millimetres and
+// switches, as the controller has them.
 //
 // Lifecycle: open(); the others. `no-answer` and `disconnected` leave open whether the controller has done what was
 // asked. Questions and switches are repeated until they are answered; a move is sent ONCE, so that it is the arm's part
@@ -33,7 +33,7 @@ struct MotomanStatus {
   bool servo = false;
 };
 
-// What a controller's two status words say, whichever protocol brings them.
+// Reads a controller's two status words, whichever protocol brings them.
 inline MotomanStatus motoman_status(std::uint32_t modes, std::uint32_t states) {
   MotomanStatus status;
   status.running = modes >> 3 & 1;

@@ -90,8 +90,8 @@ double axis_of_joint(Role role, float joint, double sign);
 
 std::string tcp_frame(std::string_view message, line::ByteOrder order);
 std::string serial_frame(std::string_view message);
-// For Frames. What does not begin with a mark, or bears a wrong sum, is passed over on a serial line; a length that no
-// message has ends a TCP one.
+// For Frames. On a serial line, octets that do not begin with a mark and frames with a wrong sum are passed over. A
+// length that no message has ends a TCP line.
 Result<std::optional<line::Frame>> frame_of_tcp_little(std::string_view octets);
 Result<std::optional<line::Frame>> frame_of_tcp_big(std::string_view octets);
 Result<std::optional<line::Frame>> frame_of_serial(std::string_view octets);

@@ -1,5 +1,5 @@
-; What the vendor's programming interface of a CRS arm offers, by its classes, and which operations of a robot agent
-; stand for it.
+; The size of the vendor's programming interface for a CRS arm, class by class, and the operations of a robot agent that
+; wrap it.
 (wrapped robot "CRS arm interface"
   (operations get-status do-action retract extend turn move-h move-v turn-ef turn-wrist home ready speed learn goto
               gripper monitor finish)

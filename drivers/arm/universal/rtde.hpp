@@ -28,7 +28,7 @@ inline constexpr char text = 'M';
 inline constexpr std::int32_t running_mode = 7;
 inline constexpr std::uint32_t playing = 2;
 
-// What the driver asks for, and the types it must be told.
+// The variables that the driver asks for, and the types that they must have.
 inline constexpr std::string_view state_names =
     "actual_q,robot_mode,safety_mode,runtime_state,output_int_register_24,output_int_register_25,"
     "output_double_register_24";

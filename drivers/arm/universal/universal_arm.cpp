@@ -98,7 +98,7 @@ Task<Result<void>> UniversalArm::ask_mode() {
   co_return Result<void>();
 }
 
-// What it said last holds where it does not answer.
+// Where the controller does not answer, its last word holds.
 Task<void> UniversalArm::ask_mode_again() { [[maybe_unused]] const Result<void> asked = co_await ask_mode(); }
 
 Task<Result<std::string>> UniversalArm::identify() {

@@ -66,7 +66,7 @@ class UniversalArm : public ArmDriver {
   bool able() const;
   Failure trouble() const;
   bool playing() const { return state_.runtime == rtde::playing; }
-  // What was told to stop has no program any more before it stands.
+  // A program that is stopped ends before the arm stands.
   bool brakes() const { return stopping_ && executor_.now() - moved_at_ < standing_time; }
   bool ended() const { return state_.marker == 2 * programs_ + 1; }  // the last program
   Joints joints() const;

@@ -33,7 +33,7 @@ class Gripper {
   bool opens() const { return moving_ && target_mm_ > opening_mm_; }
   // The cube is gone from between the fingers by another's doing.
   void lose();
-  // What is held slips out and falls, and the fingers close behind it. Nothing is done where nothing is held.
+  // The held cube slips out and falls, and the fingers close behind it. Does nothing where none is held.
   void slip();
   // The gripper passes through the cube until the two have parted.
   void let_pass(CubeId cube);

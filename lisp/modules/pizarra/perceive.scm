@@ -231,8 +231,8 @@
 
 ;; SECTION is a section or its number.
 ;;
-;; (perceive SECTION MEASURED BELIEVED) -> (ok (FACT ...)), what the rules find in the order in which it was found, or
-;; (fail too-much-work SENTENCE HEAD) about the rule that was being followed when the bound was reached.
+;; (perceive SECTION MEASURED BELIEVED) -> (ok (FACT ...)), the facts that the rules find, in the order found; or (fail
+;; too-much-work SENTENCE HEAD), about the rule that was being followed when the bound was reached.
 (define (perceive section measured believed)
   (set! tries-left most-tries)
   (set! facts-left most-facts)

@@ -1,4 +1,4 @@
-// What a cell file says of an arm's controller reaches the driver.
+// The words of a cell file about an arm's controller reach the driver.
 
 #include "agents/launcher/cell_arm.hpp"
 

@@ -66,7 +66,7 @@ TEST(SimulatedRobot, AJogThatIsHeldNoMoreStandsWithinItsOverrunAlthoughItHasToBr
   executor.run_for(300ms);
   const Eigen::Vector3d at_deadline = grip();
   executor.run_for(1s);
-  // What is told is up to a tenth of a second old.
+  // The pose told is up to a tenth of a second old.
   EXPECT_LE((grip() - last).norm(), 10 + 3);
   EXPECT_GT((grip() - last).norm(), 5);
   EXPECT_LE((grip() - at_deadline).norm(), 0.5) << "it stood 50 ms after the deadline";

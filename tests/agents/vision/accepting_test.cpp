@@ -1,4 +1,4 @@
-// What was learned is its learner's to accept or to take back, and nobody else's meanwhile.
+// Only its learner can accept or take back a newly learned object, and nobody else has it meanwhile.
 
 #include "tests/agents/vision/vision_life.hpp"
 

@@ -1,4 +1,4 @@
-// What one camera has learned is found and followed by another of another resolution or lens, as far away.
+// An object that one camera has learned is found and followed by one of another resolution or lens, as far away.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

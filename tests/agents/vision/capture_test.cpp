@@ -156,7 +156,7 @@ TEST_F(Vision, ALearningFailsWhenTheCameraComesBackWithImagesOfAnotherSize) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
 }
 
-// What is smaller there would pass for what something hides a part of.
+// A mark that is smaller there would pass for a covered one.
 TEST_F(Vision, WhatIsTrackedIsSeenAtOnceInImagesOfAnotherSize) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call("(track \"circle\")"), "()");

@@ -1,7 +1,7 @@
 #pragma once
 
 // A mark, a hand that slides over it, and two trackers that look on: one before a pair, one before its left camera
-// alone. What either tells to be seen must be where the mark is.
+// alone. A mark that either tells as seen must be where it is told.
 //
 //   CoveredMark mark("square", seed);
 //   mark.put_hand(hand, 5);                     // its edge 5 px from the mark's centre

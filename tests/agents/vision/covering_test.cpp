@@ -1,5 +1,5 @@
 // A hand, light or dark, slides over a mark and away again: slowly and fast, from anywhere, before one camera and
-// before a pair. What is told to be seen is where the mark is.
+// before a pair. A mark that is told as seen is where it is told.
 
 #include "tests/agents/vision/covered_mark.hpp"
 
@@ -51,7 +51,7 @@ TEST_P(Covering, NeverMakesAConfidentWrongPosition) {
 
 class CoveringATriangle : public Covering {};
 
-// What is left of it has its form, and is smaller.
+// The part left in view has the triangle's form, and is smaller.
 TEST_P(CoveringATriangle, AlongASideLeavesNoTriangle) {
   mark.scene.faces[0].yaw_deg = 0;
   look_on(4);

@@ -1,5 +1,5 @@
-// Marks that are seen for the first time, whole or hidden in part. What is told for sure is where the mark is, however
-// it lay when it was learned; and of whole marks most are told for sure.
+// Marks that are seen for the first time, whole or hidden in part. A mark that is told surely is where it is told,
+// however it lay when it was learned. Most whole marks are told surely.
 
 #include "tests/agents/vision/first_look.hpp"
 
@@ -52,7 +52,7 @@ class FirstLook : public testing::TestWithParam<Learned> {
 };
 
 TEST_P(FirstLook, AtWhatIsHiddenIsSureOnlyOfWhereTheMarkIs) {
-  // What covers a triangle along a side leaves one, and one camera does not know how far it is.
+  // A cover along a side of a triangle leaves a triangle, and one camera does not know how far away that is.
   const bool by_one_as_well = std::string_view(GetParam().mark) != "triangle";
   for (const FirstLooks::Cover cover : {FirstLooks::Cover::as_far, FirstLooks::Cover::nearer}) {
     SCOPED_TRACE(cover == FirstLooks::Cover::as_far ? "by what is as far away" : "by what is nearer");

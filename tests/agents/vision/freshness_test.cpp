@@ -1,5 +1,5 @@
-// What is asked is answered from what the camera sees afterwards, at every rate and after every rest; and while no
-// frame comes nothing is told as seen.
+// A question is answered from a frame that was taken after it, at every rate and after every rest. While no frame comes
+// nothing is told as seen.
 
 #include <cstdio>
 

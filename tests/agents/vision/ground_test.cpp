@@ -1,6 +1,6 @@
-// What is hidden in part from the very first is not told as sure where it is not; but by one camera alone of a triangle
-// that is nearer than it was learned, where what hides it is as grey as its ground. And whole marks stay sure, at the
-// edge of their card too.
+// A mark that is hidden in part from the very first is never told surely in a wrong place. The exception is one camera
+// alone, with a triangle that is nearer than it was learned, and a cover as grey as its ground. And whole marks stay
+// sure, at the edge of their card too.
 
 #include <gtest/gtest.h>
 
@@ -60,8 +60,8 @@ TEST_P(GroundBeside, AtWhatAnotherGreyHidesAPartOfIsNotSurelyWrong) {
   expect_none_wrong();
 }
 
-// One grey in ten is that of the ground. What is left of a triangle is one, and where that looks as large as the whole
-// was learned, one camera alone takes it for the whole.
+// One grey in ten is that of the ground. The part left of a triangle is a triangle. Where that looks as large as the
+// whole was learned, one camera alone takes it for the whole.
 TEST_P(GroundBeside, AtWhatAnyGreyHidesAPartOfIsSurelyWrongByOneCameraOfANearerTriangleAlone) {
   for (int i = 0; i < looks_of_a_kind; ++i) {
     looks.vary();

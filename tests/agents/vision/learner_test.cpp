@@ -83,7 +83,7 @@ TEST(Learner, RefusesAContourThatIsNotClosed) {
   EXPECT_EQ(failure_of(scene, centre), "open-contour");
 }
 
-// What `change` does to the scene before each frame after the tenth.
+// Learns while `change` alters the scene before each frame after the tenth.
 Result<void> learn_while(const std::function<void(Scene&)>& change) {
   Random random(3);
   Scene scene = circle_scene();

@@ -2,8 +2,8 @@
 
 // A mark and something that comes to lie in front of a part of it: the mark goes behind what rests, a hand slides over
 // the mark, or both move, at 10 to 120 frames a second; or a part is hidden from the first frame. Two trackers look on,
-// one before a pair of cameras and one before the left camera alone. What of it they tell as sure, and how far off, is
-// counted.
+// one before a pair of cameras and one before the left camera alone. The positions that they tell surely are counted,
+// and how far off they are.
 //
 //   Meeting meeting("square", seed, Meeting::Way::both);
 //   meeting.run();
@@ -70,7 +70,7 @@ class Meeting {
     const bool begins_hidden = way == Way::hidden_from_the_first;
     const double first = (begins_hidden ? random.uniform(-0.5, 0.1) : -0.8) * size_px;
     const double step = begins_hidden ? 0 : px_a_frame();
-    // What each of both does of the way that brings them together, along the cover's normal.
+    // The mark's and the hand's shares of the way that brings them together, along the cover's normal.
     const double by_mark = way == Way::hand ? 0 : way == Way::both ? random.uniform(-1, 1.5) : 1;
     const int rest = static_cast<int>(random.uniform(2, 20));
     const double aside = way == Way::hand ? 0 : std::tan(random.uniform(-40, 40) * CV_PI / 180);

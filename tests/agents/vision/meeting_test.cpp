@@ -1,5 +1,5 @@
 // A mark goes behind something, a hand comes over it, or both move, slowly and quickly, at 10 to 120 frames a second;
-// or a part of it is hidden from the first. What is told for sure is where the mark is.
+// or a part of it is hidden from the first. A mark that is told surely is where it is told.
 
 #include "tests/agents/vision/meeting.hpp"
 
@@ -38,7 +38,7 @@ TEST_P(Meetings, AreToldForSureOnlyWhereTheMarkIs) {
   EXPECT_GT(by_one.sure, 3 * meetings);
 }
 
-// What is left of a square looks like one that is turned.
+// The part left of a square looks like a square that is turned.
 TEST(Finding, OfAHalfCoveredSquareIsNotSure) {
   camera::StereoModel alone = DrawnSight::model();
   alone.base_line_mm = 0;

@@ -122,7 +122,7 @@ TEST(Spread, IsThatOfATagsCornersToo) {
   }
 }
 
-// What lies nearer than a mark hides more of it from one camera than from the other.
+// A cover nearer than the mark hides more of it from one camera than from the other.
 TEST(Spread, OfWhatMayBeCoveredIsThatOfItsParts) {
   Random random = Random(2026).split("covered");
   Ranges unsure;

@@ -222,7 +222,7 @@ TEST(Likeness, OfTrackingIsThatOfFindingAndNoOtherObjectIsNearerThanTheSecond) {
     const double when_found = confidence_if_off(by_form, ground_doubt(drawn.sight, *found), 1);
     const double again = confidence_if_off(by_form, ground_doubt(drawn.sight, followed), 1);
     EXPECT_LT(std::min(std::abs(tracked.confidence - when_found), std::abs(tracked.confidence - again)), 0.005);
-    // What is followed is cut out of the image by another threshold.
+    // Following cuts the mark out of the image by another threshold.
     EXPECT_NEAR(followed.likeness.confidence(), by_find.confidence(), 0.02);
     EXPECT_NEAR(tracked.margin, by_find.margin(), 0.01);
     EXPECT_EQ(tracked.second, by_find.second == nullptr ? "" : by_find.second->name);

@@ -1,5 +1,5 @@
-// What a hand does where it hides a mark: another one like it appears elsewhere meanwhile, or a copy of another size
-// comes to light. What cannot be known is not told for sure, and what was learned is found again.
+// A hand hides a mark. Meanwhile another one like it appears elsewhere, or a copy of another size comes to light.
+// Nothing that cannot be known is told surely, and the learned mark is found again.
 
 #include <gtest/gtest.h>
 
@@ -94,8 +94,8 @@ TEST_P(Swapped, WhatWasPutElsewhereIsSureAgainWhenItHasBeenFollowedForAWhile) {
   }
 }
 
-// As far from the learned size as it may be and be the object for a pair, which knows its size; and for one camera.
-// What is smaller and lies where the tracked one rested may be that, covered.
+// As far from the learned size as it may be and be the object for a pair, which knows its size; and for one camera. A
+// smaller mark where the tracked one rested may be that one, covered.
 TEST_P(Swapped, ACopyOfAnotherSizeIsFoundAgain) {
   const bool is_pair = std::get<1>(GetParam()) == Eyes::pair;
   for (const double scale : {0.94, 1.03, 0.75, 1.3}) {

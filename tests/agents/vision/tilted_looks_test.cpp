@@ -1,5 +1,5 @@
-// What a tilt does to what is found and to how far away it is told: a mark on a face that is turned away is seen by the
-// pair that learned it so, and its range by size takes the tilt into account.
+// Tilted marks are found, and told at the right range. The pair that learned a mark on a face that is turned away sees
+// it so, and its range by size takes the tilt into account.
 
 #include "tests/agents/vision/tilted_looks.hpp"
 

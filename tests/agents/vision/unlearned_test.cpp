@@ -125,7 +125,7 @@ TEST(Unlearned, SmallAngleIsHardlyEverATriangle) {
   EXPECT_LE(times_taken(small_angle, scenes), scenes / 50);
 }
 
-// What FIND tells of one shape in a lab's light, before one camera or a pair: nothing where it finds nothing.
+// FIND's confidence in one shape in a lab's light, before one camera or a pair; nothing where it finds nothing.
 double confidence_of(const bench::Shape& shape, const std::string& name, bool pair, std::uint64_t seed) {
   Random random(seed);
   bench::Scene scene;

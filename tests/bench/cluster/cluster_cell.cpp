@@ -85,7 +85,7 @@ void ClusterCell::start_member(std::size_t number) {
 }
 
 void ClusterCell::start_board(std::size_t number) {
-  // What it says of an etcd that was killed belongs to no figure.
+  // Its complaints about an etcd that was killed belong to no figure.
   const std::vector<std::string> words = {"/bin/sh",
                                           "-c",
                                           "exec \"$@\" 2>/dev/null",

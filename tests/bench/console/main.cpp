@@ -1,5 +1,6 @@
-// pizarra-bench-console: what an operator has of the console in a real browser, over loopback and over a long, slow and
-// lossy line (80 ms each way, 2 Mbit/s, 1 % of the packets lost) between two network namespaces.
+// pizarra-bench-console: times and rates of the console as an operator has them in a real browser. It measures over
+// loopback, and over a long, slow and lossy line (80 ms each way, 2 Mbit/s, 1 % of the packets lost) between two
+// network namespaces.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -66,7 +67,7 @@ Measured over_the_line(const Choices& choices) {
   return measure(network.on("desk", measure_command(choices, folder.path(), addresses)));
 }
 
-// What the operator's goals are over a line that takes `line_ms` one way.
+// The rows and goals for an operator over a line that takes `line_ms` one way.
 void say_rows(Figures& figures, const std::string& where, const Measured& measured, double line_ms) {
   const auto say = [&](const std::string& name, const std::string& key, const std::string& unit, const Goal& goal,
                        double scale = 1, const std::string& note = "") {

@@ -1,5 +1,5 @@
-// The time from a frame's arrival in a vision agent's process to the fact of what it shows at a watch in another
-// process, over a board server's socket, by the wall clock.
+// The time from a frame's arrival in a vision agent's process until a watch in another process gets the fact of it. The
+// fact goes over a board server's socket; the clock is the wall clock.
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

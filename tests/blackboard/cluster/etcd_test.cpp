@@ -1,4 +1,4 @@
-// What etcd itself does with what the cluster log asks of it.
+// Requests of the cluster log, made to etcd itself.
 
 #include <chrono>
 #include <gtest/gtest.h>

@@ -160,7 +160,7 @@ class ModelBoard {
   std::vector<std::uint64_t> requests_;
 };
 
-// What the log says in the end, each mark as often as it was told.
+// The marks in the log at the end, each as often as it was told.
 std::multiset<std::int64_t> marks_of(EtcdModel& etcd) {
   ModelClient reader(etcd);
   LogCopy copy(reader, cell_keys);

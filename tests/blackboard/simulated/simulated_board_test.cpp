@@ -86,7 +86,7 @@ TEST_F(SimulatedBoard, AClientWhoseConnectionIsLostGoesOnInItsSession) {
 TEST_F(SimulatedBoard, AFullDiskRefusesWhatIsDurableUntilItHasSpaceAgain) {
   ASSERT_TRUE(tell("(goal 1)").has_value());
   disk_.fail(true);
-  // What stands already is in doubt, and what comes after it is refused.
+  // The first one stands in memory and is in doubt; the next one is refused.
   EXPECT_FALSE(tell("(goal 2)").has_value());
   EXPECT_FALSE(tell("(goal 3)").has_value());
   EXPECT_TRUE(tell("(seen 1)").has_value());

@@ -21,8 +21,8 @@ line::FrameReader motoros_frames(line::ByteOrder order) {
   return order == line::ByteOrder::little ? arm::frame_of_tcp_little : arm::frame_of_tcp_big;
 }
 
-// The part of the axes' speeds at which a way that takes so long at their full speeds takes so long with the ramps of
-// the arm, which are at full speed within a quarter of a second.
+// The part of the axes' full speeds at which a way takes `wanted_s`, ramps included. Without them, at full speed, it
+// takes `way_s`. The ramps reach full speed within a quarter of a second.
 double part_for(double way_s, double wanted_s) {
   constexpr double pace_per_s = 4;
   constexpr double slowest = 1e-3;

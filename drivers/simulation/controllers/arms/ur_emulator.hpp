@@ -42,7 +42,7 @@ class UrEmulator {
   Task<std::string> dashboard(std::string line);
   // A program, as it came over a client interface, or one of the words that the interfaces take.
   void run(std::string_view program);
-  // What the primary interface has to say of programs, and has not said yet.
+  // Takes the primary interface's messages about programs that were not sent yet.
   std::string take_said();
   bool powered() const { return cabinet_.powered(); }
   const arm::ArmModel& model() const { return cabinet_.model(); }

@@ -1,14 +1,14 @@
 #pragma once
 
-// What a Universal Robots controller tells unasked at its client interfaces: packages of its state and messages about
-// programs at the primary one (30001), the state alone at the secondary one (30002), and one packet of fixed layout at
-// the real-time one (30003). Big-endian; an e-Series with PolyScope 5.11.
+// The messages that a Universal Robots controller sends unasked at its client interfaces. The primary one (30001) sends
+// packages of its state and messages about programs; the secondary one (30002) the state alone; the real-time one
+// (30003) one packet of fixed layout. Big-endian; an e-Series with PolyScope 5.11.
 //
 //   port.write(ur_version_message(now_us));            // to a new client
 //   port.write(ur_state_message(model, state));        // ten times a second
 //   port.write(ur_real_time_packet(state));            // 500 times a second
 //
-// What the emulated arm has no model of (currents, voltages, temperatures, forces) is told as 0. Facts from: the
+// Currents, voltages, temperatures and forces, of which the emulated arm has no model, are told as 0. Facts from: the
 // maker's client interface tables; its C++ client library reads what is written here.
 
 #include "drivers/arm/arm_model.hpp"

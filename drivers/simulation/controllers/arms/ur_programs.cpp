@@ -92,7 +92,7 @@ void UrEmulator::run(std::string_view program) {
   if (cabinet_.servo()) start(name_in(program), *steps);
 }
 
-// What is no program, but a word to the controller.
+// Carries out words that are no program, but an order to the controller.
 bool UrEmulator::command(std::string_view words) {
   while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back())) != 0) words.remove_suffix(1);
   if (words == "power on") {

@@ -3,8 +3,8 @@
 // Controllers of a few lines each, written from the protocols' documents, which share no code with the emulated ones:
 // what a driver is tried on that must not be right only because driver and emulator are wrong alike.
 //
-// Each has an arm that stands in its file's `ready` pose and that says of itself, once ordered to move, that it moves,
-// until it is told to stop or put where it was sent. It may fall silent about its state and go on hearing orders.
+// Each has an arm that stands in its file's `ready` pose. Once ordered to move it says that it moves, until it is told
+// to stop or put where it was sent. It may fall silent about its state and go on hearing orders.
 
 #include "drivers/arm/arm_model.hpp"
 
