@@ -1,7 +1,7 @@
 #pragma once
 
-// What is the board's own: what it alone tells (`board-refusal`), and the statistics that it makes up when it is asked
-// (memory/statistics.hpp).
+// Relations of the board itself: the one that it alone tells (`board-refusal`), and the statistics that it makes up
+// when it is asked (memory/statistics.hpp).
 
 #include <algorithm>
 #include <array>

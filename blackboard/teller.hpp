@@ -1,6 +1,6 @@
 #pragma once
 
-// What a client of a board may be called. Agents speak of who asked them by that name, as a symbol in facts and
+// The names that a client of a board may have. Agents speak of who asked them by that name, as a symbol in facts and
 // failures: so it is one, and no variable, which would mean everybody.
 //
 //   Result<void> named = check_teller_name("my script");         // bad-name

@@ -1,7 +1,7 @@
 #pragma once
 
 // Reads and writes the numbers that facts are full of, whole ones and those with few digits behind their point, several
-// times quicker than the library does; the same value and the same text. What is not of these is the library's.
+// times quicker than the library does; the same value and the same text. Other numbers are left to the library.
 //
 //   Decimal read = read_decimal("112.25)");
 //   if (read.length == 0) ...;                          // from_chars

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a datum weighs: how much room its text takes, how many elements it has, how deep its lists nest. A list
+// The weight of a datum: how much room its text takes, how many elements it has, how deep its lists nest. A list
 // remembers it, so that whoever asks again, of it or of what holds it, need not look at its elements.
 //
 //   const Weight weight = weigh(read_one("(seen \"circle\" 112)").value());

@@ -1,8 +1,8 @@
 #pragma once
 
-// Who may talk to the console. A random token, printed where the console was started, is exchanged once for a cookie;
-// another token takes its place, for another browser. A request that a foreign page makes a browser send is refused by
-// its Host and Origin, whatever cookie comes with it.
+// Access to the console. A random token, printed where the console was started, is exchanged once for a cookie; another
+// token takes its place, for another browser. A request that a foreign page makes a browser send is refused by its Host
+// and Origin, whatever cookie comes with it.
 //
 //   Access access(port);
 //   const std::optional<std::string> cookie = access.exchange(token, now);       // nothing: a wrong token

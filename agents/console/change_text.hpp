@@ -1,6 +1,7 @@
 #pragma once
 
-// What goes to the page, as JSON: facts and values as their text, which the page reads as any reader of ours does.
+// The console's answers to the page, as JSON: facts and values as their text, which the page reads as any reader of
+// ours does.
 //
 //   change_text(7, change)   {"watch":7,"revision":12,"resynchronised":true,"cut":0,"removed":[],
 //                             "added":[{"ids":[3],"bindings":{"?x":"circle"},

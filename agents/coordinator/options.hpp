@@ -1,6 +1,6 @@
 #pragma once
 
-// What a cell configures of its coordinator. Lengths mm.
+// The options of a coordinator that a cell configures. Lengths mm.
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What becomes of a cell's cameras, in sentences: when one is lost and why, when it gives images again, and the
-// first time that images of it are left out and why.
+// News of a cell's cameras, in sentences: when one is lost and why, when it gives images again, and the first time that
+// images of it are left out and why.
 //
 //   CameraNews news;
 //   news.sentence_of(camera_state);                // "vision has no images: the camera: /dev/video0 cannot be opened"

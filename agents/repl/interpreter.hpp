@@ -1,6 +1,6 @@
 #pragma once
 
-// What a person types, done: forms that talk to the board and to the agents on it.
+// Carries out the forms that a person types: they talk to the board and to the agents on it.
 //
 //   Interpreter interpreter(context, service, [](const std::string& line) { ... });
 //   Evaluation outcome = co_await interpreter.evaluate("(ask (on ?x ?y))");

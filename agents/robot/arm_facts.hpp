@@ -1,7 +1,8 @@
 #pragma once
 
-// What the board is told about the arm: state, pose, joints, gripper opening and grip, each when it changed, under the
-// agent's presence, so that they go with it. At rest, why the controller would not move goes before what was last done.
+// The facts that the board is told about the arm: state, pose, joints, gripper opening and grip, each when it changed,
+// under the agent's presence, so that they go with it. At rest, why the controller would not move goes before what was
+// last done.
 //
 //   facts.set_arm("moving", "(home)");
 //   facts.set_reading(model, reading);

@@ -1,7 +1,8 @@
 #pragma once
 
-// What an arm must not do whoever commanded it: its axes beyond their limits, or faster than they may be, or its grip
-// centre out of the room it was given. Looked at with every reading, by the agent itself, without the board.
+// Guards an arm, whoever commands it, against three things: its axes beyond their limits, or faster than they may be,
+// or its grip centre out of the room it was given. Looked at with every reading, by the agent itself, without the
+// board.
 //
 //   Guard guard(model);
 //   if (const std::optional<Failure> why = guard.look(*reading.at, reading)) stop(*why);

@@ -1,9 +1,9 @@
 #pragma once
 
-// What lasts only while somebody holds on. `(hold ROBOT CLIENT COUNT)` stands while CLIENT has its hand on the arm,
-// told by itself, and with another COUNT again and again: one that has not come anew for the motion's deadline stops
-// the arm, and so does, as a motion's end and no failure, one that is retracted. A hold moves nothing by itself, so
-// that none that comes late does.
+// Motions that last only while somebody holds on. `(hold ROBOT CLIENT COUNT)` stands while CLIENT has its hand on the
+// arm, told by itself, and with another COUNT again and again: one that has not come anew for the motion's deadline
+// stops the arm, and so does, as a motion's end and no failure, one that is retracted. A hold moves nothing by itself,
+// so that none that comes late does.
 //
 // Lifecycle: constructed beside the ArmControl; begin() once the relation is declared; a Watching for as long as a jog
 // is in hand.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every agent stands on. An agent is a state machine over facts and timers: it is given all it may use in an
+// The context of every agent. An agent is a state machine over facts and timers. It is given all it may use in an
 // AgentContext, and never reads a clock, sleeps, opens a socket or starts a thread by itself.
 //
 // Lifecycle: constructed (nothing happens), run() spawned on the executor (declares, announces its presence, serves),

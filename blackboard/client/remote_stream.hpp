@@ -1,7 +1,7 @@
 #pragma once
 
-// What a server says of one watched query: changes, numbered from 1, acknowledged as they are read. It begins again,
-// under a new number, when one is missing or the server was lost.
+// The stream of one watched query from a server: changes, numbered from 1, acknowledged as they are read. It begins
+// again, under a new number, when one is missing or the server was lost.
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/delta.hpp"

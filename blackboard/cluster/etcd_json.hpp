@@ -1,6 +1,6 @@
 #pragma once
 
-// What etcd's gateway is asked and answers, as JSON. Keys and values stand there as base64.
+// Requests to etcd's gateway and its answers, as JSON. Keys and values stand there as base64.
 
 #include <string>
 

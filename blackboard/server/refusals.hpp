@@ -1,7 +1,7 @@
 #pragma once
 
-// What the board refused its clients, as facts: all that is malformed, forged or in no session, and every request that
-// fails for another reason than that its precondition does not hold or that the journal cannot be written.
+// The board's refusals, as facts: all that is malformed, forged or in no session, and every request that fails for
+// another reason than that its precondition does not hold or that the journal cannot be written.
 //
 //   (board-refusal CLIENT SYMBOL COUNT SENTENCE)       ; key CLIENT SYMBOL
 //

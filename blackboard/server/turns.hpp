@@ -1,7 +1,7 @@
 #pragma once
 
-// Who has the board's time for what is costly. One client has a turn at a time, however many sessions it has. After a
-// turn everybody is heard for as long as the turn took; where only one session speaks, no such rest is needed.
+// Turns of clients at the board's costly requests. One client has a turn at a time, however many sessions it has. After
+// a turn everybody is heard for as long as the turn took; where only one session speaks, no such rest is needed.
 //
 //   turns.heard(session);                         // whatever it says
 //   if (!turns.is_free(now)) turns.wait(client, session);

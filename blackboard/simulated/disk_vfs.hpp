@@ -1,6 +1,6 @@
 #pragma once
 
-// What SQLite calls to use a SimulatedDisk.
+// The file system by which SQLite uses a SimulatedDisk.
 //
 //   sqlite3_vfs vfs = vfs_of(disk, name);
 //   sqlite3_vfs_register(&vfs, 0);

@@ -1,7 +1,7 @@
 #pragma once
 
-// One end of the line between a board and its clients: frames come by callback, and sending never blocks. What carries
-// them is a Transport: ZeroMQ (wire_socket.hpp), or a network that a test simulates (simulated/simulated_network.hpp).
+// One end of the line between a board and its clients: frames come by callback, and sending never blocks. A Transport
+// carries them: ZeroMQ (wire_socket.hpp), or a network that a test simulates (simulated/simulated_network.hpp).
 //
 //   const std::unique_ptr<FrameSocket> router = transport.open(executor, FrameSocket::Kind::router,
 //       [&](const std::string& peer, std::optional<std::string_view> frame) { ... });

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a robot agent needs of an arm's controller. One implementation a controller; the simulated one is in
+// The interface of a robot agent to an arm's controller. One implementation a controller; the simulated one is in
 // drivers/simulation/.
 //
 // Lifecycle: identify(), then take_control() whenever somebody wants the arm's troubles done away with, then moves, one

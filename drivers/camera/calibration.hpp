@@ -1,6 +1,6 @@
 #pragma once
 
-// What is known of a pair of cameras: their lenses, and how they stand to each other. A file that a person can read:
+// The calibration of a pair of cameras: their lenses, and how they stand to each other. A file that a person can read:
 //
 //   (calibration
 //     (size 640 480)                                    ; of the images, px

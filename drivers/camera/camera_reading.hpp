@@ -1,8 +1,8 @@
 #pragma once
 
-// What the thread that reads a camera does: it opens the camera and takes moment after moment. Of each it makes a
-// rectified grey pair (and a coloured one while somebody asks), and leaves it on the desk, until the desk closes or the
-// camera is gone.
+// The thread that reads a camera: it opens the camera and takes moment after moment. Of each it makes a rectified grey
+// pair (and a coloured one while somebody asks), and leaves it on the desk, until the desk closes or the camera is
+// gone.
 //
 //   read_camera({.setup = setup, .sources = make, .now = now}, desk);
 

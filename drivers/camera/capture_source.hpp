@@ -1,6 +1,6 @@
 #pragma once
 
-// What OpenCV's VideoCapture opens: devices, video files, network streams, GStreamer pipelines.
+// The sources that OpenCV's VideoCapture opens: devices, video files, network streams, GStreamer pipelines.
 
 #include <opencv2/videoio.hpp>
 

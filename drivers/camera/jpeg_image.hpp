@@ -1,7 +1,7 @@
 #pragma once
 
-// JPEGs, by libjpeg. What it warns of is a fault here: what is damaged it decodes all the same, what is missing grey.
-// What damage leaves valid codes is none.
+// JPEGs, by libjpeg. The library only warns of damage and decodes all the same, with grey where octets are missing.
+// Here a warning is a fault. Damage that leaves valid codes is not noticed.
 //
 //   if (is_jpeg(bytes)) Result<cv::Mat> image = read_jpeg(bytes, grey);
 

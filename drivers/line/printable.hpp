@@ -1,6 +1,6 @@
 #pragma once
 
-// What came over a line, fit to be told: at most 80 characters, those that cannot be printed by their numbers.
+// Text from a line, made fit to be told: at most 80 characters, those that cannot be printed by their numbers.
 //
 //   printable("\xff ok")      // "\\xff ok"
 

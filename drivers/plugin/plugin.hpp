@@ -1,8 +1,8 @@
 #pragma once
 
-// What every plug-in of a driver stands on: a shared library of one's own that Pizarra loads into a process of its own,
-// while the robot agent keeps limits, supervision and stop. arm_plugin.hpp and camera_plugin.hpp are the kinds; this
-// folder needs C++17 and no other library.
+// The base of every plug-in of a driver. A plug-in is a shared library of one's own that Pizarra loads into a process
+// of its own, while the robot agent keeps limits, supervision and stop. arm_plugin.hpp and camera_plugin.hpp are the
+// kinds; this folder needs C++17 and no other library.
 //
 // Lifecycle: loaded, made once, called from one thread, one call at a time; the process ends with it, and a dead one is
 // started again. What fails throws Refused; what else is thrown counts as `disconnected`. A call ends soon: within 50

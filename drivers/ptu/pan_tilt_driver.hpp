@@ -1,7 +1,7 @@
 #pragma once
 
-// What a pan-tilt agent needs of a unit's controller. Angles are degrees from the unit's middle; pan is positive to the
-// right as the camera on it sees it, tilt is positive upwards.
+// The interface of a pan-tilt agent to a unit's controller. Angles are degrees from the unit's middle; pan is positive
+// to the right as the camera on it sees it, tilt is positive upwards.
 //
 // Lifecycle: connect(), which stops what moves and asks the unit for all that is known of it; then the others. After
 // `disconnected`, `no-answer`, `bad-reply` or `restarted` nothing is known any more until connect() has succeeded

@@ -1,7 +1,7 @@
 #pragma once
 
 // The private device link between drivers and the simulated world: a call with a Datum, answered by a Datum and images.
-// What can be asked stands in world.hpp. Board and agents never see it.
+// world.hpp lists the requests. Board and agents never see it.
 //
 //   LocalLink link(world);                                    // the world in this process
 //   SocketLink link(executor, context, "ipc:///run/cell/world");  // the world in another (socket_link.hpp)

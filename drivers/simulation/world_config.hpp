@@ -1,7 +1,7 @@
 #pragma once
 
-// What a simulated cell consists of: plain values, filled from a cell file, checked once, then given to the World.
-// Base frame: x forward, y left of the arm, z up, origin on the table under axis 1. Lengths mm, angles degrees.
+// The parts of a simulated cell: plain values, filled from a cell file, checked once, then given to the World. Base
+// frame: x forward, y left of the arm, z up, origin on the table under axis 1. Lengths mm, angles degrees.
 //
 //   WorldConfig config;
 //   config.cubes = {{.name = "circle", .mark = Mark::circle, .x_mm = 450, .y_mm = -100},

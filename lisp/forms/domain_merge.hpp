@@ -3,10 +3,10 @@
 // The form of a domain that extends another one, merged with the other's form.
 //
 // The extending domain's words about a name replace all that the other says of this name: of a type, a predicate, an
-// object, the facts of a predicate, an operator, a constant, what is seen, the rules of a predicate, a micro-task. What
-// the other does not name is added: before the next name that is replaced, or else at the end, so that rules and
-// micro-tasks keep the order in which they are written. Names that are to be left out go with all that the other says
-// of them, and with what its operators do to them.
+// object, the facts of a predicate, an operator, a constant, what is seen, the rules of a predicate, a micro-task.
+// Parts that the other does not name are added: before the next name that is replaced, or else at the end, so that
+// rules and micro-tasks keep the order in which they are written. Names that are to be left out go with all that the
+// other says of them, and with what its operators do to them.
 
 #include <set>
 #include <string>

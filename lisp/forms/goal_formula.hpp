@@ -1,6 +1,6 @@
 #pragma once
 
-// What a goal means: facts joined by `and`, `or`, `not`, quantified over the objects of a type, counted.
+// The meaning of a goal: facts joined by `and`, `or`, `not`, quantified over the objects of a type, counted.
 //
 //   (or (on a b) (and (on-table a) (not (on b c))))
 //   (forall (<x> OBJECT) (on-table <x>))      (exists (<x> OBJECT) (on <x> a))

@@ -1,6 +1,6 @@
 #pragma once
 
-// What goes wrong in a run, as data: of which class, when, and what.
+// A fault of a run, as data: its class, when it comes, and what goes wrong.
 //
 //   Fault fault{"network", {.after_s = 3.5}, read_one("(break coordinator)").value()};
 //   write(fault_to_datum(fault));          // (network (after 3.5) (break coordinator))

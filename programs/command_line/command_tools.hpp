@@ -1,6 +1,6 @@
 #pragma once
 
-// What every word of every program needs: how it complains, counts, checks a seed and finds a file of ours.
+// Tools for every word of every program: how it complains, counts, checks a seed and finds a file of ours.
 //
 //   if (!journal) return complain(journal.failure(), exit_unavailable);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a word has to say to a board: forms, one after another, or the prompt where there are none.
+// The session of a word with a board: forms, one after another, or the prompt where there are none.
 //
 //   add_board_options(word, choices);                                  // --board, --cell, --key
 //   const Result<Destination> to = destination(choices);               // nothing-runs, which-cell

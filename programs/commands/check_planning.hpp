@@ -1,7 +1,7 @@
 #pragma once
 
-// What `check` says of planning files: PDDL, and the thesis' operators and facts. Problems and facts are checked
-// against the domain that was checked last, also where that is wrong.
+// `check` for planning files: PDDL, and the thesis' operators and facts. Problems and facts are checked against the
+// domain that was checked last, also where that is wrong.
 //
 //   PlanningCheck check;
 //   if (PlanningCheck::knows(*source)) const Result<std::string> said = check.check(*source, nullptr);

@@ -1,7 +1,6 @@
 #pragma once
 
-// What ends planning from outside: Ctrl-C, SIGTERM, or the time that was given. On a terminal it shows that time
-// passes.
+// Ends planning from outside: Ctrl-C, SIGTERM, or the time that was given. On a terminal it shows that time passes.
 //
 //   PlanClock clock(10.0);
 //   engine.solve(problem, budget, [&] { return clock.over(); });

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a process may take from its machine: memory, files, processes. Against a program within it that gets round the
-// interpreter's own limits.
+// The limits on what a process may take from its machine: memory, files, processes. Against a program within it that
+// gets round the interpreter's own limits.
 //
 //   Result<void> limited = limit_process(64);      // once its threads run and its files are open
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a scenario expects of its story: facts that must come, facts that must not, and the end.
+// The expectations of a scenario for its story: facts that must come, facts that must not, and the end.
 //
 //   Expectations expectations(scenario, board, executor);
 //   expectations.begin();

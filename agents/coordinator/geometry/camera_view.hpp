@@ -1,8 +1,8 @@
 #pragma once
 
-// What the coordinator knows of the camera: where it stands relative to the arm (configuration), how it projects (the
-// camera-model fact), and, on a pan-tilt unit, how that has turned it (the head fact). It says where in its
-// images a point of the arm's base frame is seen, and gives the numbers by which a look is placed
+// The coordinator's knowledge of the camera: where it stands relative to the arm (configuration), how it projects (the
+// camera-model fact), and, on a pan-tilt unit, how that has turned it (the head fact). It says where in its images a
+// point of the arm's base frame is seen, and gives the numbers by which a look is placed
 // (lisp/modules/pizarra/looks.scm).
 //
 //   CameraView view(pose, model, {.pan_deg = 8, .tilt_deg = -2});

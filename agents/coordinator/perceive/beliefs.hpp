@@ -1,7 +1,7 @@
 #pragma once
 
-// What is believed of what is perceived: a fact must be perceived, or be missing, for a few looks in a row before it
-// counts. A hand that passes before the camera changes nothing.
+// Beliefs, made of perceptions: a fact must be perceived, or be missing, for a few looks in a row before it counts. A
+// hand that passes before the camera changes nothing.
 //
 //   Beliefs beliefs(3);
 //   Beliefs::Change change = beliefs.perceive(facts, {frame, look.id});     // once a look

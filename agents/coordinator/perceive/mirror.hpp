@@ -1,8 +1,8 @@
 #pragma once
 
-// What is believed, as it stands on the board: each belief as itself and as (believed BELIEF), and the places of what
-// is seen, all under the coordinator's presence and because of the look that showed it. The mirror undoes changes that
-// others make to the beliefs.
+// The beliefs on the board: each as itself and as (believed BELIEF), and the places of the objects seen, all under the
+// coordinator's presence and because of the look that showed it. The mirror undoes changes that others make to the
+// beliefs.
 //
 //   mirror.start();
 //   co_await mirror.tell(sightings, change, look.id);      // once a look

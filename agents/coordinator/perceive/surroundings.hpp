@@ -1,8 +1,7 @@
 #pragma once
 
-// What the coordinator perceives of its cell: it watches the agents' facts, makes of every look of the eyes where
-// things stand (Scene) and which of the domain's predicates hold (Beliefs), and has those told (Mirror). Nothing here
-// acts.
+// The coordinator's perception of its cell: it watches the agents' facts, makes of every look of the eyes where things
+// stand (Scene) and which of the domain's predicates hold (Beliefs), and has those told (Mirror). Nothing here acts.
 //
 // Lifecycle: start() and follow_...() spawn the watches, which go on until it is destroyed or others are followed.
 //

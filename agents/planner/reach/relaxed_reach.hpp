@@ -1,6 +1,7 @@
 #pragma once
 
-// What can be reached if nothing were ever deleted: the question behind landmarks, asked many times of one problem.
+// The facts that could be reached if nothing were ever deleted: the question behind landmarks, asked many times of one
+// problem.
 //
 //   RelaxedReach reach(problem, allowed);            // allowed: the actions that are there at all
 //   reach.from(state, forbidden);

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the vision agent knows and is doing. vision_agent.cpp runs it; vision_operations.cpp has its operations,
-// vision_objects.cpp what is learned; vision_turns.cpp says who may use it when, vision_modes.cpp what goes on for
-// whom; vision_frames.cpp what becomes of a frame, vision_state_telling.cpp what is told.
+// The state of the vision agent. vision_agent.cpp runs it; vision_operations.cpp has its operations, vision_objects.cpp
+// what is learned; vision_turns.cpp says who may use it when, vision_modes.cpp what goes on for whom; vision_frames.cpp
+// what becomes of a frame, vision_state_telling.cpp what is told.
 
 #include <map>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
-// What lies beyond each side of a mark. Beside an edge of its own that is its ground, paper or a cube's face; beside an
-// edge that something in front of it makes it is that thing, most often of another grey. So where the ground beyond one
-// side is another than beyond the others, a part of the mark may be hidden there, however whole it looks.
+// The ground beyond each side of a mark. Beside an edge of its own that is its paper or a cube's face. Beside an edge
+// that something in front of it makes it is that thing, most often of another grey. So where the ground beyond one side
+// is another than beyond the others, a part of the mark may be hidden there, however whole it looks.
 //
 //   const double doubt = ground_doubt(grey, noise, mark);
 //   const double confidence = confidence_if_off(of_whole, doubt, 1);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is measured of one mark in one image: its place to a few hundredths of a pixel, and its shape; and, for
-// learning, the rest of the thesis' Table C.1 and its picture.
+// The measures of one mark in one image: its place to a few hundredths of a pixel, and its shape; and, for learning,
+// the rest of the thesis' Table C.1 and its picture.
 //
 //   std::optional<SeenMark> mark = measure_mark(cut, contour, MarkTone::dark);
 //   std::optional<MarkPortrait> portrait = portray_mark(cut, mark->contour, mark->tone);

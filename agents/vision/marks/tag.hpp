@@ -1,6 +1,6 @@
 #pragma once
 
-// What a tag says: its family and its number.
+// The meaning of a tag: its family and its number.
 //
 //   tag_name({"apriltag-36h11", 17});                     // "apriltag-36h11-17"
 //   tag_called("apriltag-36h11-17")->number;

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a person clicked on: what is filled from there, and the mark or the tag that this is, or why it is none.
+// The place that a person clicked on: the area that is filled from there, and the mark or the tag that this is, or why
+// it is none.
 //
 //   ClickedPlace place(grey, {160, 120});          // within the image
 //   place.filled();                                // for the picture

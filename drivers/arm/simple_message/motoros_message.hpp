@@ -1,7 +1,7 @@
 #pragma once
 
-// What MotoROS adds to simple_message (simple_message.hpp): points of a trajectory with their moments and speeds, the
-// state of a control group, and commands to the motion server, each answered with a result and a subcode.
+// The messages that MotoROS adds to simple_message (simple_message.hpp): points of a trajectory with their moments and
+// speeds, the state of a control group, and commands to the motion server, each answered with a result and a subcode.
 //
 //   SimpleMessage message{.type = motoros::motion_control, .kind = simple::request};
 //   message.data = write_control({.command = motoros::start_trajectories}, order);
@@ -106,7 +106,7 @@ Result<MotorosFeedback> read_feedback(std::string_view data, line::ByteOrder ord
 Result<MotorosControl> read_control(std::string_view data, line::ByteOrder order);
 Result<MotorosReply> read_reply(std::string_view data, line::ByteOrder order);
 
-// What a result and its subcode mean, in words.
+// A result and its subcode in words.
 std::string_view meaning_of(const MotorosReply& reply);
 
 }  // namespace pizarra::arm

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an arm looks like, whatever its build: a pedestal, its links and joints along its skeleton.
+// The looks of an arm, whatever its build: a pedestal, its links and joints along its skeleton.
 
 #include <vector>
 

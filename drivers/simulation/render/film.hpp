@@ -1,6 +1,6 @@
 #pragma once
 
-// What lens and sensor make of a painted image: blur, the light's gradient, noise, eight bits.
+// The effects of lens and sensor on a painted image: blur, the light's gradient, noise, eight bits.
 //
 // Noise comes from a field drawn once. Every frame and side reads it from an offset of its own. So a frame's noise
 // depends on its number alone, not on the frames that were asked for before.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What of the marks an eye can see: for the judge and the scripted person, never for a picture.
+// The part of each mark that an eye can see: for the judge and the scripted person, never for a picture.
 //
 //   const std::vector<MarkView> marks = seen_marks(eye, scene.solids);
 

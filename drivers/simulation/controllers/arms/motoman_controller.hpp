@@ -1,8 +1,8 @@
 #pragma once
 
 // The controller of a Motoman arm behind whichever server shows it: status words, positions in pulses and millimetres,
-// D variables, switches and moves, in the controller's own units. What it refuses it refuses as its cabinet does; a
-// server words that in its codes.
+// D variables, switches and moves, in the controller's own units. It refuses what its cabinet would refuse; a server
+// words that in its codes.
 //
 //   MotomanController controller(cabinet);
 //   const Refusal refusal = co_await controller.move_joints(pulses, 0.5);
