@@ -66,35 +66,57 @@ export function ownFolder() {
   return folder;
 }
 
-// A program that runs until the test ends it; `line` is the first that it says,
-// `ended` its status.
+// Whole lines of what a program says.
+function eachLine(stream, take) {
+  let rest = '';
+  stream.on('data', (data) => {
+    const lines = (rest + data).split('\n');
+    rest = lines.pop();
+    lines.forEach(take);
+  });
+}
+
+// A program that runs until the test ends it; `line` is the first that it says, `ended` its status, `next` the address
+// for the browser that comes after so many.
 export function start(words, folder) {
   const child = spawn(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
-  let said = '';
   const addresses = [];
-  const line = new Promise((resolveLine, reject) => {
-    child.stdout.on('data', (data) => {
-      said += data;
-      if (words[1] === 'up') addresses.push(...(String(data).match(/http:\/\/\S+#\w+/g) ?? []));
-      if (said.includes('\n')) resolveLine(said.split('\n')[0]);
-    });
-    child.stderr.on('data', (data) => {
-      process.stderr.write(data);
-      addresses.push(...(String(data).match(/http:\/\/\S+#\w+/g) ?? []));
-    });
-    child.on('exit', (code) => reject(new Error(`${words.join(' ')} ended with ${code}: ${said}`)));
-  });
-  line.catch(() => {});
+  const waiting = [];
+  const hear = (line) => {
+    addresses.push(...(line.match(/http:\/\/\S+#\w+/g) ?? []));
+    for (const look of waiting) look();
+  };
   const ended = new Promise((resolveEnd) => child.on('exit', (code) => resolveEnd(code)));
+  const early = ended.then((code) => {
+    throw new Error(`${words.join(' ')} ended with ${code}`);
+  });
+  early.catch(() => {});
+  const line = Promise.race([
+    early,
+    new Promise((resolveLine) =>
+      eachLine(child.stdout, (said) => {
+        resolveLine(said);
+        if (words[1] === 'up') hear(said);
+      }),
+    ),
+  ]);
+  line.catch(() => {});
+  eachLine(child.stderr, (said) => {
+    process.stderr.write(`${said}\n`);
+    hear(said);
+  });
   process.on('exit', () => child.kill('SIGKILL'));
   const end = () => {
     child.kill('SIGINT');
     return ended;
   };
-  // The address for the browser that comes after so many.
-  const next = async (count) => {
-    while (addresses.length < count) await new Promise((later) => setTimeout(later, 20));
-    return addresses[count - 1];
+  const next = (count) => {
+    const address = new Promise((resolveNext) => {
+      const look = () => addresses.length >= count && resolveNext(addresses[count - 1]);
+      waiting.push(look);
+      look();
+    });
+    return Promise.race([early, address]);
   };
   return { line, next, end, ended };
 }
@@ -108,9 +130,13 @@ export function say(words, folder) {
     throw new Error(`${words.join(' ').slice(0, 300)}: ${done.status} ${done.stdout}${done.stderr}`);
 }
 
+// What is waited for comes sooner or later, also on a machine that is busy elsewhere: this long means that it does not.
+const never = 180_000;
+
 // A page that counts what a page of ours must never do.
 export async function openPage(browser, address, size = { width: 1280, height: 800 }) {
   const page = await browser.newPage({ viewport: size });
+  page.setDefaultTimeout(never);
   page.troubles = [];
   page.on('dialog', (dialog) => {
     page.troubles.push(`a dialog: ${dialog.message()}`);
@@ -134,4 +160,10 @@ export async function ask(page, question) {
   await page.click('#tab-facts');
   await page.fill('#query', question);
   await page.press('#query', 'Enter');
+}
+
+// The person of the cell has taught its objects, with the cell's own arm.
+export async function taught(page) {
+  await ask(page, '(person done ?objects)');
+  await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer');
 }

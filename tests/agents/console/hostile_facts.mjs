@@ -43,12 +43,10 @@ await page.waitForFunction(() => document.getElementById('query-count').textCont
 expect((await text(page, '#answers')).length < 10_000, 'long text is clipped');
 tell('retract', '(stop ? ?)');
 await page.waitForSelector('#stopped', { state: 'hidden' });
-await page.waitForFunction(() => /^504 /.test(document.getElementById('query-count').textContent), null, {
-  timeout: 60_000,
-});
+await page.waitForFunction(() => /^504 /.test(document.getElementById('query-count').textContent));
 const pressed = Date.now();
 await page.keyboard.press('Escape');
-await page.waitForSelector('#stopped:not([hidden])', { timeout: 30_000 });
+await page.waitForSelector('#stopped:not([hidden])');
 console.log(`STOP stood on the page ${Date.now() - pressed} ms after Escape`);
 expect(true, 'the flood, which nothing but a stop ends, is stopped from the page');
 await teller.ended;
@@ -57,7 +55,7 @@ const standing = () =>
   [...document.querySelectorAll('#answers tbody tr')]
     .slice(4)
     .every((row) => /"the end <script>/.test(row.textContent));
-await page.waitForFunction(standing, null, { timeout: 60_000 });
+await page.waitForFunction(standing);
 expect(true, 'after the flood the page shows what stands');
 await ask(page, `(event ?n ?kind ?sentence ?detail)`);
 await page.waitForFunction(() => document.querySelectorAll('#answers tbody tr').length === 1);

@@ -3,7 +3,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, launch, openPage, ownFolder, source, start, text } from './browser.mjs';
+import { expect, launch, openPage, ownFolder, source, start, taught, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -13,24 +13,21 @@ const folder = ownFolder();
 const up = start([cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console'], folder);
 const page = await openPage(browser, await up.next(1));
 await page.waitForSelector('body[data-state=live]');
-await ask(page, '(person done ?objects)');
-await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
-  timeout: 120_000,
-});
+await taught(page);
 await page.click('#tab-eyes');
 const known = (count) =>
-  page.waitForFunction((wanted) => document.querySelectorAll('.objects li').length === wanted, count, { timeout: 30_000 });
+  page.waitForFunction((wanted) => document.querySelectorAll('.objects li').length === wanted, count);
 await known(5);
-const goTo = (part) =>
-  page.evaluate((value) => {
+async function goTo(of, part) {
+  await of.waitForSelector('#moment:not(:disabled)');
+  await of.evaluate((value) => {
     const slider = document.getElementById('moment');
     slider.value = value;
     slider.dispatchEvent(new Event('change'));
   }, part);
-await goTo(120);
-await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent), null, {
-  timeout: 60_000,
-});
+}
+await goTo(page, 120);
+await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));
 expect((await page.locator('.objects li').count()) < 5, 'then fewer objects were known');
 await page.screenshot({ path: join(pictures, 'past.png') });
 await page.click('#back-to-now');
@@ -43,12 +40,7 @@ expect((await up.end()) === 0, 'it ends in order');
 const served = start([cell, 'console'], ownFolder());
 const second = await openPage(browser, await served.line);
 await second.waitForSelector('body[data-state=live]');
-await second.waitForFunction(() => /mm/.test(document.getElementById('readings').textContent));
-await second.evaluate(() => {
-  const slider = document.getElementById('moment');
-  slider.value = 500;
-  slider.dispatchEvent(new Event('change'));
-});
+await goTo(second, 500);
 await second.waitForFunction(() => /keeps no journal/.test(document.getElementById('moment-note').textContent));
 expect(true, 'a board without a journal says so');
 expect((await served.end()) === 0, 'it ends in order');

@@ -2,7 +2,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, launch, openPage, ownFolder, start } from './browser.mjs';
+import { expect, launch, openPage, ownFolder, start, taught } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -12,11 +12,9 @@ mkdirSync(pictures, { recursive: true });
 const served = start([cell, 'console'], folder);
 const page = await openPage(browser, await served.line);
 await page.waitForSelector('body[data-state=live]');
-await ask(page, '(person done ?objects)');
-await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
-  timeout: 120_000,
-});
+await taught(page);
 await page.click('#sketch-toggle');
+await page.waitForFunction(() => document.querySelectorAll('[data-block]').length >= 4);
 const block = (name) => page.locator(`[data-block=${name}]`);
 const middle = async (name) => {
   const box = await block(name).boundingBox();
@@ -49,7 +47,7 @@ await block('circle').click();
 await block('triangle').click();
 expect((await goal()).includes('(on circle triangle)'), 'by two clicks, too');
 await page.click('#goal-form button[type=submit]');
-await page.waitForSelector('#plan li.running', { timeout: 60_000 });
+await page.waitForSelector('#plan li.running');
 expect(await page.isHidden('#sketch'), 'the plan takes its place');
 expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
 expect((await served.end()) === 0, 'it ends in order');

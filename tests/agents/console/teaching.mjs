@@ -3,7 +3,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, launch, openPage, ownFolder, start, text } from './browser.mjs';
+import { expect, launch, openPage, ownFolder, start, taught, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -13,10 +13,7 @@ mkdirSync(pictures, { recursive: true });
 const served = start([cell, 'console'], folder);
 const page = await openPage(browser, await served.line);
 await page.waitForSelector('body[data-state=live]');
-await ask(page, '(person done ?objects)');
-await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
-  timeout: 120_000,
-});
+await taught(page);
 await page.click('#tab-eyes');
 const objects = () => page.locator('.objects li strong').allInnerTexts();
 await page.waitForFunction(() => document.querySelectorAll('.objects li').length >= 4);
@@ -29,8 +26,9 @@ await page.click('.objects li:has(strong:text-is("square")) button:text("Forget"
 await page.waitForFunction(() => ![...document.querySelectorAll('.objects strong')].some((one) => one.textContent === 'square'));
 
 const camera = page.locator('figure canvas >> nth=0');
-const clickAt = async (px, py) => {
-  const place = await camera.evaluate((canvas, [cx, cy]) => {
+// Of a pixel, in the element that shows the image.
+const placeOf = (px, py) =>
+  camera.evaluate((canvas, [cx, cy]) => {
     const box = canvas.getBoundingClientRect();
     const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
     return {
@@ -38,52 +36,57 @@ const clickAt = async (px, py) => {
       y: (box.height - scale * canvas.height) / 2 + scale * cy,
     };
   }, [px, py]);
-  await camera.click({ position: place });
-};
+const clickAt = async (px, py) => camera.click({ position: await placeOf(px, py) });
+const hint = (words) =>
+  page.waitForFunction((said) => document.getElementById('teach-hint').textContent.includes(said), words);
+await page.waitForFunction(() => /frame \d/.test(document.querySelector('figcaption').textContent));
 await clickAt(x, y);
-expect(!(await page.isVisible('#learned-window')), 'without training a click learns nothing');
+expect(/Switch training on/.test(await text(page, '#teach-hint')), 'without training a click learns nothing');
 await page.click('#training');
 await clickAt(x, y);
-await page.waitForSelector('#learned-window:not([hidden])', { timeout: 20_000 });
+await page.waitForSelector('#learned-window:not([hidden]) dl');
 const table = await text(page, '#learned-window dl');
 expect(/Area/.test(table) && /Perimeter/.test(table) && /NF/.test(table) && /M2/.test(table), 'Table C.1 is shown before it is named');
 await page.screenshot({ path: join(pictures, 'learned.png') });
 await page.fill('#new-name', 'square');
 await page.click('#learned-window button:text("Accept")');
-const hint = (words) =>
-  page.waitForFunction((said) => document.getElementById('teach-hint').textContent.includes(said), words);
 await hint('square is accepted');
 await page.waitForFunction(() => [...document.querySelectorAll('.objects strong')].some((one) => one.textContent === 'square'));
 expect(!(await objects()).some((name) => name.startsWith('unnamed')), 'it is known under its name');
 
 await page.fill('#learn-name', 'square');
 await clickAt(x, y);
-await page.waitForSelector('#learned-window:not([hidden])', { timeout: 20_000 });
-await page.click('#learned-window button:text("Accept")');
+await page.waitForSelector('#learned-window:not([hidden]) dl');
+// Accepted, and clicked again before the eyes have answered, while its name still stands in the field.
+const meanwhile = await camera.evaluate((canvas, at) => {
+  document.querySelector('#learned-window form').requestSubmit();
+  const box = canvas.getBoundingClientRect();
+  canvas.dispatchEvent(new MouseEvent('click', { clientX: box.left + at.x, clientY: box.top + at.y, bubbles: true }));
+  return document.getElementById('teach-hint').textContent;
+}, await placeOf(x, y));
+expect(/^Accepting square/.test(meanwhile), `a click while one is accepted is not taken: ${meanwhile}`);
+await hint('square is accepted');
 await page.waitForFunction(() => /square 2 samples/.test(document.querySelector('.objects').innerText));
 expect(true, 'a second sample under the same name');
 
 await clickAt(x, y);
-await page.waitForFunction(() => /FAIL.*like one that is learned/.test(document.getElementById('teach-hint').textContent), null, {
-  timeout: 20_000,
-});
-expect(true, 'what looks like another is refused in words');
+await hint('FAIL');
+expect(/like one that is learned/.test(await text(page, '#teach-hint')), 'what looks like another is refused in words');
 await clickAt(4, 4);
-await page.waitForFunction(() => /background|ground/.test(document.getElementById('teach-hint').textContent), null, {
-  timeout: 20_000,
-});
+await page.waitForFunction(() => /FAIL.*(background|ground)/.test(document.getElementById('teach-hint').textContent));
 expect(true, 'the ground is nothing to learn');
 
 await page.click('.objects li:has(strong:text-is("square")) button:text("Track")');
 await page.waitForFunction(() => /TRACK/.test(document.querySelector('[aria-label="What TRACK says"]').textContent));
-expect(await page.isDisabled('#training'), 'tracking excludes learning');
+await page.waitForSelector('#training:disabled');
+expect(true, 'tracking excludes learning');
 expect(/tracks/.test(await page.getAttribute('#training', 'title')), 'and the button says why');
 await page.screenshot({ path: join(pictures, 'tracking.png') });
-await page.click('text=End track');
+await page.click('#eyes button:text-is("End track")');
 await page.waitForSelector('#training:not(:disabled)');
 
 await page.click('#tab-head');
-expect(await page.isDisabled('text=Reset both'), 'a cell without a head shows its controls off');
+expect(await page.isDisabled('#head button:text-is("Reset both")'), 'a cell without a head shows its controls off');
 expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
 expect((await served.end()) === 0, 'it ends in order');
 await browser.close();

@@ -2,12 +2,18 @@
 
 import { find } from './dom.js';
 
+// What is pressed answers. A close event may be late: one that comes while the dialog is open is of the question before.
 export function confirmed(question) {
   const dialog = find('confirm');
   find('confirm-text').textContent = question;
-  dialog.returnValue = 'no';
   dialog.showModal();
   return new Promise((resolve) => {
-    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), { once: true });
+    const asked = new AbortController();
+    const answer = (yes) => {
+      asked.abort();
+      resolve(yes);
+    };
+    dialog.addEventListener('submit', (event) => answer(event.submitter?.value === 'yes'), { signal: asked.signal });
+    dialog.addEventListener('close', () => dialog.open || answer(false), { signal: asked.signal });
   });
 }

@@ -129,6 +129,16 @@ export class Connection {
   watch(query, listener, refused) {
     return this.#begin(query, true, listener, refused);
   }
+  // What holds now, asked once: an answer to a request comes before the facts that were told for it.
+  ask(query) {
+    return new Promise((resolve) => {
+      const take = (answers) => {
+        end();
+        resolve(answers);
+      };
+      const end = this.#begin(write(query), false, take, () => take([]), true);
+    });
+  }
 
   // Shows what held at that time, everywhere; null: what holds now, and goes on. Answers a failure where there is one.
   async showMoment(microseconds) {

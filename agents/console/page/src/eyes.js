@@ -39,15 +39,19 @@ export function showEyes(connection, images, me) {
   let eyes = 'vision';
   let present = false;
   let held = [];
-  let failed = '';
 
   const request = (...operation) => connection.request(eyes, operation);
+  // Why the eyes gave that reply.
+  const whyFailed = async (reply) => {
+    const answers = await connection.ask([sym('vision-failed'), sym(eyes), sym('?'), reply, sym('?'), sym('?sentence')]);
+    return answers.length ? text(fact(answers[0])[5]) : 'no reason was told';
+  };
   const ask = async (...operation) => {
     answer.hidden = false;
     answer.textContent = '…';
     try {
       const values = await request(...operation);
-      const why = / FAIL\)/.test(values[0] ?? '') && failed ? `\n${failed}` : '';
+      const why = / FAIL\)/.test(values[0] ?? '') ? `\n${await whyFailed(values[0])}` : '';
       answer.textContent = clipped((values.join('\n') || 'ok') + why, 2000);
     } catch (failure) {
       answer.textContent = failureText(failure);
@@ -63,7 +67,7 @@ export function showEyes(connection, images, me) {
     ask: request,
     objects,
     provisional: () => `unnamed-${me().replace(/\D+/g, '-').replace(/^-/, '')}`,
-    why: () => failed,
+    why: whyFailed,
   });
   images.onPoint((point) => teaching.take(point));
   const list = element('ul', { class: 'objects', 'aria-label': 'Learned objects' });
@@ -77,10 +81,17 @@ export function showEyes(connection, images, me) {
   );
 
   const tracked = new Map();
+  const states = new Map(); // what is written of each; a row that is replaced under the pointer is not clicked
+  const showStates = () => {
+    for (const [name, state] of states) {
+      const seen = tracked.get(name);
+      state.textContent = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
+    }
+  };
   const row = (name, why) => {
     const samples = objects.samples(name);
-    const seen = tracked.get(name);
-    const state = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
+    const state = element('span', {});
+    states.set(name, state);
     const track = button('Track', sym('track'), name);
     const forget = button('Forget', sym('forget'), name);
     set(track, why.track);
@@ -98,7 +109,7 @@ export function showEyes(connection, images, me) {
         'span',
         {},
         element('strong', {}, clipped(name, 64)),
-        element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''}; ${state}`),
+        element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''}; `, state),
         ...alike,
       ),
       button('Find', sym('find'), name),
@@ -114,7 +125,9 @@ export function showEyes(connection, images, me) {
     set(end, why.end);
     set(teaching.training, why.train);
     holders.textContent = held.map(([client, holds]) => `${client}: ${holds}`).join(', ');
+    states.clear();
     list.replaceChildren(...objects.names().slice(0, 64).map((name) => row(name, why)));
+    showStates();
   };
   objects.onChange(draw);
   connection.follow('(vision-mode ?eyes ?mode ?connected)', (answers) => {
@@ -134,10 +147,7 @@ export function showEyes(connection, images, me) {
   connection.follow('(tracked ?eyes ?name ?state ?frame ?confidence)', (answers) => {
     tracked.clear();
     for (const one of answers.map(fact)) tracked.set(text(one[2]), one);
-    draw();
-  });
-  connection.follow('(vision-failed ?eyes ?frame ?text ?symbol ?sentence)', (answers) => {
-    failed = answers.length ? text(fact(answers.at(-1))[5]) : '';
+    showStates();
   });
   connection.follow('(look ?eyes ?frame ?text ?of)', (answers) => {
     tracking.hidden = answers.length === 0;

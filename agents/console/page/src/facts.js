@@ -59,6 +59,8 @@ export function showFacts(connection) {
     event.preventDefault();
     end();
     wrong.hidden = true;
+    count.textContent = '';
+    result.replaceChildren();
     let latest = [];
     let cut = 0;
     let seen = new Set();
@@ -79,8 +81,6 @@ export function showFacts(connection) {
       (failure) => {
         wrong.hidden = false;
         wrong.textContent = failureText(failure);
-        count.textContent = '';
-        result.replaceChildren();
       },
     );
   });

@@ -27,7 +27,8 @@ class Jog {
   #hands;
   #log;
   #timer = 0;
-  #button = null;
+  #press = null; // { button } while one is held down
+  #ended = Promise.resolve(); // the last one has
 
   constructor(connection, hands, log) {
     this.#connection = connection;
@@ -40,22 +41,26 @@ class Jog {
     });
   }
 
-  begin(direction, button) {
-    if (this.#button || !this.#hands.mine) return;
-    this.#button = button;
+  // One that was just let go ends first.
+  async begin(direction, button) {
+    if (this.#press || !this.#hands.mine) return;
+    const press = { button };
+    this.#press = press;
     button.classList.add('held');
+    await this.#ended;
+    if (this.#press !== press) return;
     const ended = this.#connection.jog(this.#hands.robot, direction);
     this.#log.follow(`(jog ${direction})`, ended);
-    ended.catch(() => null).then(() => this.#button === button && this.end());
     this.#timer = setInterval(() => this.#connection.holdOn(), renewal);
+    this.#ended = ended.catch(() => null).then(() => this.#press === press && this.end());
   }
 
   end() {
-    if (!this.#button) return;
+    if (!this.#press) return;
     clearInterval(this.#timer);
     this.#connection.release();
-    this.#button.classList.remove('held');
-    this.#button = null;
+    this.#press.button.classList.remove('held');
+    this.#press = null;
   }
 }
 

@@ -11,6 +11,7 @@ export function showPast(connection) {
     min: 0,
     max: 1000,
     value: 1000,
+    disabled: true,
     'aria-label': 'Back in time',
   });
   const note = element('output', { id: 'moment-note', for: 'moment' }, 'now');
@@ -26,8 +27,8 @@ export function showPast(connection) {
     const failure = await connection.showMoment(moment);
     if (moment !== null) note.textContent = failure ? failureText(failure) : `as it was at ${clock(moment)}`;
   };
-  slider.addEventListener('input', () => (note.textContent = first ? clock(at()) : 'now'));
-  slider.addEventListener('change', () => show(Number(slider.value) === 1000 || !first ? null : at()));
+  slider.addEventListener('input', () => (note.textContent = clock(at())));
+  slider.addEventListener('change', () => show(Number(slider.value) === 1000 ? null : at()));
   now.addEventListener('click', () => {
     slider.value = 1000;
     show(null);
@@ -35,6 +36,7 @@ export function showPast(connection) {
   // As far back as anything that is known was told.
   const since = (answers) => {
     for (const { facts } of answers) first = first ? Math.min(first, facts[0].when) : facts[0].when;
+    slider.disabled = first === 0;
   };
   connection.followAlways('(agent ?name ?kind ?host)', since);
   connection.followAlways('(event ?n ?kind ?sentence ?detail)', since);

@@ -17,9 +17,9 @@ export class Teaching {
   #ask; // (operation...) answers the values
   #objects;
   #provisional;
-  #why; // the newest reason why LEARN failed
-  #point = null;
-  #learnedAs = '';
+  #why; // answers why that reply of the eyes says FAIL
+  #busy = false; // learning, or accepting or rejecting what was learned: the next click is not taken
+  #learned = null; // what is to be named: { name, before }, the number of its newest sample before
   panel = element('div', { class: 'teaching' });
   training = element('button', { type: 'button', id: 'training', 'aria-pressed': 'false' }, 'Training: off');
   #hint = element('p', { class: 'quiet', id: 'teach-hint', role: 'status' });
@@ -33,6 +33,7 @@ export class Teaching {
     title: 'a letter, then letters, digits and hyphens',
   });
   #known = element('datalist', { id: 'learned-names' });
+  #sample = element('div', { class: 'learned-sample' });
   #window = element('div', { class: 'learned-window', id: 'learned-window', role: 'group', hidden: true });
 
   constructor({ ask, objects, provisional, why }) {
@@ -47,7 +48,10 @@ export class Teaching {
       this.#hint,
       this.#window,
     );
-    objects.onChange(() => this.#showNames());
+    objects.onChange(() => {
+      this.#showNames();
+      if (!this.#busy) this.#showSample();
+    });
     this.#showNames();
   }
 
@@ -67,7 +71,7 @@ export class Teaching {
   #showNames() {
     const names = this.#objects.names().filter((name) => name !== this.#provisional());
     this.#known.replaceChildren(...names.map((name) => element('option', { value: name })));
-    if (this.#point) return;
+    if (this.#busy) return;
     const begin = names.includes(first) ? '' : ' Begin with the end-effector: the triangle on the gripper.';
     this.#say(this.#on ? `Click on a mark in the camera’s image.${begin}` : 'Switch training on, and click on a mark.');
     if (this.#on && begin && this.#name.value === '') this.#name.value = first;
@@ -76,30 +80,33 @@ export class Teaching {
   // Answers whether the click was taken.
   take(point) {
     if (!this.#on) return false;
-    if (this.#point || !this.#name.reportValidity()) return true;
+    if (this.#busy || !this.#name.reportValidity()) return true;
     this.#learn(point, this.#name.value || this.#provisional());
     return true;
   }
 
+  #number(name) {
+    return this.#objects.newest(name)?.num ?? 0;
+  }
+
   async #learn(point, name) {
-    this.#point = point;
+    this.#busy = true;
     this.#window.hidden = true;
     this.#say(`Learning what is at ${point.x}, ${point.y} of frame ${point.frame}: red while it is filled, then its border.`);
+    const before = this.#number(name);
     try {
       const values = await this.#ask(sym('learn'), point.x, point.y, point.frame, name);
-      if (!isLearned(values)) throw { said: `${values[0] ?? 'FAIL'}: ${this.#why() || 'no reason was told'}` };
-      this.#learnedAs = name;
+      if (!isLearned(values)) throw { said: `${values[0] ?? 'FAIL'}: ${await this.#why(values[0] ?? '')}` };
+      this.#learned = { name, before };
       this.#show(name);
     } catch (failure) {
       this.#say(`${failureText(failure)}. For one more sample of an object write its name first; then click again.`);
     }
-    this.#point = null;
+    this.#busy = false;
   }
 
   #show(name) {
-    const sample = this.#objects.newest(name);
-    const rows = [['Name', name === this.#provisional() ? 'to be named' : name], ...(sample?.parameters ?? [])];
-    if (sample) rows.push(['Num', sample.num]);
+    const isNew = name === this.#provisional();
     const named = element('input', {
       id: 'new-name',
       required: true,
@@ -108,7 +115,7 @@ export class Teaching {
       pattern: '[A-Za-z][A-Za-z0-9\\-]*',
       title: 'a letter, then letters, digits and hyphens',
       list: 'new-names',
-      value: name === this.#provisional() ? '' : name,
+      value: isNew ? '' : name,
     });
     const known = this.#objects.names();
     const free = usual.filter((one) => !known.includes(one)).map((one) => element('option', { value: one }));
@@ -125,41 +132,59 @@ export class Teaching {
       event.preventDefault();
       this.#accept(named.value);
     });
-    const alike = this.#objects.alike(name).map((sentence) => element('p', { class: 'warn' }, clipped(sentence)));
-    this.#window.replaceChildren(
-      templatePicture(sample?.picture ?? '', sample?.tone, `What was learned as ${name}`),
-      element(
-        'dl',
-        { class: 'parameters' },
-        ...rows.flatMap(([label, value]) => [element('dt', {}, label), element('dd', {}, String(value))]),
-      ),
-      ...alike,
-      form,
-    );
+    this.#window.replaceChildren(this.#sample, form);
+    this.#showSample();
     this.#window.hidden = false;
     this.#say('Learned. Accept it under a name, or reject it.');
     named.focus();
   }
 
-  async #end(work, sentence) {
+  // The reply comes before the facts of what was learned, or after.
+  #showSample() {
+    if (!this.#learned || this.#number(this.#learned.name) <= this.#learned.before) return this.#sample.replaceChildren();
+    const { name } = this.#learned;
+    const sample = this.#objects.newest(name);
+    const isNew = name === this.#provisional();
+    const rows = [['Name', isNew ? 'to be named' : name], ...sample.parameters, ['Num', sample.num]];
+    this.#sample.replaceChildren(
+      templatePicture(sample.picture, sample.tone, `What was learned as ${name}`),
+      element(
+        'dl',
+        { class: 'parameters' },
+        ...rows.flatMap(([label, value]) => [element('dt', {}, label), element('dd', {}, String(value))]),
+      ),
+      ...this.#objects.alike(name).map((sentence) => element('p', { class: 'warn' }, clipped(sentence))),
+    );
+  }
+
+  // One at a time: a click meanwhile would be taken under the name that is just being given.
+  async #end(saying, work, done) {
+    if (this.#busy) return;
+    this.#busy = true;
+    this.#say(saying);
+    let sentence = done;
     try {
       await work();
+      this.#learned = null;
       this.#window.hidden = true;
       this.#name.value = '';
-      this.#showNames();
-      this.#say(sentence);
     } catch (failure) {
-      this.#say(failureText(failure));
+      sentence = failureText(failure);
     }
+    this.#busy = false;
+    this.#showNames();
+    this.#say(sentence);
   }
   #accept(name) {
-    const learned = this.#learnedAs;
-    return this.#end(async () => {
+    const learned = this.#learned.name;
+    const work = async () => {
       if (name !== learned) await this.#ask(sym('rename'), learned, name);
+      this.#learned = { name, before: 0 };
       await this.#ask(sym('accept'), name);
-    }, `${name} is accepted. Click on the next mark.`);
+    };
+    return this.#end(`Accepting ${name} …`, work, `${name} is accepted. Click on the next mark.`);
   }
   #reject() {
-    return this.#end(() => this.#ask(sym('reject'), this.#learnedAs), 'Rejected: nothing was learned.');
+    return this.#end('Rejecting …', () => this.#ask(sym('reject'), this.#learned.name), 'Rejected: nothing was learned.');
   }
 }
