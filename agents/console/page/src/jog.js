@@ -28,7 +28,7 @@ class Jog {
   #log;
   #timer = 0;
   #press = null; // { button } while one is held down
-  #ended = Promise.resolve(); // the last one has
+  #running = null; // until the last one has ended
 
   constructor(connection, hands, log) {
     this.#connection = connection;
@@ -42,17 +42,25 @@ class Jog {
   }
 
   // One that was just let go ends first.
-  async begin(direction, button) {
+  begin(direction, button) {
     if (this.#press || !this.#hands.mine) return;
     const press = { button };
     this.#press = press;
     button.classList.add('held');
-    await this.#ended;
-    if (this.#press !== press) return;
+    const start = () => this.#press === press && this.#start(direction, press);
+    if (this.#running) this.#running.then(start);
+    else start();
+  }
+
+  #start(direction, press) {
     const ended = this.#connection.jog(this.#hands.robot, direction);
     this.#log.follow(`(jog ${direction})`, ended);
     this.#timer = setInterval(() => this.#connection.holdOn(), renewal);
-    this.#ended = ended.catch(() => null).then(() => this.#press === press && this.end());
+    const over = () => {
+      this.#running = null;
+      if (this.#press === press) this.end();
+    };
+    this.#running = ended.then(over, over);
   }
 
   end() {
