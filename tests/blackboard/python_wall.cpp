@@ -91,9 +91,9 @@ class PythonWatch : public Watch {
 
 class PythonBoard : public Board {
  public:
-  PythonBoard(PythonProcess& python, const std::string& address, const std::string& teller)
+  PythonBoard(PythonProcess& python, const std::string& address, const std::string& teller, Duration timeout)
       : python_(python), number_(python.next_number()) {
-    python_.begin(number_, list("open"_sym, address, teller), {});
+    python_.begin(number_, list("open"_sym, address, teller, static_cast<double>(timeout.count()) / 1e6), {});
   }
   PythonBoard(const PythonBoard&) = delete;
   PythonBoard& operator=(const PythonBoard&) = delete;
@@ -164,7 +164,7 @@ class PythonBoard : public Board {
 
 }  // namespace
 
-PythonProcess::PythonProcess(Executor& executor) : executor_(executor) {
+PythonProcess::PythonProcess(Executor& executor, Kind kind) : executor_(executor) {
   int to[2];
   int from[2];
   if (pipe2(to, O_CLOEXEC) != 0 || pipe2(from, O_CLOEXEC) != 0) throw std::runtime_error("no pipes");
@@ -178,7 +178,8 @@ PythonProcess::PythonProcess(Executor& executor) : executor_(executor) {
   std::string path = "PYTHONPATH=" + source_dir() + "/blackboard/python";
   std::string no_files = "PYTHONDONTWRITEBYTECODE=1";
   std::string utf8 = "PYTHONUTF8=1";
-  std::array<char*, 3> arguments = {python.data(), script.data(), nullptr};
+  std::string way = kind == Kind::plain ? "plain" : "asyncio";
+  std::array<char*, 4> arguments = {python.data(), script.data(), way.data(), nullptr};
   std::array<char*, 4> environment = {path.data(), no_files.data(), utf8.data(), nullptr};
   const int failed = posix_spawn(&child_, python.c_str(), &actions, nullptr, arguments.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
@@ -197,8 +198,8 @@ PythonProcess::~PythonProcess() {
   waitpid(child_, nullptr, 0);
 }
 
-std::unique_ptr<Board> PythonProcess::view(const std::string& address, const std::string& teller) {
-  return std::make_unique<PythonBoard>(*this, address, teller);
+std::unique_ptr<Board> PythonProcess::view(const std::string& address, const std::string& teller, Duration timeout) {
+  return std::make_unique<PythonBoard>(*this, address, teller, timeout);
 }
 
 std::int64_t PythonProcess::begin(std::int64_t view, const Datum& operation, Done done) {

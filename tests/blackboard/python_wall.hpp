@@ -1,9 +1,9 @@
 #pragma once
 
-// The wall to Python's client (blackboard/python/pizarra.py): boards whose every call is made by a python3 process that
-// is spoken to through pipes.
+// The walls to Python's clients (blackboard/python): boards whose every call is made by a python3 process that is spoken
+// to through pipes. Plain, or of asyncio.
 //
-//   PythonProcess python(executor);
+//   PythonProcess python(executor, PythonProcess::Kind::plain);
 //   std::unique_ptr<Board> board = python.view("tcp://127.0.0.1:7800", "alice");
 
 #include <functional>
@@ -21,12 +21,13 @@ class PythonProcess {
  public:
   using Done = std::function<void(Result<Datum>)>;
 
-  explicit PythonProcess(Executor& executor);
+  enum class Kind { plain, asyncio };
+  PythonProcess(Executor& executor, Kind kind);
   PythonProcess(const PythonProcess&) = delete;
   PythonProcess& operator=(const PythonProcess&) = delete;
   ~PythonProcess();
 
-  std::unique_ptr<Board> view(const std::string& address, const std::string& teller);
+  std::unique_ptr<Board> view(const std::string& address, const std::string& teller, Duration timeout = 5s);
 
   Executor& executor() { return executor_; }
   std::int64_t next_number() { return next_number_++; }

@@ -1,4 +1,4 @@
-// Both clients' behaviour with a board that refuses their messages: it reaches whom it concerns, in the board's words.
+// All clients' behaviour with a board that refuses their messages: it reaches whom it concerns, in the board's words.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,8 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    if (GetParam().name == "python") return python_.view(address_, teller);
+    if (GetParam().name == "python") return plain_.view(address_, teller);
+    if (GetParam().name == "asyncio") return asyncio_.view(address_, teller);
     return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
   void receive(const std::string& client, std::string_view frame) {
@@ -44,7 +45,8 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
   wire::WireSocket server_{
       executor_, wire::WireSocket::Kind::router,
       [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
-  PythonProcess python_{executor_};
+  PythonProcess plain_{executor_, PythonProcess::Kind::plain};
+  PythonProcess asyncio_{executor_, PythonProcess::Kind::asyncio};
 };
 
 TEST_P(RefusedTest, WhatIsRefusedOnceJoinedFailsAtOnceWithTheBoardsSentence) {
@@ -69,7 +71,7 @@ TEST_P(RefusedTest, AHelloThatIsRefusedFailsWhateverWaitsForIt) {
   EXPECT_EQ(asked.error().sentence, "not as a board likes it");
 }
 
-INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest, testing::Values(ClientKind{"remote"}, ClientKind{"python"}),
+INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest, testing::Values(ClientKind{"remote"}, ClientKind{"python"}, ClientKind{"asyncio"}),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "blackboard/wire/wire_socket.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"
+#include "tests/blackboard/python_wall.hpp"
 
 namespace pizarra {
 namespace {
@@ -36,7 +37,20 @@ class RemoteTest : public testing::Test, public Wall {
   std::unique_ptr<server::BoardServer> server_;
 };
 
-TEST_F(RemoteTest, WithoutAServerEverythingIsUnreachableAfterTheTimeout) {
+// The same of every client: this process' own, and Python's two.
+class ClientTest : public RemoteTest, public testing::WithParamInterface<const char*> {
+ protected:
+  std::unique_ptr<Board> view(const std::string& teller) override {
+    const std::string client = GetParam();
+    if (client == "remote") return RemoteTest::view(teller);
+    const auto kind = client == "python" ? PythonProcess::Kind::plain : PythonProcess::Kind::asyncio;
+    if (!python_) python_.emplace(executor_, kind);
+    return python_->view(address_, teller, timeout_);
+  }
+  std::optional<PythonProcess> python_;
+};
+
+TEST_P(ClientTest, WithoutAServerEverythingIsUnreachableAfterTheTimeout) {
   timeout_ = 500ms;
   const auto board = view("alice");
   const Time before = executor_.now();
@@ -45,7 +59,7 @@ TEST_F(RemoteTest, WithoutAServerEverythingIsUnreachableAfterTheTimeout) {
   EXPECT_LT(executor_.now() - before, 4s);
 }
 
-TEST_F(RemoteTest, AServerThatComesLateIsFound) {
+TEST_P(ClientTest, AServerThatComesLateIsFound) {
   const auto board = view("alice");
   executor_.call_at(executor_.now() + 200ms, [&] { start_server(); });
   EXPECT_EQ(symbol_of(run(board->declare(relations_))), "ok");
@@ -65,7 +79,7 @@ TEST_F(RemoteTest, AClientGreetsAsSoonAsItIsLetIn) {
   EXPECT_LT(best, 8ms);
 }
 
-TEST_F(RemoteTest, AfterTheServerWasLostAgentsGoOnAndTheirLeasesAreGone) {
+TEST_P(ClientTest, AfterTheServerWasLostAgentsGoOnAndTheirLeasesAreGone) {
   start_server();
   const auto alice = view("alice");
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
@@ -139,7 +153,7 @@ TEST_F(RemoteTest, ClientsSayHowLongFactsAreUnderWay) {
   }
 }
 
-TEST_F(RemoteTest, AClientThatWasForgottenComesBack) {
+TEST_P(ClientTest, AClientThatWasForgottenComesBack) {
   auto store = std::make_unique<store::Store>();
   board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
   server::BoardServerOptions options;
@@ -160,7 +174,10 @@ TEST_F(RemoteTest, AClientThatWasForgottenComesBack) {
   EXPECT_EQ(change.added.size(), 1U);
 }
 
-TEST_F(RemoteTest, AClientThatEndsIsForgottenAtOnce) {
+INSTANTIATE_TEST_SUITE_P(Clients, ClientTest, testing::Values("remote", "python", "asyncio"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+TEST_P(ClientTest, AClientThatEndsIsForgottenAtOnce) {
   start_server();
   auto alice = view("alice");
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");

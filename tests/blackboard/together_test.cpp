@@ -149,7 +149,8 @@ class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    if (GetParam() == std::string("python")) return python_.view(address_, teller);
+    if (GetParam() == std::string("python")) return plain_.view(address_, teller);
+    if (GetParam() == std::string("asyncio")) return asyncio_.view(address_, teller);
     return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
   void receive(const std::string& client, std::string_view frame) {
@@ -173,7 +174,8 @@ class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
   wire::WireSocket server_{
       executor_, wire::WireSocket::Kind::router,
       [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
-  PythonProcess python_{executor_};
+  PythonProcess plain_{executor_, PythonProcess::Kind::plain};
+  PythonProcess asyncio_{executor_, PythonProcess::Kind::asyncio};
 };
 
 TEST_P(ClientTogether, AReplyIsFoundWhereverInAFrameItStands) {
@@ -181,7 +183,7 @@ TEST_P(ClientTogether, AReplyIsFoundWhereverInAFrameItStands) {
   for (Revision n = 1; n <= 3; ++n) EXPECT_EQ(run(board->tell(read("(on a b)"))), n);
 }
 
-INSTANTIATE_TEST_SUITE_P(Clients, ClientTogether, testing::Values("remote", "python"),
+INSTANTIATE_TEST_SUITE_P(Clients, ClientTogether, testing::Values("remote", "python", "asyncio"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 class RemoteTogether : public ClientTogether {

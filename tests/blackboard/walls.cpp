@@ -39,10 +39,12 @@ class RemoteWall : public Wall {
   std::unique_ptr<server::BoardServer> server_;
 };
 
-// Boards of Python's client, on a server of this process.
+// Boards of Python's clients, on a server of this process.
 class PythonWall : public Wall {
  public:
-  PythonWall() : server_(server::BoardServer::open(executor_, board_, {.addresses = {ipc_address()}}).value()) {}
+  explicit PythonWall(PythonProcess::Kind kind)
+      : server_(server::BoardServer::open(executor_, board_, {.addresses = {ipc_address()}}).value()),
+        python_(executor_, kind) {}
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
@@ -53,7 +55,7 @@ class PythonWall : public Wall {
   RealExecutor executor_;
   memory::MemoryBoard board_{executor_};
   std::unique_ptr<server::BoardServer> server_;
-  PythonProcess python_{executor_};
+  PythonProcess python_;
 };
 
 }  // namespace
@@ -67,7 +69,8 @@ std::vector<WallKind> all_walls() {
   return {{"memory", [] { return std::make_unique<MemoryWall>(); }},
           {"ipc", [] { return std::make_unique<RemoteWall>(ipc_address()); }},
           {"tcp", [] { return std::make_unique<RemoteWall>("tcp://127.0.0.1:*"); }},
-          {"python", [] { return std::make_unique<PythonWall>(); }}};
+          {"python", [] { return std::make_unique<PythonWall>(PythonProcess::Kind::plain); }},
+          {"asyncio", [] { return std::make_unique<PythonWall>(PythonProcess::Kind::asyncio); }}};
 }
 
 }  // namespace pizarra

@@ -1,0 +1,274 @@
+"""The board for a script that does one thing after another: every call waits for the board's answer.
+
+    with Board("ipc:///tmp/cell/board.ipc", "script") as board:
+        board.declare("(relation seen ((name string) (x number)) (key name))")
+        board.tell('(seen "circle" 112.5)')                      # text, or data: [Symbol("seen"), "circle", 112.5]
+        for change in board.watch("(seen ?name ?x)"):             # first what holds, then every change, in order
+            print(change.added, change.removed)
+
+One thread uses a Board. Every call lets it speak with the board; between calls use board.wait(seconds): a client that is
+silent for ten seconds is forgotten, and its watches then begin again with a resynchronised change.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from typing import Any, Callable, Iterable, Iterator, List, Optional, TypeVar, Union
+
+from pizarra import calls, patterns
+from pizarra.answers import Answer, Answers, Change, Fact, query_of
+from pizarra.calls import Call
+from pizarra.failure import Failure
+from pizarra.feed import WatchFeed
+from pizarra.flow import Flow, Pause, Until
+from pizarra.patterns import Holder
+from pizarra.relation import Relation
+from pizarra.replica import Replicas
+from pizarra.session import Request, Session
+from pizarra.steps import tell
+from pizarra.stream import Frame, StreamFeed
+
+T = TypeVar("T")
+
+
+class Board:
+    def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None,
+                 timeout: float = 5.0) -> None:
+        self.session = Session(address, teller, key)
+        self.address, self.teller, self.timeout = address, self.session.teller, timeout
+        self.revision = 0  # of the answers that ask() gave last
+        self._replicas = Replicas(self.session)
+
+    def close(self) -> None:
+        self.session.close()
+
+    def __enter__(self) -> "Board":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    # ---- facts
+
+    def declare(self, *relations: Any) -> None:
+        call = calls.declare(relations)
+        self._call(call)
+        self.session.declared.update((form[1], form) for form in call.body[1:])
+
+    def transact(self, steps: Iterable[Any], preconditions: Iterable[Any] = ()) -> int:
+        """The revision it happened at."""
+        return self._call(calls.transact(steps, preconditions))
+
+    def tell(self, fact: Any, lease: int = 0, because: Iterable[int] = ()) -> int:
+        return self.transact([tell(fact, lease, because)])
+
+    def retract(self, pattern: Any) -> int:
+        return self._call(patterns.retraction(pattern))
+
+    def ask(self, query: Any) -> Answers:
+        answers = self._call(calls.ask(query))
+        self.revision = answers.revision
+        return answers
+
+    def take(self, pattern: Any, lease: int = 0) -> Optional[Fact]:
+        """One fact that fits, which nobody else has then; it is put back when the lease ends before it was settled."""
+        return self._call(calls.take(pattern, lease))
+
+    def lease(self, seconds: float) -> int:
+        return self._call(calls.lease(seconds))
+
+    def renew(self, lease: int) -> None:
+        self._call(calls.renew(lease))
+
+    def release(self, lease: int) -> None:
+        self._call(calls.release(lease))
+
+    def watch(self, query: Any) -> "Watch":
+        watch = Watch(self, query_of(query))
+        try:
+            self._finish(watch.feed.request)
+        except Failure:
+            watch.close()
+            raise
+        return watch
+
+    def stream(self, name: str) -> "Stream":
+        return Stream(self, name)
+
+    def replicate(self, relation: Any) -> None:
+        """Declares it, and holds its facts from then on: one pattern about it is answered from here (replica.py)."""
+        self.declare(relation)
+        replica = self._replicas.add(Relation(relation))
+        try:
+            self._until(lambda: replica.whole or replica.ended, self.timeout, "the relation did not come in time")
+            if replica.ended:
+                raise replica.ended
+        except Failure:
+            self._replicas.remove(replica)
+            raise
+
+    def await_answer(self, query: Any, timeout: float) -> Answer:
+        """The first answer that holds now or comes to hold in time."""
+        deadline = time.monotonic() + timeout
+        for answer in self.ask(query):
+            return answer
+        with self.watch(query) as watch:
+            while True:
+                change = watch.next(deadline - time.monotonic())
+                if change.added:
+                    return change.added[0]
+
+    # ---- other agents (patterns.py)
+
+    def request(self, agent: str, operation: Any, timeout: float = 10.0) -> List[Any]:
+        """QUERY: what the agent answers, without the `ok`."""
+        return self.run(patterns.request(self.teller, agent, operation, timeout))
+
+    def send(self, agent: str, operation: Any, lease: int = 0) -> None:
+        """SEND: nobody waits for what the agent answers."""
+        self.run(patterns.send(self.teller, agent, operation, lease))
+
+    def pull(self, pattern: Any) -> Optional[Fact]:
+        """The newest fact that fits."""
+        return self.run(patterns.pull(pattern))
+
+    def event(self, pattern: Any, timeout: float, lease: int = 0) -> Fact:
+        """EVENT: one fact that fits is taken, now or when it comes."""
+        return self.run(patterns.event(pattern, timeout, lease))
+
+    def holder(self, client: str, role: str) -> Holder:
+        """WIRING: who plays the role for the client at this moment."""
+        return self.run(patterns.holder(client, role))
+
+    def run(self, work: Union[Call[T], Flow[T]]) -> T:
+        """A call, or a flow (flow.py)."""
+        if isinstance(work, Call):
+            return self._call(work)
+        result: Any = None
+        failure: Optional[Failure] = None
+        while True:
+            try:
+                step = work.throw(failure) if failure else work.send(result)
+            except StopIteration as end:
+                return end.value  # type: ignore[no-any-return]
+            try:
+                result, failure = self._do(step), None
+            except Failure as failed:
+                result, failure = None, failed
+
+    def _do(self, step: Union[Call[Any], Pause, Until]) -> Any:
+        if isinstance(step, Pause):
+            return self.wait(step.seconds)
+        if isinstance(step, Until):
+            return self.await_answer(step.query, step.seconds)
+        return self._call(step)
+
+    # ---- time passes
+
+    def wait(self, seconds: float) -> None:
+        """Keeps in touch with the board meanwhile."""
+        deadline = time.monotonic() + seconds
+        while time.monotonic() < deadline:
+            self.turn(min(0.05, max(0.0, deadline - time.monotonic())))
+
+    def begin(self, body: Any, repeatable: bool) -> Request:
+        """For those who have a loop of their own: begin, turn() often, look at the request's result."""
+        return self.session.begin(body, repeatable)
+
+    def turn(self, seconds: float = 0.0) -> None:
+        """Receives what has come, waiting that long for it, and says what is due."""
+        self.session.turn(seconds)
+
+    def sockets(self) -> List[Any]:
+        """To wait on, beside others; they change where several boards take over from each other."""
+        return self.session.link.sockets()
+
+    def _call(self, call: Call[T]) -> T:
+        if call.is_question and self._replicas.holds(call.body[1]):
+            self.turn()
+            held = self._replicas.ask(call.body[1])
+            if held is not None:
+                return held  # type: ignore[return-value]
+        return call.understand(self._finish(self.session.begin(call.body, call.repeatable)))
+
+    def _finish(self, request: Request) -> Any:
+        try:
+            self._until(lambda: request.result, self.timeout, None)
+        except TimeoutError:
+            self.session.forget(request)
+            raise Failure("unreachable", "the board does not answer", self.address) from None
+        if isinstance(request.result, Failure):
+            raise request.result
+        return request.result[0] if request.result else None
+
+    def _until(self, ready: Callable[[], Optional[T]], timeout: Optional[float], late: Optional[str]) -> T:
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while True:
+            found = ready()
+            if found:
+                return found
+            if deadline is not None and time.monotonic() >= deadline:
+                raise Failure("timeout", late) if late else TimeoutError()
+            self.turn(0.01)
+
+
+class Watch:
+    """Iterated, it waits for each change: for ever, or until the `timeout` of next()."""
+
+    def __init__(self, board: Board, query: Any) -> None:
+        self._board = board
+        self.feed = WatchFeed(board.session, query)
+
+    def poll(self) -> Optional[Change]:
+        """The next change, or None where there is none yet."""
+        return self.feed.poll()
+
+    def next(self, timeout: Optional[float] = None) -> Change:
+        return self._board._until(self.feed.poll, timeout, "no change came in time")
+
+    def __iter__(self) -> Iterator[Change]:
+        while True:
+            yield self.next()
+
+    def close(self) -> None:
+        self.feed.close()
+
+    def __enter__(self) -> "Watch":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+class Stream:
+    """Follows an image stream: newest wins, and the next publisher under its name is gone on with."""
+
+    def __init__(self, board: Board, name: str) -> None:
+        self._board = board
+        self.feed = StreamFeed(board.session, name)
+        try:
+            board._finish(self.feed.request)
+        except Failure:
+            self.close()
+            raise
+
+    def poll(self) -> Optional[Frame]:
+        """The newest frame, or None where there is none yet."""
+        return self.feed.poll()
+
+    def next(self, timeout: Optional[float] = None) -> Frame:
+        return self._board._until(self.feed.poll, timeout, "no frame came in time")
+
+    def __iter__(self) -> Iterator[Frame]:
+        while True:
+            yield self.next()
+
+    def close(self) -> None:
+        self.feed.close()
+
+    def __enter__(self) -> "Stream":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

@@ -1,0 +1,31 @@
+"""What fails says so by raising a Failure.
+
+    try:
+        board.tell("(seen circle)")
+    except Failure as failure:
+        print(failure.symbol, failure.sentence, failure.subject)     # undeclared-relation ...
+
+Symbols of a board: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted, too-large and
+others. Of this client: unreachable, timeout; bad-datum for what cannot be said to a board, as None, nan or bytes;
+bad-address, bad-name, unreadable-file and bad-key for what it cannot begin with; closed for what is asked of it after
+close(). An agent's operation raises one to answer (fail SYMBOL SENTENCE SUBJECT).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+class Failure(Exception):
+    symbol: str
+    sentence: str
+    subject: Any
+
+    def __init__(self, symbol: str, sentence: str, subject: Any = ()) -> None:
+        super().__init__(f"{symbol}: {sentence}")
+        self.symbol, self.sentence, self.subject = str(symbol), str(sentence), subject
+
+
+def failure_from(form: Any) -> Failure:
+    """Of (fail SYMBOL SENTENCE SUBJECT), as a board says it."""
+    return Failure(*form[1:4])

@@ -1,0 +1,237 @@
+"""What a client and a board say to each other: who is there, requests and their replies, and what is watched.
+
+    session = Session("ipc:///tmp/cell/board.ipc", "script", None)
+    request = session.begin([Symbol("ask"), query], repeatable=True)
+    while request.result is None: session.turn(0.01)           # a Failure, or the value in a list
+
+It never waits by itself, but for as long as turn() is told to: Board (board.py) and AsyncBoard (aio.py) stand on it. A
+request is sent again while it is not answered. When the board was lost, relations are declared again and feeds begin
+again; a transaction or a take that was under way then fails, because nobody can say whether it happened.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from typing import Any, Callable, Dict, List, Optional, Union
+
+import zmq
+
+from pizarra.addresses import Addresses
+from pizarra.datum import FRAME_BYTES, FRAME_DEPTH, FRAME_ELEMENTS, Symbol, elements
+from pizarra.failure import Failure, failure_from
+from pizarra.feed import Feed
+from pizarra.keys import read_keys
+from pizarra.link import Link
+from pizarra.reader import read_all
+from pizarra.writer import check_teller, write
+
+ENVELOPE_BYTES = 64
+ENVELOPE_ELEMENTS = 4
+
+
+class Request:
+    """A request under way: done when `result` is no longer None, a value in a list or a Failure."""
+
+    def __init__(self, body: str, repeatable: bool) -> None:
+        self.body, self.repeatable = body, repeatable
+        self.sent: Optional[float] = None
+        self.result: Union[None, List[Any], Failure] = None
+        self.on_done: Callable[[], None] = lambda: None
+
+    def finish(self, result: Union[List[Any], Failure]) -> None:
+        self.result = result
+        self.on_done()
+
+
+class Session:
+    PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
+    # Where another board may take over: it serves within half a second.
+    PING_AMONG_OTHERS, SILENCE_AMONG_OTHERS = 0.1, 0.4
+    # No request goes before the board has answered those so far behind it: it remembers the answers of the last 256.
+    MOST_AHEAD = 128
+
+    def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None) -> None:
+        if not isinstance(address, str) or not isinstance(teller, str):
+            raise Failure("wrong-shape", "a board's address and the name of a teller are strings")
+        check_teller(teller)
+        self.address, self.teller = address, teller
+        self.addresses = Addresses(address, time.monotonic())
+        self.keys = None
+        if key and not address.startswith("ipc://"):
+            name, self.keys = read_keys(key)
+            if teller != name and not teller.startswith(name + "/"):
+                self.teller = f"{name}/{teller}"
+        self.id = self._life = 0
+        self.joined = False
+        self._heard = self._greeted = self._pinged = -1e9
+        self._next_request = 1
+        self._pending: Dict[int, Request] = {}
+        self.declared: Dict[str, Any] = {}
+        self.feeds: Dict[int, Feed] = {}
+        self._next_feed = 1
+        # Of a client that holds what it watches: the board is at this revision, and all up to there has come or has not.
+        self.on_revision: Callable[[Optional[int], bool], None] = lambda revision, came: None
+        # Another board, or one that has forgotten us.
+        self.on_begun_again: Callable[[], None] = lambda: None
+        self.context: Any = zmq.Context()
+        try:
+            self.link = Link(self.context, self.addresses.current, self.keys)
+        except Failure:
+            self.context.destroy(linger=0)
+            raise
+
+    def check_open(self) -> None:
+        if self.context.closed:
+            raise Failure("closed", "this board was closed", self.address)
+
+    def close(self) -> None:
+        if self.context.closed:
+            return
+        for feed in list(self.feeds.values()):
+            feed.close()
+        if self.joined:
+            self.send([Symbol("bye"), self.id])
+        self.link.close(linger=50)
+        self.context.destroy(linger=50)
+        self._fail(Failure("closed", "this board was closed", self.address), lambda request: True)
+
+    # ---- requests
+
+    def begin(self, body: Any, repeatable: bool) -> Request:
+        self.check_open()
+        text = write(body, FRAME_DEPTH - 1)
+        # An element takes a letter at least.
+        many = len(text) > FRAME_ELEMENTS and elements(body) + ENVELOPE_ELEMENTS > FRAME_ELEMENTS
+        if many or len(text.encode()) + ENVELOPE_BYTES > FRAME_BYTES:
+            raise Failure("too-large", "the request does not fit one message of the board")
+        number, self._next_request = self._next_request, self._next_request + 1
+        request = self._pending[number] = Request(text, repeatable)
+        if self.joined:
+            self._transmit_due(lambda other: other is request)
+        return request
+
+    def forget(self, request: Request) -> None:
+        self._pending = {number: other for number, other in self._pending.items() if other is not request}
+
+    def _transmit_due(self, is_due: Callable[[Request], bool]) -> None:
+        first = next(iter(self._pending), 0)
+        for number, request in self._pending.items():
+            if number >= first + self.MOST_AHEAD:
+                break
+            if is_due(request):
+                self._transmit(number, request)
+
+    def _transmit(self, number: int, request: Request) -> None:
+        if self.link.send(f"(request {self.id} {number} {request.body})"):
+            request.sent = time.monotonic()
+
+    def _fail(self, failure: Failure, concerned: Callable[[Request], bool]) -> None:
+        for number, request in list(self._pending.items()):
+            if concerned(request):
+                self._pending.pop(number).finish(failure)
+
+    def next_feed(self) -> int:
+        number, self._next_feed = self._next_feed, self._next_feed + 1
+        return number
+
+    # ---- time passes
+
+    def turn(self, seconds: float = 0.0) -> None:
+        """Receives what has come, waiting that long for it, and says what is due."""
+        self.check_open()
+        self._tick()
+        if seconds > 0:
+            self.link.wait(seconds)
+        for text in self.link.receive():
+            for message in read_all(text):
+                self._receive(message)
+        self._tick()
+
+    def send(self, message: List[Any]) -> bool:
+        self.check_open()
+        return self.link.send(write(message))
+
+    def _tick(self) -> None:
+        now = time.monotonic()
+        if self.link.was_refused():
+            self._refused()
+        others = self.addresses.has_others
+        if self.joined and self._heard + (self.SILENCE_AMONG_OTHERS if others else self.SILENCE) <= now:
+            self.joined, self._greeted = False, -1e9
+            self.addresses.lost(now)
+        if not self.joined:
+            self._greet(now)
+            return
+        every = self.PING_AMONG_OTHERS if others else self.PING
+        if self._pinged + every <= now and self.send([Symbol("ping"), self.id]):
+            self._pinged = now
+            for feed in self.feeds.values():
+                feed.acknowledge()  # what could not be said before
+        self._transmit_due(lambda request: request.sent is None or request.sent + self.RESEND <= now)
+
+    def _greet(self, now: float) -> None:
+        if self.addresses.is_time_for_the_next(now):
+            self.addresses.go_on(now)
+            self._greeted = -1e9
+            self.link.begin_again(self.addresses.current)
+        if self._greeted + self.GREET <= now and self.send([Symbol("hello"), self.teller, self.id]):
+            self._greeted = now
+
+    def _refused(self) -> None:
+        self.joined = False
+        self._fail(Failure("not-permitted", "the board does not accept this key" if self.keys else
+                           "the board asks for a key at this address"), lambda request: True)
+        self.link.begin_again()
+
+    # ---- what the board says
+
+    def _receive(self, message: Any) -> None:
+        self._heard = time.monotonic()
+        kind = str(message[0])
+        if kind == "reply":
+            self._replied(message)
+        elif kind == "change":
+            self._changed(message)
+        elif kind == "welcome" and not self.joined:
+            self._welcomed(*message[1:3])
+        elif kind == "goodbye" or kind == "unknown-session" and message[1] == self.id:
+            self.joined, self._greeted = False, -1e9
+        elif kind == "refused":
+            # Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
+            self._fail(failure_from(message[1]), lambda request: not self.joined or request.sent is not None)
+        elif kind == "watch-failed" and message[1] in self.feeds:
+            self.feeds[message[1]].end(failure_from(message[2]))
+
+    def _replied(self, message: Any) -> None:
+        self.on_revision(*(message[3], message[4] == Symbol("yes")) if len(message) > 4 else (None, False))
+        request = self._pending.pop(message[1], None)
+        if request:
+            result = message[2]
+            request.finish([result[1]] if result[0] == Symbol("ok") else failure_from(result))
+
+    def _changed(self, message: Any) -> None:
+        feed = self.feeds.get(message[1])
+        if feed:
+            feed.receive(message[2], message[3:])
+        else:
+            self.send([Symbol("unwatch"), self.id, message[1]])
+
+    def _welcomed(self, session: int, life: int) -> None:
+        self.joined = True
+        self.addresses.found()
+        same_session, same_life = session == self.id, life == self._life
+        self.id, self._life = session, life
+        if not same_session:
+            self._fail(Failure("unreachable", "the board was lost: whether this happened is not known"),
+                       lambda request: request.sent is not None and not request.repeatable)
+            for request in self._pending.values():
+                request.sent = None
+        if not (same_session and same_life):
+            self.on_begun_again()
+            if self.declared:
+                self.begin([Symbol("declare"), *self.declared.values()], True)
+            for feed in list(self.feeds.values()):
+                if feed.request.result is not None:
+                    feed.begin_again()
+        self._transmit_due(lambda request: True)
