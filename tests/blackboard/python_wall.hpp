@@ -1,7 +1,7 @@
 #pragma once
 
-// The walls to Python's clients (blackboard/python): boards whose every call is made by a python3 process that is spoken
-// to through pipes. Plain, or of asyncio.
+// The walls to Python's clients (blackboard/python): boards whose every call is made by a python3 process that is
+// spoken to through pipes. Plain, or of asyncio.
 //
 //   PythonProcess python(executor, PythonProcess::Kind::plain);
 //   std::unique_ptr<Board> board = python.view("tcp://127.0.0.1:7800", "alice");
@@ -48,5 +48,10 @@ class PythonProcess {
   std::map<std::int64_t, Done> pending_;
   std::string unread_;
 };
+
+// By the name of a test's parameter: "python" is the plain one.
+inline PythonProcess::Kind python_kind(const std::string& client) {
+  return client == "asyncio" ? PythonProcess::Kind::asyncio : PythonProcess::Kind::plain;
+}
 
 }  // namespace pizarra

@@ -24,9 +24,9 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    if (GetParam().name == "python") return plain_.view(address_, teller);
-    if (GetParam().name == "asyncio") return asyncio_.view(address_, teller);
-    return client::RemoteBoard::connect(executor_, address_, teller).value();
+    if (GetParam().name == "remote") return client::RemoteBoard::connect(executor_, address_, teller).value();
+    if (!python_) python_.emplace(executor_, python_kind(GetParam().name));
+    return python_->view(address_, teller);
   }
   void receive(const std::string& client, std::string_view frame) {
     const Datum message = wire::read_frame(frame).value();
@@ -45,8 +45,7 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
   wire::WireSocket server_{
       executor_, wire::WireSocket::Kind::router,
       [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
-  PythonProcess plain_{executor_, PythonProcess::Kind::plain};
-  PythonProcess asyncio_{executor_, PythonProcess::Kind::asyncio};
+  std::optional<PythonProcess> python_;
 };
 
 TEST_P(RefusedTest, WhatIsRefusedOnceJoinedFailsAtOnceWithTheBoardsSentence) {
@@ -71,7 +70,8 @@ TEST_P(RefusedTest, AHelloThatIsRefusedFailsWhateverWaitsForIt) {
   EXPECT_EQ(asked.error().sentence, "not as a board likes it");
 }
 
-INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest, testing::Values(ClientKind{"remote"}, ClientKind{"python"}, ClientKind{"asyncio"}),
+INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest,
+                         testing::Values(ClientKind{"remote"}, ClientKind{"python"}, ClientKind{"asyncio"}),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

@@ -43,8 +43,7 @@ class ClientTest : public RemoteTest, public testing::WithParamInterface<const c
   std::unique_ptr<Board> view(const std::string& teller) override {
     const std::string client = GetParam();
     if (client == "remote") return RemoteTest::view(teller);
-    const auto kind = client == "python" ? PythonProcess::Kind::plain : PythonProcess::Kind::asyncio;
-    if (!python_) python_.emplace(executor_, kind);
+    if (!python_) python_.emplace(executor_, python_kind(client));
     return python_->view(address_, teller, timeout_);
   }
   std::optional<PythonProcess> python_;
@@ -174,9 +173,6 @@ TEST_P(ClientTest, AClientThatWasForgottenComesBack) {
   EXPECT_EQ(change.added.size(), 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Clients, ClientTest, testing::Values("remote", "python", "asyncio"),
-                         [](const auto& tested) { return std::string(tested.param); });
-
 TEST_P(ClientTest, AClientThatEndsIsForgottenAtOnce) {
   start_server();
   auto alice = view("alice");
@@ -290,6 +286,9 @@ TEST_F(RemoteTest, AnAddressOrANameThatIsNoneIsRefused) {
   EXPECT_EQ(symbol_of(client::RemoteBoard::connect(executor_, "nowhere", "alice")), "bad-address");
   EXPECT_EQ(symbol_of(client::RemoteBoard::connect(executor_, "tcp://\xff:1", "alice")), "bad-address");
 }
+
+INSTANTIATE_TEST_SUITE_P(Clients, ClientTest, testing::Values("remote", "python", "asyncio"),
+                         [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace
 }  // namespace pizarra

@@ -149,9 +149,10 @@ class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    if (GetParam() == std::string("python")) return plain_.view(address_, teller);
-    if (GetParam() == std::string("asyncio")) return asyncio_.view(address_, teller);
-    return client::RemoteBoard::connect(executor_, address_, teller).value();
+    const std::string client = GetParam();
+    if (client == "remote") return client::RemoteBoard::connect(executor_, address_, teller).value();
+    if (!python_) python_.emplace(executor_, python_kind(client));
+    return python_->view(address_, teller);
   }
   void receive(const std::string& client, std::string_view frame) {
     std::string answer = "(pong 5)";
@@ -174,8 +175,7 @@ class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
   wire::WireSocket server_{
       executor_, wire::WireSocket::Kind::router,
       [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
-  PythonProcess plain_{executor_, PythonProcess::Kind::plain};
-  PythonProcess asyncio_{executor_, PythonProcess::Kind::asyncio};
+  std::optional<PythonProcess> python_;
 };
 
 TEST_P(ClientTogether, AReplyIsFoundWhereverInAFrameItStands) {

@@ -89,9 +89,7 @@ class AsyncBoard:
     # ---- facts
 
     async def declare(self, *relations: Any) -> None:
-        call = calls.declare(relations)
-        await self._call(call)
-        self.session.declared.update((form[1], form) for form in call.body[1:])
+        await self._call(calls.declare(relations))
 
     async def transact(self, steps: Iterable[Any], preconditions: Iterable[Any] = ()) -> int:
         """The revision it happened at."""
@@ -202,7 +200,9 @@ class AsyncBoard:
             held = self._replicas.ask(call.body[1])
             if held is not None:
                 return held  # type: ignore[return-value]
-        return call.understand(await self._finish(self.session.begin(call.body, call.repeatable)))
+        value = await self._finish(self.session.begin(call.body, call.repeatable))
+        self.session.note_done(call.body)
+        return call.understand(value)
 
     async def _finish(self, request: Request) -> Any:
         if not self._ticking:

@@ -52,9 +52,7 @@ class Board:
     # ---- facts
 
     def declare(self, *relations: Any) -> None:
-        call = calls.declare(relations)
-        self._call(call)
-        self.session.declared.update((form[1], form) for form in call.body[1:])
+        self._call(calls.declare(relations))
 
     def transact(self, steps: Iterable[Any], preconditions: Iterable[Any] = ()) -> int:
         """The revision it happened at."""
@@ -190,7 +188,9 @@ class Board:
             held = self._replicas.ask(call.body[1])
             if held is not None:
                 return held  # type: ignore[return-value]
-        return call.understand(self._finish(self.session.begin(call.body, call.repeatable)))
+        value = self._finish(self.session.begin(call.body, call.repeatable))
+        self.session.note_done(call.body)
+        return call.understand(value)
 
     def _finish(self, request: Request) -> Any:
         try:

@@ -67,7 +67,7 @@ class Session:
         self._heard = self._greeted = self._pinged = -1e9
         self._next_request = 1
         self._pending: Dict[int, Request] = {}
-        self.declared: Dict[str, Any] = {}
+        self._declared: Dict[str, Any] = {}
         self.feeds: Dict[int, Feed] = {}
         self._next_feed = 1
         # Of a client that holds what it watches: the board is at this revision, and all up to there has come or has not.
@@ -110,6 +110,11 @@ class Session:
         if self.joined:
             self._transmit_due(lambda other: other is request)
         return request
+
+    def note_done(self, body: List[Any]) -> None:
+        """What was declared is declared again when the board was lost."""
+        if body[0] == Symbol("declare"):
+            self._declared.update((str(form[1]), form) for form in body[1:])
 
     def forget(self, request: Request) -> None:
         self._pending = {number: other for number, other in self._pending.items() if other is not request}
@@ -229,8 +234,8 @@ class Session:
                 request.sent = None
         if not (same_session and same_life):
             self.on_begun_again()
-            if self.declared:
-                self.begin([Symbol("declare"), *self.declared.values()], True)
+            if self._declared:
+                self.begin([Symbol("declare"), *self._declared.values()], True)
             for feed in list(self.feeds.values()):
                 if feed.request.result is not None:
                     feed.begin_again()

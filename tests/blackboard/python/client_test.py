@@ -1,21 +1,20 @@
 """What the Python client makes of what is no datum: a Failure at once, and nothing sent.
 
-python_client_test.py PIZARRA-BOARD
+client_test.py PIZARRA-BOARD
 """
 
 import math
 import os
-import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
 import zmq
 
+import a_board
+from a_board import NOTE, BoardTest
 from pizarra import Board, Failure, Symbol, read, tell, write
-
-NOTE = "(relation note ((n integer) (text datum)) (key n))"
+from pizarra.session import Session
 
 
 def nested(depth):
@@ -58,24 +57,16 @@ class Data(unittest.TestCase):
             self.refused(symbol, read, text)
 
 
-class OnABoard(unittest.TestCase):
+class OnABoard(BoardTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        address = "ipc://" + os.path.join(self.folder.name, "board")
-        server = subprocess.Popen([program, "--listen", address], stdout=subprocess.DEVNULL)
-        self.addCleanup(server.wait)
-        self.addCleanup(server.terminate)
-        self.board = Board(address, "script", timeout=8)
-        self.addCleanup(self.board.close)
+        super().setUp()
+        self.board = self.client()
         self.board.declare(NOTE)
 
     def refused(self, symbol, action, *arguments):
         began = time.monotonic()
-        with self.assertRaises(Failure) as caught:
-            action(*arguments)
-        self.assertEqual(caught.exception.symbol, symbol, caught.exception)
-        self.assertLess(time.monotonic() - began, 4)
+        super().refused(symbol, action, *arguments)
+        self.assertLess(time.monotonic() - began, a_board.PATIENCE / 2, "not when its patience ends")
 
     def test_what_is_no_datum_is_refused_and_the_board_goes_on(self):
         for datum in (2**70, b"bytes", {}, "\r\x00\x01", None, "\ud800", Symbol("12")):
@@ -94,9 +85,9 @@ class OnABoard(unittest.TestCase):
 
     def mangle(self, frame):
         def transmit(number, request):
-            self.board._socket.send(frame.format(session=self.board._session, number=number).encode())
+            self.board.session.link.send(frame.format(session=self.board.session.id, number=number))
             request.sent = time.monotonic()
-        self.board._transmit = transmit
+        self.board.session._transmit = transmit
 
     def test_what_the_board_cannot_read_fails_at_once(self):
         self.mangle("(request 1.")
@@ -111,7 +102,7 @@ class OnABoard(unittest.TestCase):
 
     def test_no_request_goes_far_ahead_of_one_that_is_not_answered(self):
         begun = [self.board.begin([Symbol("transact"), [], [tell(f"(note {n} 1)")]], False) for n in range(300)]
-        self.assertEqual(sum(request.sent is not None for request in begun), Board.MOST_AHEAD)
+        self.assertEqual(sum(request.sent is not None for request in begun), Session.MOST_AHEAD)
         deadline = time.monotonic() + 8
         while time.monotonic() < deadline and any(request.result is None for request in begun):
             self.board.turn(0.05)
@@ -174,5 +165,4 @@ class WhatABoardCannotBeginWith(unittest.TestCase):
             Board("tcp://127.0.0.1:9", "me", secret).close()
 
 
-program = sys.argv.pop(1)
-unittest.main()
+a_board.run(__name__)

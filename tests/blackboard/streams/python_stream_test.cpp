@@ -1,4 +1,4 @@
-// Python's client and an image stream.
+// Python's clients, plain and of asyncio, and an image stream.
 
 #include <gtest/gtest.h>
 
@@ -15,17 +15,44 @@ namespace pizarra::streams {
 namespace {
 
 constexpr const char* script = R"(
+import asyncio
 import sys
 sys.path.insert(0, sys.argv[1])
-from pizarra import Board, Failure
+from pizarra import AsyncBoard, Board, Failure
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+def say(first, second):
+    print(first.width, first.height, first.channels, len(first.pixels), second.number > first.number)
+    if numpy:
+        image = first.array()
+        print(image.shape, image.dtype, image.tobytes() == first.pixels)
+
 with Board(sys.argv[2], "script") as board:
     eyes = board.stream("eyes")
-    first, second = eyes.next(timeout=20), eyes.next(timeout=20)
-    print(first.width, first.height, first.channels, len(first.pixels), second.number > first.number)
+    say(eyes.next(timeout=20), eyes.next(timeout=20))
     try:
         board.stream("blind").next(timeout=20)
     except Failure as failure:
         print(failure.symbol)
+
+async def look():
+    async with AsyncBoard(sys.argv[2], "loop") as board:
+        frames = []
+        async with board.stream("eyes") as eyes:
+            async for frame in eyes:
+                frames.append(frame)
+                if len(frames) == 2:
+                    break
+        say(*frames)
+        try:
+            await board.stream("blind").next(timeout=20)
+        except Failure as failure:
+            print(failure.symbol)
+asyncio.run(look())
+print("numpy" if numpy else "no numpy")
 )";
 
 TEST(PythonStream, SeesTheNewestFramesOfAPublisherThatOthersReachAndIsToldOfOneThatNobodyElseSees) {
@@ -50,7 +77,10 @@ TEST(PythonStream, SeesTheNewestFramesOfAPublisherThatOthersReachAndIsToldOfOneT
   const Time patience = executor.now() + 30s;
   executor.run_until([&] { return python.ended() || executor.now() > patience; });
   ASSERT_TRUE(python.ended());
-  EXPECT_EQ(python.rest(), "12 8 3 288 True\nno-image\n");
+  const std::string said = python.rest();
+  const bool numpy = said.ends_with("\nnumpy\n");
+  const std::string frame = numpy ? "12 8 3 288 True\n(8, 12, 3) uint8 True\n" : "12 8 3 288 True\n";
+  EXPECT_EQ(said, frame + "no-image\n" + frame + "no-image\n" + (numpy ? "numpy\n" : "no numpy\n"));
   EXPECT_EQ(python.wait(), 0);
 }
 
