@@ -1,0 +1,68 @@
+"""The example that plots a grasp, beside a cell that runs: python_plot_test.py PIZARRA-CELL SOURCE-DIR
+
+Ends with 77, and says why, where matplotlib is not installed.
+"""
+
+import importlib.util
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXAMPLE = "examples/12-python-plot/grasp.py"
+
+
+class ThePlotOfAGrasp(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.environment = dict(os.environ, XDG_RUNTIME_DIR=self.folder, TMPDIR=self.folder, MPLCONFIGDIR=self.folder,
+                                PYTHONPATH=os.path.join(source, "blackboard/python"))
+
+    def start_cell(self):
+        """Its board's address, once everything is taught."""
+        cell = subprocess.Popen([program, "up", os.path.join(source, "examples/01-blocks/cell.scm")], cwd=self.folder,
+                                env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(cell.stdout.close)
+        self.addCleanup(cell.wait)
+        self.addCleanup(cell.send_signal, signal.SIGINT)
+        said, address = [], None
+        for line in cell.stdout:
+            said.append(line)
+            words = line.split()
+            address = next((word for word in words if word.startswith("ipc://")), address)
+            if "ready for goals" in line:
+                return address
+        self.fail("".join(said))
+
+    def plot(self, *words):
+        return subprocess.run([sys.executable, os.path.join(source, EXAMPLE), *words], cwd=self.folder,
+                              env=self.environment, capture_output=True, text=True, check=False)
+
+    def test_a_grasp_is_plotted(self):
+        picture = os.path.join(self.folder, "grasp.png")
+        plotted = self.plot(self.start_cell(), "circle", "--out", picture, "--patience", "300")
+        self.assertEqual(plotted.returncode, 0, plotted.stderr)
+        self.assertRegex(plotted.stdout, r"^the goal is \w+ after \d+ looks\n")
+        from matplotlib import image
+        drawn = image.imread(picture)
+        self.assertEqual(drawn.shape[:2], (600, 800))
+        blue = (drawn[:, :, 2] > drawn[:, :, 0] + 0.3).nonzero()[0]
+        self.assertTrue((blue < 300).any() and (blue > 300).any(), "a curve in each half")
+
+    def test_what_cannot_be_plotted_says_why(self):
+        for words, status, sentence in (([], 2, "BOARD-ADDRESS"), (["nowhere"], 1, "grasp: bad-address")):
+            plotted = self.plot(*words)
+            self.assertEqual(plotted.returncode, status)
+            self.assertIn(sentence, plotted.stderr)
+
+
+if importlib.util.find_spec("matplotlib") is None:
+    print("skipped: python3-matplotlib is not installed")
+    sys.exit(77)
+program, source = sys.argv[1:3]
+del sys.argv[1:3]
+unittest.main()
