@@ -23,7 +23,7 @@ from pizarra.answers import Answer, Answers, Change, Fact, query_of
 from pizarra.calls import Call
 from pizarra.failure import Failure
 from pizarra.feed import WatchFeed
-from pizarra.flow import Flow, Pause, Until
+from pizarra.flow import Flow, Keep, Pause, Step, Until
 from pizarra.patterns import Holder
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
@@ -114,6 +114,10 @@ class AsyncBoard:
     async def renew(self, lease: int) -> None:
         await self._call(calls.renew(lease))
 
+    def keep(self, lease: int, every: float = 0.5) -> None:
+        """Renews it so often from now on, until the board ends; `every` 0: no longer."""
+        self.session.keep(lease, every)
+
     async def release(self, lease: int) -> None:
         await self._call(calls.release(lease))
 
@@ -187,9 +191,11 @@ class AsyncBoard:
             except Failure as failed:
                 result, failure = None, failed
 
-    async def _do(self, step: Union[Call[Any], Pause, Until]) -> Any:
+    async def _do(self, step: Step) -> Any:
         if isinstance(step, Pause):
             return await asyncio.sleep(step.seconds)
+        if isinstance(step, Keep):
+            return self.keep(step.lease, step.every)
         if isinstance(step, Until):
             return await self.await_answer(step.query, step.seconds)
         return await self._call(step)

@@ -21,7 +21,7 @@ from pizarra.answers import Answer, Answers, Change, Fact, query_of
 from pizarra.calls import Call
 from pizarra.failure import Failure
 from pizarra.feed import WatchFeed
-from pizarra.flow import Flow, Pause, Until
+from pizarra.flow import Flow, Keep, Pause, Step, Until
 from pizarra.patterns import Holder
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
@@ -78,6 +78,10 @@ class Board:
 
     def renew(self, lease: int) -> None:
         self._call(calls.renew(lease))
+
+    def keep(self, lease: int, every: float = 0.5) -> None:
+        """Renews it so often from now on, whenever a call lets the board be spoken with; `every` 0: no longer."""
+        self.session.keep(lease, every)
 
     def release(self, lease: int) -> None:
         self._call(calls.release(lease))
@@ -155,9 +159,11 @@ class Board:
             except Failure as failed:
                 result, failure = None, failed
 
-    def _do(self, step: Union[Call[Any], Pause, Until]) -> Any:
+    def _do(self, step: Step) -> Any:
         if isinstance(step, Pause):
             return self.wait(step.seconds)
+        if isinstance(step, Keep):
+            return self.keep(step.lease, step.every)
         if isinstance(step, Until):
             return self.await_answer(step.query, step.seconds)
         return self._call(step)

@@ -24,6 +24,13 @@ class Pause(NamedTuple):
     seconds: float
 
 
+class Keep(NamedTuple):
+    """Has the lease renewed that often from now on, whenever the board is spoken with; `every` 0: no longer."""
+
+    lease: int
+    every: float
+
+
 class Until(NamedTuple):
     """The first answer that holds now or comes to hold in time; Failure `timeout`."""
 
@@ -31,7 +38,7 @@ class Until(NamedTuple):
     seconds: float
 
 
-Step = Union[Call[Any], Pause, Until]
+Step = Union[Call[Any], Pause, Keep, Until]
 Flow = Generator[Step, Any, T]
 
 

@@ -3,7 +3,7 @@
     presence = Presence("lamp", Contract("lamp", posts=["(relation lamp ((colour symbol)) (key))"]))
     board.run(presence.come())                              # declares; waits until the name is free
     while True:
-        board.wait(0.1)
+        board.wait(0.1)                                     # every call of the board renews the lease
         if board.run(presence.keep()):                      # the board was started again, or had forgotten us
             ...                                             # tell again what stands under presence.lease
     board.run(presence.leave())
@@ -22,7 +22,7 @@ from pizarra import calls
 from pizarra.contract import Contract
 from pizarra.datum import Symbol
 from pizarra.failure import Failure
-from pizarra.flow import Flow, Pause, do
+from pizarra.flow import Flow, Keep, Pause, do
 from pizarra.steps import absent, tell
 from pizarra.writer import check_teller
 
@@ -45,7 +45,7 @@ class Presence:
         self.context = context or CONTEXTS.get(contract.kind, contract.kind)
         self.lease = 0  # what should go with the agent is told under it
         self.on_lease: Callable[[], None] = lambda: None
-        self._renewed = 0.0
+        self._told = 0.0
         self._may_bind = bool(contract.offers)
 
     def come(self) -> Flow[None]:
@@ -54,12 +54,11 @@ class Presence:
             yield Pause(self.RETRY)
 
     def keep(self) -> Flow[bool]:
-        """To be run often: renews the lease when that is due. True where presence began anew, under another lease."""
-        if time.monotonic() < self._renewed + self.RENEWAL:
+        """To be run often: tells who is here again when that is due. True where presence began anew, under another lease."""
+        if time.monotonic() < self._told + self.RENEWAL:
             return False
         try:
-            yield from do(calls.renew(self.lease))
-            # Told again, which changes nothing unless somebody retracted it: who lives is present.
+            # It changes nothing unless somebody retracted it: who lives is present.
             yield from do(calls.transact(self._facts(self.lease)))
             yield from self._bind()
         except Failure as failure:
@@ -67,11 +66,12 @@ class Presence:
                 return (yield from self._announce())
             if failure.symbol != "unreachable":
                 raise
-        self._renewed = time.monotonic()
+        self._told = time.monotonic()
         return False
 
     def leave(self) -> Flow[None]:
         """The name is free at once."""
+        yield Keep(self.lease, 0)
         try:
             yield from do(calls.release(self.lease))
         except Failure as failure:
@@ -91,7 +91,8 @@ class Presence:
             elif failure.symbol not in ("unreachable", "unknown-lease"):
                 raise
             return False
-        self.lease, self._renewed = lease, time.monotonic()
+        yield Keep(lease, self.RENEWAL)
+        self.lease, self._told = lease, time.monotonic()
         self.on_lease()
         yield from self._bind()
         return True

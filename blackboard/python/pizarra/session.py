@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import os
 import time
-from typing import Any, Callable, Dict, List, Optional, Union
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Union
 
 import zmq
 
@@ -44,6 +44,12 @@ class Request:
         self.on_done()
 
 
+class KeptLease(NamedTuple):
+    every: float
+    due: float
+    renewal: Optional[Request]
+
+
 class Session:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
     # Where another board may take over: it serves within half a second.
@@ -70,6 +76,7 @@ class Session:
         self._declared: Dict[str, Any] = {}
         self.feeds: Dict[int, Feed] = {}
         self._next_feed = 1
+        self._kept: Dict[int, KeptLease] = {}
         # Of a client that holds what it watches: the board is at this revision, and all up to there has come or has not.
         self.on_revision: Callable[[Optional[int], bool], None] = lambda revision, came: None
         # Another board, or one that has forgotten us.
@@ -140,6 +147,21 @@ class Session:
         number, self._next_feed = self._next_feed, self._next_feed + 1
         return number
 
+    # ---- leases
+
+    def keep(self, lease: int, every: float) -> None:
+        """Renews it that often from now on, until the board knows it no more; `every` 0: no longer."""
+        self._kept.pop(lease, None)
+        if every > 0:
+            self._kept[lease] = KeptLease(every, time.monotonic() + every, None)
+
+    def _renew_due(self, now: float) -> None:
+        for lease, (every, due, renewal) in list(self._kept.items()):
+            if renewal and isinstance(renewal.result, Failure) and renewal.result.symbol == "unknown-lease":
+                del self._kept[lease]
+            elif due <= now and (renewal is None or renewal.result is not None):
+                self._kept[lease] = KeptLease(every, now + every, self.begin([Symbol("renew"), lease], True))
+
     # ---- time passes
 
     def turn(self, seconds: float = 0.0) -> None:
@@ -173,6 +195,7 @@ class Session:
             self._pinged = now
             for feed in self.feeds.values():
                 feed.acknowledge()  # what could not be said before
+        self._renew_due(now)
         self._transmit_due(lambda request: request.sent is None or request.sent + self.RESEND <= now)
 
     def _greet(self, now: float) -> None:

@@ -4,6 +4,7 @@ agent_test.py PIZARRA-BOARD
 """
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -193,6 +194,8 @@ class PresenceOfAPlainScript(AgentTest):
             self.board.wait(0.1)
             self.assertFalse(self.board.run(presence.keep()))
         self.assertIsNone(watch.poll(), "longer than its lease, and it stood all the time")
+        self.refused("timeout", self.board.request, "nobody", "(count)", 3)
+        self.assertIsNone(watch.poll(), "a call that takes long keeps it, too")
         self.restart_board()
         self.until(lambda: self.board.wait(0.05) or self.board.run(presence.keep()))
         self.assertEqual(len(self.board.ask("(agent lamp lamp ?)")), 1)
@@ -244,17 +247,52 @@ class Contracts(BoardTest):
             self.refused("unknown-operation", contract.check, read(text))
 
 
-class TheExampleOfAnAgent(AgentTest):
-    def test_it_counts(self):
-        folder = os.path.join(os.path.dirname(__file__), "../../../examples/own-agent-python")
-        with open(os.path.join(folder, "counter.py"), encoding="utf-8") as file:
-            self.start_agent(program=file.read())
+class WhatThePagesShow(AgentTest):
+    def text_of(self, file):
+        with open(os.path.join(os.path.dirname(__file__), "../../..", file), encoding="utf-8") as opened:
+            return opened.read()
+
+    def code_of(self, page, with_line):
+        """The one piece of Python on the page that has the line."""
+        [code] = [code for code in re.findall("```python\n(.*?)```", self.text_of(page), re.DOTALL) if with_line in code]
+        return code
+
+    def block(self, state):
+        self.board.tell(f"(barrier exit {state})")
+
+    def test_the_example_counts(self):
+        self.start_agent(program=self.text_of("examples/own-agent-python/counter.py"))
         self.assertEqual(self.values("(count)"), [0])
         for count in (1, 2):
-            self.board.tell("(barrier exit blocked)")
+            self.block("blocked")
             self.board.await_answer(f"(passed {count})", PATIENCE)
-            self.board.tell("(barrier exit free)")
+            self.block("free")
         self.assertEqual(self.values("(count)"), [2])
+
+    def test_the_agent_of_the_page_counts(self):
+        self.start_agent(program=self.code_of("docs/python.md", 'Agent("counter"'))
+        self.assertEqual(self.values("(count)"), [0])
+        self.block("blocked")
+        self.board.await_answer("(passed 1)", PATIENCE)
+        self.refused("too-low", self.values, "(reset -1)")
+        self.assertEqual(self.values("(reset 5)"), [])
+        self.assertEqual(self.values("(count)"), [5])
+
+    def test_the_lamp_of_the_tutorial_is_red_while_an_arm_moves(self):
+        self.start_agent(program=self.code_of("docs/tutorial.md", 'Agent("lamp"'))
+        self.assertEqual(self.values("(colour)", "lamp"), [Symbol("green")])
+        self.board.declare("(relation arm ((robot symbol) (state symbol) (action string)) (key robot))")
+        for state, colour in (("moving", "red"), ("idle", "green")):
+            self.board.tell(f'(arm robot {state} "")')
+            self.board.await_answer(f"(lamp {colour})", PATIENCE)
+            self.assertEqual(self.values("(colour)", "lamp"), [Symbol(colour)])
+
+    def test_every_piece_of_python_on_the_pages_is_python(self):
+        for page in ("docs/python.md", "docs/tutorial.md"):
+            pieces = re.findall("```python\n(.*?)```", self.text_of(page), re.DOTALL)
+            self.assertTrue(pieces)
+            for piece in pieces:
+                compile(textwrap.dedent(piece), page, "exec")
 
 
 a_board.run(__name__)
