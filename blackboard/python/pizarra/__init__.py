@@ -6,27 +6,30 @@ One module is one idea:
     datum, reader, writer           data, and the text that they are
     relation, answers, steps        what is declared, asked and told
     board, aio                      the board, for one thing after another and for asyncio
+    watch, aio_watch                changes and images, as they come
     presence, contract, agent       an agent: who is there, what it offers, and the loop around it
     patterns                        how agents meet: QUERY, SEND, pull, EVENT, WIRING
     replica, stream                 facts that are held here; images
-    session, feed, link, addresses, keys, calls, flow       what these stand on
+    session, requests, leases, feed, link, addresses, keys, calls, flow, service, loop      what these stand on
 
 It needs Debian's python3-zmq; images as arrays need python3-numpy.
 """
 
 from pizarra.agent import Agent
-from pizarra.aio import AsyncBoard, AsyncStream, AsyncWatch
+from pizarra.aio import AsyncBoard
+from pizarra.aio_watch import AsyncStream, AsyncWatch
 from pizarra.answers import Answer, Answers, Change, Fact
-from pizarra.board import Board, Stream, Watch
+from pizarra.board import Board
 from pizarra.contract import Contract
 from pizarra.datum import Datum, Symbol
 from pizarra.failure import Failure
 from pizarra.patterns import Holder
 from pizarra.presence import Presence
 from pizarra.reader import read, read_all
-from pizarra.session import Request
+from pizarra.requests import Request
 from pizarra.steps import absent, present, retract, settle, tell, unchanged
 from pizarra.stream import Frame
+from pizarra.watch import Stream, Watch
 from pizarra.writer import write
 
 __version__ = "0.1.0"

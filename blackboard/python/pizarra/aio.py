@@ -14,22 +14,21 @@ from __future__ import annotations
 import asyncio
 import os
 import time
-from typing import Any, AsyncIterator, Callable, Iterable, List, Optional, TypeVar, Union
-
-import zmq
+from typing import Any, Iterable, List, Optional, TypeVar, Union
 
 from pizarra import calls, patterns
-from pizarra.answers import Answer, Answers, Change, Fact, query_of
+from pizarra.aio_watch import AsyncStream, AsyncWatch
+from pizarra.answers import Answer, Answers, Fact, query_of
 from pizarra.calls import Call
 from pizarra.failure import Failure
-from pizarra.feed import WatchFeed
 from pizarra.flow import Flow, Keep, Pause, Step, Until
+from pizarra.loop import Readable, wait
 from pizarra.patterns import Holder
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
-from pizarra.session import Request, Session
+from pizarra.requests import Request
+from pizarra.session import Session
 from pizarra.steps import tell
-from pizarra.stream import Frame, StreamFeed
 
 T = TypeVar("T")
 TICK = 0.05  # how often what is due is looked for
@@ -47,7 +46,7 @@ class AsyncBoard:
     async def __aenter__(self) -> "AsyncBoard":
         self._loop = asyncio.get_running_loop()
         link = self.session.link
-        readable = _Readable(self._loop, self._turn)
+        readable = Readable(self._loop, self._turn)
         link.opened, link.closing = (lambda: readable.begin(link.socket)), readable.end
         link.sent = self._look_soon
         readable.begin(link.socket)
@@ -116,16 +115,16 @@ class AsyncBoard:
 
     def keep(self, lease: int, every: float = 0.5) -> None:
         """Renews it so often from now on, until the board ends; `every` 0: no longer."""
-        self.session.keep(lease, every)
+        self.session.leases.keep(lease, every)
 
     async def release(self, lease: int) -> None:
         await self._call(calls.release(lease))
 
-    def watch(self, query: Any) -> "AsyncWatch":
+    def watch(self, query: Any) -> AsyncWatch:
         """A refusal is raised where its changes are awaited, or by `async with`."""
         return AsyncWatch(self, query_of(query))
 
-    def stream(self, name: str) -> "AsyncStream":
+    def stream(self, name: str) -> AsyncStream:
         return AsyncStream(self, name)
 
     async def replicate(self, relation: Any) -> None:
@@ -135,7 +134,7 @@ class AsyncBoard:
         news = asyncio.Event()
         replica.on_news = news.set
         try:
-            await _wait(lambda: replica.whole or replica.ended, news, self.timeout, "the relation did not come in time")
+            await wait(lambda: replica.whole or replica.ended, news, self.timeout, "the relation did not come in time")
             if replica.ended:
                 raise replica.ended
         except Failure:
@@ -228,111 +227,3 @@ class AsyncBoard:
         if isinstance(request.result, Failure):
             raise request.result
         return request.result[0] if request.result else None
-
-
-class AsyncWatch:
-    """Iterated, it awaits each change. `async with` closes it behind."""
-
-    def __init__(self, board: AsyncBoard, query: Any) -> None:
-        self._board = board
-        self._news = asyncio.Event()
-        self.feed = WatchFeed(board.session, query)
-        self.feed.on_news = self._news.set
-
-    def poll(self) -> Optional[Change]:
-        """The next change, or None where there is none yet."""
-        return self.feed.poll()
-
-    async def next(self, timeout: Optional[float] = None) -> Change:
-        return await _wait(self.feed.poll, self._news, timeout, "no change came in time")
-
-    async def __aiter__(self) -> AsyncIterator[Change]:
-        while True:
-            yield await self.next()
-
-    async def begun(self) -> None:
-        """The board has taken it; or the Failure why it does not."""
-        await _wait(lambda: self.feed.begun or self.feed.ended, self._news, self._board.timeout,
-                    "the board does not answer", "unreachable")
-        if self.feed.ended:
-            raise self.feed.ended
-
-    def close(self) -> None:
-        self.feed.close()
-
-    async def __aenter__(self) -> "AsyncWatch":
-        try:
-            await self.begun()
-        except BaseException:
-            self.close()
-            raise
-        return self
-
-    async def __aexit__(self, *_: object) -> None:
-        self.close()
-
-
-class AsyncStream:
-    """Follows an image stream: newest wins, and the next publisher under its name is gone on with."""
-
-    def __init__(self, board: AsyncBoard, name: str) -> None:
-        self._news = asyncio.Event()
-        self.feed = feed = StreamFeed(board.session, name)
-        readable = _Readable(asyncio.get_running_loop(), self._news.set)
-        feed.on_announcement(self._news.set)
-        feed.opened, feed.closing = (lambda: readable.begin(feed.socket)), readable.end
-
-    def poll(self) -> Optional[Frame]:
-        """The newest frame, or None where there is none yet."""
-        return self.feed.poll()
-
-    async def next(self, timeout: Optional[float] = None) -> Frame:
-        return await _wait(self.feed.poll, self._news, timeout, "no frame came in time")
-
-    async def __aiter__(self) -> AsyncIterator[Frame]:
-        while True:
-            yield await self.next()
-
-    def close(self) -> None:
-        self.feed.close()
-
-    async def __aenter__(self) -> "AsyncStream":
-        return self
-
-    async def __aexit__(self, *_: object) -> None:
-        self.close()
-
-
-class _Readable:
-    """Calls when a ZeroMQ socket may have something to read. That is said once for all that has come."""
-
-    def __init__(self, loop: asyncio.AbstractEventLoop, call: Callable[[], object]) -> None:
-        self._loop, self._call, self._file = loop, call, -1
-
-    def begin(self, socket: Any) -> None:
-        self._file = socket.getsockopt(zmq.FD)
-        self._loop.add_reader(self._file, self._call)
-        self._loop.call_soon(self._call)
-
-    def end(self) -> None:
-        if self._file >= 0:
-            self._loop.remove_reader(self._file)
-        self._file = -1
-
-
-async def _wait(ready: Callable[[], Optional[T]], news: asyncio.Event, timeout: Optional[float], late: str,
-                symbol: str = "timeout") -> T:
-    """For what is ready, looked at whenever there are news."""
-    deadline = None if timeout is None else time.monotonic() + timeout
-    while True:
-        news.clear()
-        found = ready()
-        if found:
-            return found
-        left = None if deadline is None else deadline - time.monotonic()
-        if left is not None and left <= 0:
-            raise Failure(symbol, late)
-        try:
-            await asyncio.wait_for(news.wait(), left)
-        except asyncio.TimeoutError:
-            continue  # a last look, and then it is late

@@ -14,20 +14,20 @@ from __future__ import annotations
 
 import os
 import time
-from typing import Any, Callable, Iterable, Iterator, List, Optional, TypeVar, Union
+from typing import Any, Callable, Iterable, List, Optional, TypeVar, Union
 
 from pizarra import calls, patterns
-from pizarra.answers import Answer, Answers, Change, Fact, query_of
+from pizarra.answers import Answer, Answers, Fact, query_of
 from pizarra.calls import Call
 from pizarra.failure import Failure
-from pizarra.feed import WatchFeed
 from pizarra.flow import Flow, Keep, Pause, Step, Until
 from pizarra.patterns import Holder
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
-from pizarra.session import Request, Session
+from pizarra.requests import Request
+from pizarra.session import Session
 from pizarra.steps import tell
-from pizarra.stream import Frame, StreamFeed
+from pizarra.watch import Stream, Watch
 
 T = TypeVar("T")
 
@@ -81,21 +81,21 @@ class Board:
 
     def keep(self, lease: int, every: float = 0.5) -> None:
         """Renews it so often from now on, whenever a call lets the board be spoken with; `every` 0: no longer."""
-        self.session.keep(lease, every)
+        self.session.leases.keep(lease, every)
 
     def release(self, lease: int) -> None:
         self._call(calls.release(lease))
 
-    def watch(self, query: Any) -> "Watch":
+    def watch(self, query: Any) -> Watch:
         watch = Watch(self, query_of(query))
         try:
-            self._finish(watch.feed.request)
+            self.finish(watch.feed.request)
         except Failure:
             watch.close()
             raise
         return watch
 
-    def stream(self, name: str) -> "Stream":
+    def stream(self, name: str) -> Stream:
         return Stream(self, name)
 
     def replicate(self, relation: Any) -> None:
@@ -103,7 +103,7 @@ class Board:
         self.declare(relation)
         replica = self._replicas.add(Relation(relation))
         try:
-            self._until(lambda: replica.whole or replica.ended, self.timeout, "the relation did not come in time")
+            self.wait_for(lambda: replica.whole or replica.ended, self.timeout, "the relation did not come in time")
             if replica.ended:
                 raise replica.ended
         except Failure:
@@ -194,13 +194,13 @@ class Board:
             held = self._replicas.ask(call.body[1])
             if held is not None:
                 return held  # type: ignore[return-value]
-        value = self._finish(self.session.begin(call.body, call.repeatable))
+        value = self.finish(self.session.begin(call.body, call.repeatable))
         self.session.note_done(call.body)
         return call.understand(value)
 
-    def _finish(self, request: Request) -> Any:
+    def finish(self, request: Request) -> Any:
         try:
-            self._until(lambda: request.result, self.timeout, None)
+            self.wait_for(lambda: request.result, self.timeout, None)
         except TimeoutError:
             self.session.forget(request)
             raise Failure("unreachable", "the board does not answer", self.address) from None
@@ -208,7 +208,7 @@ class Board:
             raise request.result
         return request.result[0] if request.result else None
 
-    def _until(self, ready: Callable[[], Optional[T]], timeout: Optional[float], late: Optional[str]) -> T:
+    def wait_for(self, ready: Callable[[], Optional[T]], timeout: Optional[float], late: Optional[str]) -> T:
         deadline = None if timeout is None else time.monotonic() + timeout
         while True:
             found = ready()
@@ -217,64 +217,3 @@ class Board:
             if deadline is not None and time.monotonic() >= deadline:
                 raise Failure("timeout", late) if late else TimeoutError()
             self.turn(0.01)
-
-
-class Watch:
-    """Iterated, it waits for each change: for ever, or until the `timeout` of next()."""
-
-    def __init__(self, board: Board, query: Any) -> None:
-        self._board = board
-        self.feed = WatchFeed(board.session, query)
-
-    def poll(self) -> Optional[Change]:
-        """The next change, or None where there is none yet."""
-        return self.feed.poll()
-
-    def next(self, timeout: Optional[float] = None) -> Change:
-        return self._board._until(self.feed.poll, timeout, "no change came in time")
-
-    def __iter__(self) -> Iterator[Change]:
-        while True:
-            yield self.next()
-
-    def close(self) -> None:
-        self.feed.close()
-
-    def __enter__(self) -> "Watch":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-
-class Stream:
-    """Follows an image stream: newest wins, and the next publisher under its name is gone on with."""
-
-    def __init__(self, board: Board, name: str) -> None:
-        self._board = board
-        self.feed = StreamFeed(board.session, name)
-        try:
-            board._finish(self.feed.request)
-        except Failure:
-            self.close()
-            raise
-
-    def poll(self) -> Optional[Frame]:
-        """The newest frame, or None where there is none yet."""
-        return self.feed.poll()
-
-    def next(self, timeout: Optional[float] = None) -> Frame:
-        return self._board._until(self.feed.poll, timeout, "no frame came in time")
-
-    def __iter__(self) -> Iterator[Frame]:
-        while True:
-            yield self.next()
-
-    def close(self) -> None:
-        self.feed.close()
-
-    def __enter__(self) -> "Stream":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()

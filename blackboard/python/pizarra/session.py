@@ -13,49 +13,26 @@ from __future__ import annotations
 
 import os
 import time
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Union
+from typing import Any, Callable, Dict, List, Optional, Union
 
 import zmq
 
 from pizarra.addresses import Addresses
-from pizarra.datum import FRAME_BYTES, FRAME_DEPTH, FRAME_ELEMENTS, Symbol, elements
+from pizarra.datum import Symbol
 from pizarra.failure import Failure, failure_from
 from pizarra.feed import Feed
 from pizarra.keys import read_keys
+from pizarra.leases import Leases
 from pizarra.link import Link
 from pizarra.reader import read_all
+from pizarra.requests import Request, Requests
 from pizarra.writer import check_teller, write
-
-ENVELOPE_BYTES = 64
-ENVELOPE_ELEMENTS = 4
-
-
-class Request:
-    """A request under way: done when `result` is no longer None, a value in a list or a Failure."""
-
-    def __init__(self, body: str, repeatable: bool) -> None:
-        self.body, self.repeatable = body, repeatable
-        self.sent: Optional[float] = None
-        self.result: Union[None, List[Any], Failure] = None
-        self.on_done: Callable[[], None] = lambda: None
-
-    def finish(self, result: Union[List[Any], Failure]) -> None:
-        self.result = result
-        self.on_done()
-
-
-class KeptLease(NamedTuple):
-    every: float
-    due: float
-    renewal: Optional[Request]
 
 
 class Session:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
     # Where another board may take over: it serves within half a second.
     PING_AMONG_OTHERS, SILENCE_AMONG_OTHERS = 0.1, 0.4
-    # No request goes before the board has answered those so far behind it: it remembers the answers of the last 256.
-    MOST_AHEAD = 128
 
     def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None) -> None:
         if not isinstance(address, str) or not isinstance(teller, str):
@@ -71,12 +48,10 @@ class Session:
         self.id = self._life = 0
         self.joined = False
         self._heard = self._greeted = self._pinged = -1e9
-        self._next_request = 1
-        self._pending: Dict[int, Request] = {}
         self._declared: Dict[str, Any] = {}
         self.feeds: Dict[int, Feed] = {}
         self._next_feed = 1
-        self._kept: Dict[int, KeptLease] = {}
+        self.leases = Leases(lambda lease: self.begin([Symbol("renew"), lease], True))
         # Of a client that holds what it watches: the board is at this revision, and all up to there has come or has not.
         self.on_revision: Callable[[Optional[int], bool], None] = lambda revision, came: None
         # Another board, or one that has forgotten us.
@@ -84,6 +59,7 @@ class Session:
         self.context: Any = zmq.Context()
         try:
             self.link = Link(self.context, self.addresses.current, self.keys)
+            self.requests = Requests(lambda text: self.link.send(text))
         except Failure:
             self.context.destroy(linger=0)
             raise
@@ -101,66 +77,26 @@ class Session:
             self.send([Symbol("bye"), self.id])
         self.link.close(linger=50)
         self.context.destroy(linger=50)
-        self._fail(Failure("closed", "this board was closed", self.address), lambda request: True)
-
-    # ---- requests
+        self.requests.fail(Failure("closed", "this board was closed", self.address), lambda request: True)
 
     def begin(self, body: Any, repeatable: bool) -> Request:
         self.check_open()
-        text = write(body, FRAME_DEPTH - 1)
-        # An element takes a letter at least.
-        many = len(text) > FRAME_ELEMENTS and elements(body) + ENVELOPE_ELEMENTS > FRAME_ELEMENTS
-        if many or len(text.encode()) + ENVELOPE_BYTES > FRAME_BYTES:
-            raise Failure("too-large", "the request does not fit one message of the board")
-        number, self._next_request = self._next_request, self._next_request + 1
-        request = self._pending[number] = Request(text, repeatable)
+        request = self.requests.begin(body, repeatable)
         if self.joined:
-            self._transmit_due(lambda other: other is request)
+            self.requests.transmit(self.id, lambda other: other is request)
         return request
+
+    def forget(self, request: Request) -> None:
+        self.requests.forget(request)
 
     def note_done(self, body: List[Any]) -> None:
         """What was declared is declared again when the board was lost."""
         if body[0] == Symbol("declare"):
             self._declared.update((str(form[1]), form) for form in body[1:])
 
-    def forget(self, request: Request) -> None:
-        self._pending = {number: other for number, other in self._pending.items() if other is not request}
-
-    def _transmit_due(self, is_due: Callable[[Request], bool]) -> None:
-        first = next(iter(self._pending), 0)
-        for number, request in self._pending.items():
-            if number >= first + self.MOST_AHEAD:
-                break
-            if is_due(request):
-                self._transmit(number, request)
-
-    def _transmit(self, number: int, request: Request) -> None:
-        if self.link.send(f"(request {self.id} {number} {request.body})"):
-            request.sent = time.monotonic()
-
-    def _fail(self, failure: Failure, concerned: Callable[[Request], bool]) -> None:
-        for number, request in list(self._pending.items()):
-            if concerned(request):
-                self._pending.pop(number).finish(failure)
-
     def next_feed(self) -> int:
         number, self._next_feed = self._next_feed, self._next_feed + 1
         return number
-
-    # ---- leases
-
-    def keep(self, lease: int, every: float) -> None:
-        """Renews it that often from now on, until the board knows it no more; `every` 0: no longer."""
-        self._kept.pop(lease, None)
-        if every > 0:
-            self._kept[lease] = KeptLease(every, time.monotonic() + every, None)
-
-    def _renew_due(self, now: float) -> None:
-        for lease, (every, due, renewal) in list(self._kept.items()):
-            if renewal and isinstance(renewal.result, Failure) and renewal.result.symbol == "unknown-lease":
-                del self._kept[lease]
-            elif due <= now and (renewal is None or renewal.result is not None):
-                self._kept[lease] = KeptLease(every, now + every, self.begin([Symbol("renew"), lease], True))
 
     # ---- time passes
 
@@ -195,8 +131,8 @@ class Session:
             self._pinged = now
             for feed in self.feeds.values():
                 feed.acknowledge()  # what could not be said before
-        self._renew_due(now)
-        self._transmit_due(lambda request: request.sent is None or request.sent + self.RESEND <= now)
+        self.leases.renew_due(now)
+        self.requests.transmit(self.id, lambda request: request.sent is None or request.sent + self.RESEND <= now)
 
     def _greet(self, now: float) -> None:
         if self.addresses.is_time_for_the_next(now):
@@ -208,7 +144,7 @@ class Session:
 
     def _refused(self) -> None:
         self.joined = False
-        self._fail(Failure("not-permitted", "the board does not accept this key" if self.keys else
+        self.requests.fail(Failure("not-permitted", "the board does not accept this key" if self.keys else
                            "the board asks for a key at this address"), lambda request: True)
         self.link.begin_again()
 
@@ -227,16 +163,14 @@ class Session:
             self.joined, self._greeted = False, -1e9
         elif kind == "refused":
             # Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
-            self._fail(failure_from(message[1]), lambda request: not self.joined or request.sent is not None)
+            self.requests.fail(failure_from(message[1]), lambda request: not self.joined or request.sent is not None)
         elif kind == "watch-failed" and message[1] in self.feeds:
             self.feeds[message[1]].end(failure_from(message[2]))
 
     def _replied(self, message: Any) -> None:
         self.on_revision(*(message[3], message[4] == Symbol("yes")) if len(message) > 4 else (None, False))
-        request = self._pending.pop(message[1], None)
-        if request:
-            result = message[2]
-            request.finish([result[1]] if result[0] == Symbol("ok") else failure_from(result))
+        result = message[2]
+        self.requests.finish(message[1], [result[1]] if result[0] == Symbol("ok") else failure_from(result))
 
     def _changed(self, message: Any) -> None:
         feed = self.feeds.get(message[1])
@@ -251,10 +185,7 @@ class Session:
         same_session, same_life = session == self.id, life == self._life
         self.id, self._life = session, life
         if not same_session:
-            self._fail(Failure("unreachable", "the board was lost: whether this happened is not known"),
-                       lambda request: request.sent is not None and not request.repeatable)
-            for request in self._pending.values():
-                request.sent = None
+            self.requests.lose()
         if not (same_session and same_life):
             self.on_begun_again()
             if self._declared:
@@ -262,4 +193,4 @@ class Session:
             for feed in list(self.feeds.values()):
                 if feed.request.result is not None:
                     feed.begin_again()
-        self._transmit_due(lambda request: True)
+        self.requests.transmit(self.id, lambda request: True)

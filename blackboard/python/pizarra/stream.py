@@ -19,7 +19,8 @@ from pizarra.failure import Failure
 from pizarra.feed import WatchFeed
 from pizarra.keys import Keys
 from pizarra.link import connect
-from pizarra.session import Request, Session
+from pizarra.requests import Request
+from pizarra.session import Session
 
 if TYPE_CHECKING:
     from numpy import uint8
