@@ -9,6 +9,7 @@ The board program is the first word of the command line: run(__name__) takes it 
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -61,6 +62,12 @@ class BoardTest(unittest.TestCase):
         while not holds():
             self.assertLess(time.monotonic(), deadline, "it does not come to hold")
             time.sleep(0.02)
+
+
+def free_address():
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        return f"tcp://127.0.0.1:{found.getsockname()[1]}"
 
 
 def end(process, number):

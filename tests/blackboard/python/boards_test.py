@@ -8,17 +8,10 @@ boards_test.py PIZARRA-BOARD
 import asyncio
 import os
 import signal
-import socket
 
 import a_board
-from a_board import NOTE, PATIENCE, BoardTest
+from a_board import NOTE, PATIENCE, BoardTest, free_address
 from pizarra import AsyncBoard, Board
-
-
-def free_address():
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        return f"tcp://127.0.0.1:{found.getsockname()[1]}"
 
 
 class SeveralBoards(BoardTest):
