@@ -1,13 +1,11 @@
 // node accessible.mjs PIZARRA-CELL SCRATCH: axe-core finds nothing serious in any view of the page.
 
-import { readFileSync } from 'node:fs';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, launch, modulesFolder, openPage, ownFolder, start } from './browser.mjs';
+import { expect, expectAccessible, launch, openPage, ownFolder, start } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
-const axe = readFileSync(join(modulesFolder(scratch), 'node_modules/axe-core/axe.min.js'), 'utf8');
 const folder = ownFolder();
 const pictures = join(scratch, 'console-screenshots');
 mkdirSync(pictures, { recursive: true });
@@ -15,16 +13,7 @@ const served = start([cell, 'console'], folder);
 const page = await openPage(browser, await served.line);
 await page.waitForSelector('body[data-state=live]');
 await page.waitForFunction(() => /mm/.test(document.getElementById('readings').textContent));
-await page.evaluate(axe);
-
-async function look(view) {
-  const { violations } = await page.evaluate(() =>
-    axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'] }),
-  );
-  const bad = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-  const said = bad.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
-  expect(bad.length === 0, `nothing serious in ${view} ${said.join('\n')}`);
-}
+const look = (view) => expectAccessible(page, scratch, view);
 for (const tab of await page.locator('[role=tab]').allInnerTexts()) {
   await page.click(`[role=tab]:text-is("${tab}")`);
   await page.screenshot({ path: join(pictures, `view-${tab.toLowerCase()}.png`) });

@@ -2,7 +2,7 @@
 // and the test is skipped (status 77).
 
 import { spawn, spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
@@ -27,7 +27,9 @@ export function expect(holds, what) {
 export function modulesFolder(scratch) {
   if (existsSync(join(pageFolder, 'node_modules/playwright-core'))) return pageFolder;
   const folder = join(scratch, 'console-page');
-  if (existsSync(join(folder, 'node_modules/playwright-core'))) return folder;
+  const lock = 'package-lock.json';
+  const isCurrent = existsSync(join(folder, lock)) && readFileSync(join(folder, lock)).equals(readFileSync(join(pageFolder, lock)));
+  if (isCurrent && existsSync(join(folder, 'node_modules/playwright-core'))) return folder;
   mkdirSync(folder, { recursive: true });
   for (const file of ['package.json', 'package-lock.json']) copyFileSync(join(pageFolder, file), join(folder, file));
   const made = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], {
@@ -76,14 +78,14 @@ function eachLine(stream, take) {
   });
 }
 
-// A program that runs until the test ends it; `line` is the first that it says, `ended` its status, `next` the address
-// for the browser that comes after so many.
+// A program that runs until the test ends it; `line` is the first that it says, `ended` its status, `said` what it says
+// behind a word of it, `next` the address for the browser that comes after so many.
 export function start(words, folder) {
   const child = spawn(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
-  const addresses = [];
-  const waiting = [];
+  const lines = [];
+  const waiting = new Set();
   const hear = (line) => {
-    addresses.push(...(line.match(/http:\/\/\S+#\w+/g) ?? []));
+    lines.push(line);
     for (const look of waiting) look();
   };
   const ended = new Promise((resolveEnd) => child.on('exit', (code) => resolveEnd(code)));
@@ -91,15 +93,28 @@ export function start(words, folder) {
     throw new Error(`${words.join(' ')} ended with ${code}`);
   });
   early.catch(() => {});
-  const line = Promise.race([
-    early,
-    new Promise((resolveLine) =>
-      eachLine(child.stdout, (said) => {
-        resolveLine(said);
-        if (words[1] === 'up') hear(said);
+  // What `find` makes of the lines, once that is something.
+  const when = (find) =>
+    Promise.race([
+      early,
+      new Promise((resolveFound) => {
+        const look = () => {
+          const found = find();
+          if (found === undefined) return;
+          waiting.delete(look);
+          resolveFound(found);
+        };
+        waiting.add(look);
+        look();
       }),
-    ),
-  ]);
+    ]);
+  const first = new Promise((resolveLine) =>
+    eachLine(child.stdout, (said) => {
+      resolveLine(said);
+      if (words[1] === 'up') hear(said);
+    }),
+  );
+  const line = Promise.race([early, first]);
   line.catch(() => {});
   eachLine(child.stderr, (said) => {
     process.stderr.write(`${said}\n`);
@@ -110,15 +125,9 @@ export function start(words, folder) {
     child.kill('SIGINT');
     return ended;
   };
-  const next = (count) => {
-    const address = new Promise((resolveNext) => {
-      const look = () => addresses.length >= count && resolveNext(addresses[count - 1]);
-      waiting.push(look);
-      look();
-    });
-    return Promise.race([early, address]);
-  };
-  return { line, next, end, ended };
+  const next = (count) => when(() => lines.flatMap((said) => said.match(/http:\/\/\S+#\w+/g) ?? [])[count - 1]);
+  const said = (pattern) => when(() => lines.map((each) => each.match(pattern)?.[1]).find(Boolean));
+  return { line, next, said, end, ended };
 }
 
 export function say(words, folder) {
@@ -132,6 +141,17 @@ export function say(words, folder) {
 
 // What is waited for comes sooner or later, also on a machine that is busy elsewhere: this long means that it does not.
 const never = 180_000;
+
+// A board that holds a story which nobody lives: what it tells of is declared, and told by `tell`.
+export function storyBoard(board, folder) {
+  if (spawnSync('/usr/bin/python3', ['-c', 'import zmq']).status !== 0)
+    skip('python3-zmq is not there to tell facts with');
+  const at = `ipc://${folder}/board`;
+  const kept = start([board, '--listen', at], folder);
+  const teller = (word) => say(['/usr/bin/python3', join(here, 'story_teller.py'), source, at, word], folder);
+  teller('declare');
+  return { at, tell: () => teller('tell'), end: kept.end };
+}
 
 // A page that counts what a page of ours must never do.
 export async function openPage(browser, address, size = { width: 1280, height: 800 }) {
@@ -166,4 +186,16 @@ export async function ask(page, question) {
 export async function taught(page) {
   await ask(page, '(person done ?objects)');
   await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer');
+}
+
+// axe-core finds nothing serious in what the page shows.
+export async function expectAccessible(page, scratch, view) {
+  const axe = readFileSync(join(modulesFolder(scratch), 'node_modules/axe-core/axe.min.js'), 'utf8');
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(axe);
+  const { violations } = await page.evaluate(() =>
+    window.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'] }),
+  );
+  const bad = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+  const said = bad.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
+  expect(bad.length === 0, `nothing serious in ${view} ${said.join('\n')}`);
 }

@@ -29,9 +29,9 @@ tell('tell', '(place <script>hurt</script> 400 0 60 1)');
 tell('tell', '(place __proto__ 400 100 60 1)');
 tell('tell', `(stop <b>somebody</b> "${script}")`);
 tell('tell', `(plan 1 ((<script> "${script}") (${'x'.repeat(500)} a)))`);
-await page.waitForSelector('#story details');
-await page.click('#story summary');
-expect((await text(page, '#story summary')).includes(script), 'a sentence is shown as it is told');
+await page.waitForSelector('#story .timeline details');
+await page.click('#story .timeline summary');
+expect((await text(page, '#story .timeline summary')).includes(script), 'a sentence is shown as it is told');
 await page.waitForSelector('#stopped:not([hidden])');
 expect((await text(page, '#stopped-by')).includes(script), 'so is a reason');
 

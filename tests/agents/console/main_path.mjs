@@ -69,7 +69,7 @@ await page.waitForFunction(() => document.getElementById('goal-chip').textConten
 expect(true, 'the goal is reached');
 await page.click('#why');
 await page.waitForFunction(() => document.querySelector('#story pre.answer').textContent.length > 20);
-await page.click('#story details >> nth=0');
+await page.click('#story .timeline details >> nth=0');
 await picture(page, 'story');
 await ask(page, '(on ?x ?y)');
 await page.waitForFunction(() => document.querySelectorAll('#answers tbody tr').length === 2);

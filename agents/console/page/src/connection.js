@@ -136,7 +136,7 @@ export class Connection {
         end();
         resolve(answers);
       };
-      const end = this.#begin(write(query), false, take, () => take([]), true);
+      const end = this.#begin(write(query), true, take, () => take([]), true);
     });
   }
 

@@ -1,7 +1,8 @@
 // The board itself: a question typed, and its answers as they come and go.
 
-import { clipped, clock, eachFrame, element, failureText, find } from './dom.js';
+import { clipped, eachFrame, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { provenance, toldBy } from './provenance.js';
 import { text } from './datum.js';
 
 const shown = 200;
@@ -13,13 +14,9 @@ const questionFor = (relation) =>
 function table(answers, isNew) {
   if (answers.length === 0) return element('p', { class: 'quiet' }, 'nothing, now');
   const variables = Object.keys(answers[0].bindings);
-  const head = element('tr', {}, ...(variables.length ? variables : ['fact']).map((name) => element('th', {}, name)));
+  const head = element('tr', {}, ...(variables.length ? variables : ['fact']).map((name) => element('th', {}, name)), element('td', {}));
   const rows = answers.slice(0, shown).map((answer) => {
-    const told = answer.facts.map(
-      (one, i) =>
-        `fact ${answer.ids[i]} by ${one.teller} at ${clock(one.when)}` +
-        (one.because.length ? `, because of ${one.because.join(', ')}` : ''),
-    );
+    const told = answer.facts.map((one, i) => toldBy(answer.ids[i], one));
     const cells = variables.length
       ? variables.map((name) => answer.bindings[name] ?? '')
       : [answer.facts[0]?.text ?? 'yes'];
@@ -27,6 +24,7 @@ function table(answers, isNew) {
       'tr',
       { title: told.join('\n'), class: isNew(answer) ? 'new' : '' },
       ...cells.map((cell) => element('td', {}, clipped(cell, 160))),
+      element('td', {}, element('button', { type: 'button', class: 'because', 'data-ids': answer.ids.join() }, 'Because …')),
     );
   });
   return element('table', {}, element('thead', {}, head), element('tbody', {}, ...rows));
@@ -52,7 +50,21 @@ export function showFacts(connection) {
     element('button', { type: 'submit', class: 'strong' }, 'Watch'),
     count,
   );
-  find('facts').append(form, wrong, result);
+  const because = element('div', { id: 'because', role: 'group', 'aria-label': 'Reasons', tabindex: 0, hidden: true });
+  find('facts').append(form, wrong, because, result);
+
+  // The rows are drawn anew whenever something changes: what is pressed counts, not what is let go.
+  let shownAnswers = [];
+  const explain = async (event) => {
+    const ids = event.target.closest?.('button.because')?.dataset.ids;
+    const answer = shownAnswers.find((one) => one.ids.join() === ids);
+    if (!answer) return;
+    const trees = answer.facts.map((one, i) => provenance(connection, answer.ids[i], one));
+    because.replaceChildren(...(await Promise.all(trees)));
+    because.hidden = false;
+  };
+  result.addEventListener('pointerdown', explain);
+  result.addEventListener('keydown', (event) => ['Enter', ' '].includes(event.key) && explain(event));
 
   let end = () => {};
   form.addEventListener('submit', (event) => {
@@ -61,12 +73,14 @@ export function showFacts(connection) {
     wrong.hidden = true;
     count.textContent = '';
     result.replaceChildren();
+    because.hidden = true;
     let latest = [];
     let cut = 0;
     let seen = new Set();
     const draw = eachFrame(() => {
       const more = latest.length + cut > shown ? `, ${shown} shown` : '';
       count.textContent = `${latest.length + cut} answer${latest.length + cut === 1 ? '' : 's'}${more}`;
+      shownAnswers = latest;
       const before = seen;
       seen = new Set(latest.slice(0, shown).map((answer) => answer.ids.join()));
       result.replaceChildren(table(latest, (answer) => before.size > 0 && !before.has(answer.ids.join())));

@@ -3,28 +3,46 @@
 
 import { clipped, clock, eachFrame, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { goalHistory } from './goal_history.js';
+import { planChange, planIn } from './plan_change.js';
+import { provenanceButton, toldBy } from './provenance.js';
 import { text, write } from './datum.js';
 
 const shown = 200;
 
-function entryOf(answer, isOpen) {
+// The plan of the same goal before this one, and what of it was begun until then; null for a goal's first.
+function planBefore(events, number, goal) {
+  const earlier = events.map(fact).filter((event) => event[1] < number);
+  const made = earlier.filter((event) => planIn(event[4])?.goal === goal).toSorted((a, b) => b[1] - a[1])[0];
+  if (!made) return null;
+  const begun = earlier.filter((event) => event[1] > made[1] && text(event[2]) === 'operation').map((event) => write(event[4]));
+  return { operations: planIn(made[4]).operations, begun: new Set(begun) };
+}
+
+function detailOf(events, number, detail) {
+  const plan = planIn(detail);
+  const before = plan && planBefore(events, number, plan.goal);
+  if (before) return planChange(before.operations, plan.operations, before.begun);
+  return element('pre', {}, clipped(write(detail), 4000));
+}
+
+function entryOf(connection, events, answer) {
   const [, number, kind, sentence, detail] = fact(answer);
-  const { teller, when, because } = answer.facts[0];
+  const told = answer.facts[0];
   const summary = element(
     'summary',
     {},
-    element('time', {}, clock(when)),
+    element('time', {}, clock(told.when)),
     element('span', { class: `kind ${text(kind)}` }, text(kind)),
     element('span', {}, clipped(text(sentence))),
   );
-  const said = [`fact ${answer.ids[0]}, told by ${teller}`];
-  if (because.length) said.push(`because of fact${because.length > 1 ? 's' : ''} ${because.join(', ')}`);
   return element(
     'details',
-    { open: isOpen, 'data-number': number },
+    { 'data-number': number },
     summary,
-    element('p', { class: 'quiet' }, said.join(', ')),
-    element('pre', {}, clipped(write(detail), 4000)),
+    element('p', { class: 'quiet' }, toldBy(answer.ids[0], told)),
+    provenanceButton(connection, answer.ids[0], told),
+    detailOf(events, number, detail),
   );
 }
 
@@ -44,6 +62,7 @@ export function showStory(connection) {
   find('story').append(
     element('div', { class: 'row' }, element('button', { type: 'button', id: 'why', onclick: ask }, 'Why this, now?')),
     why,
+    goalHistory(connection),
     list,
   );
 
@@ -53,7 +72,7 @@ export function showStory(connection) {
     const newest = answers.toSorted((a, b) => fact(b)[1] - fact(a)[1]).slice(0, shown);
     const ids = new Set(newest.map((answer) => answer.ids[0]));
     for (const id of entries.keys()) if (!ids.has(id)) entries.delete(id);
-    for (const answer of newest) if (!entries.has(answer.ids[0])) entries.set(answer.ids[0], entryOf(answer, false));
+    for (const answer of newest) if (!entries.has(answer.ids[0])) entries.set(answer.ids[0], entryOf(connection, answers, answer));
     list.replaceChildren(...newest.map((answer) => entries.get(answer.ids[0])));
   });
   connection.follow('(event ?n ?kind ?sentence ?detail)', (held) => {

@@ -1,0 +1,57 @@
+// node understand.mjs PIZARRA-CELL PIZARRA-BOARD SCRATCH: why it did what it did: the old and the new plan side by side,
+// the goals and their outcomes, and because of what a fact was told.
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { ask, expect, expectAccessible, launch, openPage, ownFolder, start, storyBoard, text } from './browser.mjs';
+
+const [cell, board, scratch] = process.argv.slice(2);
+const browser = await launch(scratch);
+const folder = ownFolder();
+const pictures = join(scratch, 'console-screenshots');
+mkdirSync(pictures, { recursive: true });
+const told = storyBoard(board, folder);
+told.tell();
+const served = start([cell, 'console', '--board', told.at], folder);
+const page = await openPage(browser, await served.line);
+await page.waitForSelector('body[data-state=live]');
+
+// The plan that was made anew, beside the one before.
+const entry = (number) => page.locator(`#story details[data-number="${number}"]`);
+await entry(6).locator('summary').click();
+const rows = await entry(6).locator('tbody tr').allInnerTexts();
+const plain = rows.map((row) => row.replace(/\s+/g, ' ').trim());
+expect(
+  plain.join('; ') ===
+    '(PICK-UP triangle) begun; (STACK triangle square) begun; (UNSTACK cross triangle) new; (PUT-DOWN cross) new; ' +
+      '(PICK-UP circle) (PICK-UP circle) kept; (STACK circle triangle) (STACK circle triangle) kept',
+  `two plans side by side: ${plain.join('; ')}`,
+);
+await entry(2).locator('summary').click();
+expect((await entry(2).locator('table').count()) === 0, "a goal's first plan has none before it");
+
+await page.click('.goals summary');
+const goals = (await page.locator('#goals tbody tr').allInnerTexts()).map((row) => row.replace(/\s+/g, ' '));
+expect(/^2 \(on circle trianglo\) refused there is no trianglo/.test(goals[0]), `goals and outcomes: ${goals[0]}`);
+expect(/^1 \(on circle triangle\) \(on triangle square\) running/.test(goals[1]), `goals and outcomes: ${goals[1]}`);
+await page.screenshot({ path: join(pictures, 'understand.png') });
+await expectAccessible(page, scratch, 'the plans and the goals');
+
+// Because of what a fact was told, and that because of what.
+await ask(page, '(believed ?fact)');
+await page.click('#answers button.because');
+await page.waitForSelector('#because:not([hidden])');
+const facts = await page.locator('#because .fact').allInnerTexts();
+expect(/\(believed \(on circle triangle\)\)/.test(facts[0]), 'the fact');
+expect(/\(place circle 400 0 60 7\)/.test(facts[1]), 'its reason');
+expect(facts.some((fact) => /\(look eyes 7 "TRACK" \(\)\)\s*fact \d+, by teller/.test(fact)), "its reason's reason");
+expect(facts.some((fact) => /which is not there any more/.test(fact)), 'and one that has gone');
+expect(facts.length === 4 && (await page.locator('#because ul ul ul > li').count()) === 2, 'each behind what it is the reason of');
+await page.screenshot({ path: join(pictures, 'because.png') });
+await expectAccessible(page, scratch, 'the reasons');
+expect((await text(page, '#query-count')) === '1 answer', 'the question goes on');
+expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
+expect((await served.end()) === 0, 'it ends in order');
+await told.end();
+await browser.close();
+process.exit(0);
