@@ -116,7 +116,7 @@ std::unique_ptr<CellArm> make_simple(Executor& executor, const forms::ArmLine& l
 
 std::unique_ptr<CellArm> make_motoros(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
   const auto wires_of = [&line](line::ByteWire& motion, line::ByteWire& state) {
-    return arm::MotorosWires{motion, state, order_of(line.protocol)};
+    return arm::SimpleWires{.motion = motion, .state = state, .order = order_of(line.protocol)};
   };
   return std::make_unique<TwoLineDevice<line::TcpWire, arm::MotorosArm>>(
       executor, model, std::array{line.places[0], line.places[0]}, std::array{line.ports[0], line.ports[1]}, wires_of);

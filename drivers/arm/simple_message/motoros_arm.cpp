@@ -1,22 +1,13 @@
 #include "drivers/arm/simple_message/motoros_arm.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "drivers/arm/held.hpp"
-#include "drivers/arm/move_check.hpp"
-#include "drivers/arm/route.hpp"
 
 namespace pizarra::arm {
 
 namespace {
-
-line::FrameReader frames_of(line::ByteOrder order) {
-  return order == line::ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
-}
-
-constexpr double every_angle = 1;  // its angles count as the axes' do
 
 Failure refused(const MotorosReply& reply, const char* symbol) {
   return {symbol,
@@ -27,67 +18,24 @@ Failure refused(const MotorosReply& reply, const char* symbol) {
 
 }  // namespace
 
-MotorosArm::MotorosArm(Executor& executor, MotorosWires wires, ArmModel model)
-    : executor_(executor),
-      wires_(wires),
-      model_(std::move(model)),
-      motion_(executor, wires.motion, frames_of(wires.order), "the controller"),
-      states_(executor, wires.state, frames_of(wires.order), "the controller"),
-      told_(states_, fresh),
-      joints_(model_.ready) {}
-
 Task<Result<std::string>> MotorosArm::identify() {
-  told_.forget();
   sending_ = Job();
-  const Time deadline = executor_.now() + opening_time;
-  // Each of them, whatever becomes of the other: a stop needs the first alone.
-  const Result<void> heard = co_await motion_.open(deadline);
-  const Result<void> hears_us = co_await states_.open(deadline);
-  if (!heard) co_return fail(heard);
-  if (!hears_us) co_return fail(hears_us);
+  return MessageArm::identify();
+}
+
+Task<Result<void>> MotorosArm::greet() {
   const Result<MotorosReply> there = co_await command(motoros::check_ready);
   if (!there) co_return fail(there);
-  line::ToldState::Hear hears = [this](const std::string& octets) { return hear(octets); };
-  const Result<void> known = co_await told_.listen(std::move(hears), opening_time);
-  if (!known) co_return fail(known);
-  if (further_axis_) {
-    co_return fail("unknown-arm",
-                   fmt::format("the controller's arm has an axis {}, and of a {} it would tell {}", *further_axis_ + 1,
-                               model_.type, *further_axis_),
-                   to_datum(*further_axis_ + 1));
-  }
-  co_return model_.type;
+  co_return Result<void>();
 }
 
-Result<bool> MotorosArm::hear(const std::string& octets) {
-  const Result<SimpleMessage> message = read_simple(octets, wires_.order);
-  if (!message) return fail(message);
-  if (message->type == simple::status) {
-    const Result<SimpleStatus> status = read_status(message->data, wires_.order);
-    if (!status) return fail(status);
-    status_ = *status;
-  }
-  if (message->type != motoros::feedback) return false;
-  const Result<MotorosFeedback> feedback = read_feedback(message->data, wires_.order);
+Result<std::optional<SimpleJoints>> MotorosArm::angles_in(const SimpleMessage& message) const {
+  if (message.type != motoros::feedback) return std::optional<SimpleJoints>();
+  const Result<MotorosFeedback> feedback = read_feedback(message.data, wires_.order);
   if (!feedback) return fail(feedback);
   const bool of_the_arm = feedback->group == 0 && (feedback->has & motoros::has_position) != 0;
-  if (!of_the_arm) return false;
-  std::size_t next = 0;
-  for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
-    if (!told(axis)) continue;
-    joints_[axis] = axis_of_joint(model_.axes[axis].role, feedback->joints_rad[next++], every_angle);
-  }
-  const auto first = feedback->joints_rad.begin();
-  const auto further = std::find_if(first + static_cast<std::ptrdiff_t>(next), feedback->joints_rad.end(),
-                                    [](float joint) { return joint != 0; });
-  further_axis_.reset();
-  if (further != feedback->joints_rad.end()) further_axis_ = further - first;
-  hear_state();
-  return true;
-}
-
-std::string MotorosArm::framed(const SimpleMessage& message) const {
-  return tcp_frame(write_simple(message, wires_.order), wires_.order);
+  if (!of_the_arm) return std::optional<SimpleJoints>();
+  return feedback->joints_rad;
 }
 
 line::Dialogue::Fits MotorosArm::reply_to(std::int32_t command, std::int32_t sequence) const {
@@ -124,9 +72,8 @@ Task<Result<MotorosReply>> MotorosArm::command(std::int32_t what) {
 }
 
 Result<void> MotorosArm::able() const {
-  if (!told_.known()) return told_.unknown();
-  const Result<void> sound = check_status(status_);
-  if (!sound) return sound;
+  const Result<void> sane = sound();
+  if (!sane) return sane;
   if (status_.motion_possible != 0) return {};
   return fail("not-in-control", "the controller takes no trajectories: (get-control) begins that mode");
 }
@@ -147,13 +94,8 @@ Task<Result<void>> MotorosArm::take_control() {
 Task<Result<void>> MotorosArm::send_point(std::size_t index) {
   const TimedPoint& from = points_[index];
   MotorosPoint point{.sequence = static_cast<std::int32_t>(index), .time_s = static_cast<float>(from.time_s)};
-  std::size_t next = 0;
-  for (std::size_t axis = 0; axis < from.joints.size(); ++axis) {
-    if (!told(axis)) continue;
-    const Role role = model_.axes[axis].role;
-    point.joints_rad[next] = joint_of_axis(role, from.joints[axis], every_angle);
-    point.speeds_rad_s[next++] = joint_of_axis(role, from.speeds[axis], every_angle);
-  }
+  point.joints_rad = to_message(from.joints);
+  point.speeds_rad_s = to_message(from.speeds);
   SimpleMessage message{.type = motoros::trajectory_point, .kind = simple::request};
   message.data = write_motoros_point(point, wires_.order);
   const Time busy_until = executor_.now() + busy_time;
@@ -174,22 +116,11 @@ Task<Result<void>> MotorosArm::send_point(std::size_t index) {
 }
 
 Task<Result<void>> MotorosArm::start_move(std::vector<Joints> waypoints, double speed) {
-  const Result<void> sound = check_move(model_, waypoints, speed);
-  if (!sound) co_return sound;
-  if (moving_ || ordering_) co_return fail("busy", "the arm is moving already");
-  const Result<void> ready = able();
-  if (!ready) co_return ready;
-  constexpr double slack = 0.5;
-  for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
-    if (told(axis) || std::abs(waypoints.back()[axis] - joints_[axis]) < slack) continue;
-    co_return fail("bad-request", "the track is another control group, and is not moved", to_datum(axis + 1));
-  }
+  const Result<void> begun = begin_move(waypoints, speed);
+  if (!begun) co_return begun;
   const Held ordering(ordering_);
   points_ = timed_points(model_, joints_, waypoints, speed);
   sent_ = 0;
-  stopping_ = false;
-  stopped_ = false;
-  why_stopped_.reset();
   const std::size_t first = std::min<std::size_t>(points_.size(), 2);  // the first is where it stands
   for (std::size_t i = 0; i < first; ++i) {
     const Result<void> taken = co_await send_point(i);
@@ -222,61 +153,24 @@ Task<Result<void>> MotorosArm::stop() {
 Task<Result<void>> MotorosArm::end_trajectory() {
   stopping_ = true;
   std::string request = control_message(motoros::stop_motion);
-  const std::int32_t sequence = commands_;
-  line::Dialogue::Fits fits = reply_to(motoros::stop_motion, sequence);
-  Result<std::string> answer = co_await motion_.ask_at_once(request, fits);
-  const bool lost = !motion_.say({});
-  if (lost) {
-    const Time deadline = executor_.now() + stopping_time;
-    const Result<void> open = co_await motion_.open(deadline);
-    if (!open) co_return fail(open);
-    answer = co_await motion_.ask_at_once(std::move(request), std::move(fits));
-  }
+  line::Dialogue::Fits fits = reply_to(motoros::stop_motion, commands_);
+  const Result<std::string> answer = co_await ask_to_stop(std::move(request), std::move(fits));
   const Result<MotorosReply> reply = reply_in(answer, wires_.order);
   if (!reply) co_return fail(reply);
   if (reply->result != motoros::success) co_return fail(refused(*reply, "refused"));
   co_return Result<void>();
 }
 
-Task<Result<void>> MotorosArm::start_gripper(double opening_mm) {
-  const Result<void> sound = check_opening(opening_mm);
-  if (!sound) co_return sound;
-  co_return fail("refused", "the protocol of this arm's controller has no gripper", to_datum(opening_mm));
-}
-
 bool MotorosArm::there() const {
-  constexpr double rounded = 0.05;  // a float of radians, and what the controller makes of it
-  return !points_.empty() && sent_ == points_.size() && are_same_place(joints_, points_.back().joints, rounded);
+  return !points_.empty() && sent_ == points_.size() && stands_at(points_.back().joints);
 }
 
 Task<Result<ArmReading>> MotorosArm::read() {
   if (!told_.known()) co_return told_.unknown();
-  const Result<void> sound = able();
-  const bool all_sent = sent_ == points_.size() || stopping_ || !sound;
-  const bool begins = !there() && !stopping_ && sound && executor_.now() - sent_at_ <= starting_time;
-  if (moving_ && status_.in_motion == 0 && all_sent && !begins) {
-    moving_ = false;
-    stopped_ = !there();
-    if (stopped_ && !stopping_)
-      why_stopped_ = sound ? Failure{"stopped", "the controller has ended the motion", {}, {}} : sound.error();
-    if (why_stopped_) why_stopped_->symbol = "stopped";
-  }
-  ArmReading reading{.joints = joints_,
-                     .moving = moving_ || status_.in_motion == 1,
-                     .stopped = stopped_,
-                     .opening_mm = 0,
-                     .gripper_moving = false,
-                     .why_stopped = why_stopped_,
-                     .at = told_.told_at()};
-  if (!sound) {
-    using Kind = ArmTrouble::Kind;
-    const bool stopped = status_.emergency_stopped == 1 || status_.mode == 1;
-    reading.trouble = ArmTrouble{status_.in_error == 1 ? Kind::fault
-                                 : stopped             ? Kind::stopped
-                                                       : Kind::off,
-                                 sound.error()};
-  }
-  co_return reading;
+  const bool all_sent = sent_ == points_.size() || stopping_ || !able();
+  const bool begins = !there() && may_begin();
+  if (moving_ && status_.in_motion == 0 && all_sent && !begins) end_move(!there());
+  co_return reading(true);
 }
 
 }  // namespace pizarra::arm

@@ -63,8 +63,6 @@ inline constexpr std::uint16_t state_port = 50241;
 
 }  // namespace motoros
 
-using SimpleJoints = std::array<float, simple::axes>;
-
 struct MotorosPoint {
   std::int32_t group = 0;
   std::int32_t sequence = 0;  // 0: where the arm stands

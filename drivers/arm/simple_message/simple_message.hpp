@@ -48,14 +48,16 @@ struct SimpleMessage {
   std::string data = {};
 };
 
+using SimpleJoints = std::array<float, simple::axes>;
+
 struct SimplePosition {
   std::int32_t sequence = 0;
-  std::array<float, simple::axes> joints_rad{};
+  SimpleJoints joints_rad{};
 };
 
 struct SimplePoint {
   std::int32_t sequence = 0;
-  std::array<float, simple::axes> joints_rad{};
+  SimpleJoints joints_rad{};
   float velocity = 0;  // part of the axes' speeds, 0..1
   float duration_s = 0;
 };

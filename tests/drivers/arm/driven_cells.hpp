@@ -135,7 +135,7 @@ struct DrivenMotoros : DrivenLines<DrivenMotoros<order>> {
   line::WirePair state{executor};
   Job moving{executor.spawn(simulation::serve_motion(executor, emulator, motion.far))};
   Job telling{executor.spawn(simulation::serve_state(executor, emulator, state.far))};
-  MotorosWires wires{motion.near, state.near, order};
+  SimpleWires wires{.motion = motion.near, .state = state.near, .order = order};
   MotorosArm arm{executor, wires, model()};
   void begin_anew() { replace(arm, executor, wires, model()); }
 };

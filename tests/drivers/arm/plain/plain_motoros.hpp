@@ -10,11 +10,8 @@
 #include <numbers>
 #include <optional>
 
-#include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_model.hpp"
-#include "drivers/line/byte_wire.hpp"
-#include "drivers/line/octets.hpp"
-#include "tests/drivers/arm/plain/plain_arm.hpp"
+#include "tests/drivers/arm/plain/plain_lines.hpp"
 
 namespace pizarra::arm {
 
@@ -37,19 +34,13 @@ class PlainMotoros {
   int points = 0;              // that it took
   int busy = 0;                // answers
 
-  std::string message(std::int32_t type, std::int32_t kind, std::int32_t code, const std::string& data) const {
-    line::OctetWriter whole(order);
-    whole.i32(static_cast<std::int32_t>(12 + data.size())).i32(type).i32(kind).i32(code).text(data);
-    return whole.octets();
-  }
-
   // The reply to a message without its length.
   std::string answer(std::string_view octets) {
     line::OctetReader read(octets, order);
     const std::int32_t type = read.i32();
     read.i32();
     read.i32();
-    if (type == 1) return message(1, 3, 1, "");
+    if (type == 1) return plain_message(order, 1, 3, 1, "");
     const std::int32_t group = read.i32();
     const std::int32_t sequence = read.i32();
     std::int32_t command = type;
@@ -62,7 +53,7 @@ class PlainMotoros {
     }
     line::OctetWriter reply(order);
     reply.i32(group).i32(sequence).i32(command).i32(outcome.first).i32(outcome.second).zeros(40);
-    return message(2002, 3, 1, reply.octets());
+    return plain_message(order, 2002, 3, 1, reply.octets());
   }
 
   // Goes on by so much time.
@@ -94,9 +85,7 @@ class PlainMotoros {
     feedback.i32(0).i32(2).f32(0);
     for (const double joint : place_rad) feedback.f32(static_cast<float>(joint));
     feedback.zeros(80);
-    line::OctetWriter status(order);
-    status.i32(1).i32(0).i32(0).i32(0).i32(arm.moving || to_ ? 1 : 0).i32(2).i32(started ? 1 : 0);
-    return message(15, 1, 0, feedback.octets()) + message(13, 1, 0, status.octets());
+    return plain_message(order, 15, 1, 0, feedback.octets()) + plain_status(order, arm.moving || to_, started);
   }
 
  private:
@@ -159,44 +148,11 @@ class PlainMotoros {
   std::int32_t next_ = 0;
 };
 
-inline Task<void> serve_motion(Executor& executor, PlainMotoros& controller, line::ByteWire& wire) {
-  while (true) {
-    const Time ever = executor.now() + 3600s;
-    const Result<void> come = co_await wire.open(ever);
-    std::string unread;
-    while (come) {
-      const Result<std::string> some = co_await wire.read(ever);
-      if (!some) break;
-      unread += *some;
-      while (unread.size() >= 4) {
-        const std::size_t length = line::OctetReader(unread, controller.order).u32();
-        if (unread.size() < 4 + length) break;
-        static_cast<void>(wire.write(controller.answer(std::string_view(unread).substr(4, length))));
-        unread.erase(0, 4 + length);
-      }
-    }
-  }
-}
-
 // `part` is of the speed that the points ask for.
 inline Task<void> run_motoros(Executor& executor, PlainMotoros& controller, double part = 1) {
   while (true) {
     co_await sleep(executor, 4ms);
     controller.step(0.004 * part);
-  }
-}
-
-inline Task<void> serve_state(Executor& executor, PlainMotoros& controller, line::ByteWire& wire) {
-  while (true) {
-    const Time ever = executor.now() + 3600s;
-    Result<void> line = co_await wire.open(ever);
-    while (line) {
-      co_await sleep(executor, 25ms);
-      if (!controller.arm.silent) line = wire.write(controller.state());
-      const Time now = executor.now();
-      const Result<std::string> hung_up = co_await wire.read(now);
-      if (!hung_up && hung_up.error().symbol == "disconnected") break;
-    }
   }
 }
 

@@ -4,11 +4,8 @@
 
 #include <numbers>
 
-#include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_model.hpp"
-#include "drivers/line/byte_wire.hpp"
-#include "drivers/line/octets.hpp"
-#include "tests/drivers/arm/plain/plain_arm.hpp"
+#include "tests/drivers/arm/plain/plain_lines.hpp"
 
 namespace pizarra::arm {
 
@@ -22,11 +19,6 @@ class PlainSimple {
   void arrive() { arm.arrive(); }
   const line::ByteOrder order;
 
-  std::string message(std::int32_t type, std::int32_t kind, std::int32_t code, const std::string& data) const {
-    line::OctetWriter whole(order);
-    whole.i32(static_cast<std::int32_t>(12 + data.size())).i32(type).i32(kind).i32(code).text(data);
-    return whole.octets();
-  }
   // The reply to a message without its length.
   std::string answer(std::string_view octets) {
     line::OctetReader read(octets, order);
@@ -47,7 +39,7 @@ class PlainSimple {
         arm.move();
       }
     }
-    return message(type, 3, 1, data);
+    return plain_message(order, type, 3, 1, data);
   }
   // Its joints, and its status.
   std::string state() const {
@@ -60,46 +52,11 @@ class PlainSimple {
       ++told;
     }
     for (; told < 10; ++told) joints.f32(0);
-    line::OctetWriter status(order);
-    status.i32(1).i32(0).i32(0).i32(0).i32(arm.moving ? 1 : 0).i32(2).i32(1);
-    return message(10, 1, 0, joints.octets()) + message(13, 1, 0, status.octets());
+    return plain_message(order, 10, 1, 0, joints.octets()) + plain_status(order, arm.moving, true);
   }
 
  private:
   const ArmModel& model_;
 };
-
-inline Task<void> serve_motion(Executor& executor, PlainSimple& controller, line::ByteWire& wire) {
-  while (true) {
-    const Time ever = executor.now() + 3600s;
-    const Result<void> come = co_await wire.open(ever);
-    std::string unread;
-    while (come) {
-      const Result<std::string> some = co_await wire.read(ever);
-      if (!some) break;
-      unread += *some;
-      while (unread.size() >= 4) {
-        const std::size_t length = line::OctetReader(unread, controller.order).u32();
-        if (unread.size() < 4 + length) break;
-        static_cast<void>(wire.write(controller.answer(std::string_view(unread).substr(4, length))));
-        unread.erase(0, 4 + length);
-      }
-    }
-  }
-}
-
-inline Task<void> serve_state(Executor& executor, PlainSimple& controller, line::ByteWire& wire) {
-  while (true) {
-    const Time ever = executor.now() + 3600s;
-    Result<void> line = co_await wire.open(ever);
-    while (line) {
-      co_await sleep(executor, 25ms);
-      if (!controller.arm.silent) line = wire.write(controller.state());
-      const Time now = executor.now();
-      const Result<std::string> hung_up = co_await wire.read(now);
-      if (!hung_up && hung_up.error().symbol == "disconnected") break;
-    }
-  }
-}
 
 }  // namespace pizarra::arm

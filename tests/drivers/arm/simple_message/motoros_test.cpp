@@ -30,7 +30,7 @@ class Motoros : public testing::TestWithParam<line::ByteOrder>, protected Driven
   Job following{executor.spawn(run_motoros(executor, controller))};
   Job moving{executor.spawn(serve_motion(executor, controller, motion.far))};
   Job telling{executor.spawn(serve_state(executor, controller, state.far))};
-  MotorosArm arm{executor, {motion.near, state.near, GetParam()}, up6()};
+  MotorosArm arm{executor, {.motion = motion.near, .state = state.near, .order = GetParam()}, up6()};
 };
 
 INSTANTIATE_TEST_SUITE_P(In, Motoros, testing::Values(line::ByteOrder::little, line::ByteOrder::big),
