@@ -49,7 +49,7 @@ std::string_view cookie_in(std::string_view header, std::string_view name) {
 
 }  // namespace
 
-Access::Access(int port) : port_(port), token_(random_secret()) {}
+Access::Access(int port) : port_(port), token_(random_secret()), reading_token_(random_secret()) {}
 
 bool Access::is_own_host(std::string_view host) const {
   return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
@@ -58,6 +58,8 @@ bool Access::is_own_host(std::string_view host) const {
 bool Access::is_own_origin(std::string_view origin, std::string_view host) const {
   return is_own_host(host) && origin == fmt::format("http://{}", host);
 }
+
+bool Access::may_read(std::string_view token) const { return same_secret(token, reading_token_); }
 
 std::string Access::cookie_name() const { return fmt::format("pizarra-console-{}", port_); }
 

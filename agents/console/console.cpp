@@ -1,5 +1,6 @@
 #include "agents/console/console.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace pizarra::console {
@@ -21,6 +22,17 @@ std::string content_policy(int port) {
       "connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; base-uri 'none'; form-action 'none'; "
       "frame-ancestors 'none'; require-trusted-types-for 'script'; trusted-types 'none'",
       port);
+}
+
+bool asks_for_web_socket(const HttpRequest& request) {
+  return request.method == "GET" && (request.upgrade == "websocket" || request.upgrade == "WebSocket") &&
+         request.web_socket_version == "13" && request.web_socket_key.size() == web_socket_key_size;
+}
+
+HttpAnswer web_socket_answer(const HttpRequest& request) {
+  HttpAnswer answer{.status = 101};
+  answer.headers = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", web_socket_accept(request.web_socket_key)}};
+  return answer;
 }
 
 }  // namespace
@@ -52,7 +64,12 @@ std::string Console::address() const {
   return fmt::format("http://127.0.0.1:{}/#{}", server_->port(), access_->token());
 }
 
+std::string Console::foxglove_address() const {
+  return fmt::format("ws://127.0.0.1:{}/foxglove?token={}", server_->port(), access_->reading_token());
+}
+
 Task<void> Console::close() {
+  viewers_.clear();
   for (const auto& [number, session] : sessions_) session->leave();
   const Time deadline = setup_.executor.now() + longest_goodbye;
   if (!sessions_.empty()) co_await emptied_.wait(deadline);
@@ -60,6 +77,7 @@ Task<void> Console::close() {
 
 HttpAnswer Console::answer(const HttpRequest& request) {
   if (!access_->is_own_host(request.host)) return with_headers(plain(421, "this is no name of this server"));
+  if (request.path == "/foxglove" && setup_.foxglove) return with_headers(open_viewer(request));
   const bool foreign = !request.origin.empty() && !access_->is_own_origin(request.origin, request.host);
   if (foreign) return with_headers(plain(403, "pages of another origin are not served"));
   if (request.path == "/session") return with_headers(exchange(request));
@@ -89,15 +107,42 @@ HttpAnswer Console::exchange(const HttpRequest& request) {
 HttpAnswer Console::open_page(const HttpRequest& request) {
   const std::optional<Time> until = access_->admitted(request.cookies, setup_.executor.now());
   if (!until) return plain(403, "no session: open the address that the console printed");
-  const bool asked = request.method == "GET" && (request.upgrade == "websocket" || request.upgrade == "WebSocket") &&
-                     request.web_socket_version == "13" && request.web_socket_key.size() == web_socket_key_size;
-  if (!asked) return plain(426, "here is a WebSocket alone");
+  if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
   if (request.origin.empty()) return plain(403, "only the page may connect");
   if (sessions_.size() >= max_pages) return plain(503, "too many pages are open");
-  HttpAnswer answer{.status = 101};
-  answer.headers = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", web_socket_accept(request.web_socket_key)}};
+  HttpAnswer answer = web_socket_answer(request);
   answer.upgraded = [this, until = *until](UpgradedSocket socket) { admit(std::move(socket), until); };
   return answer;
+}
+
+// A program names no origin; a page does, and only those that were named are let in.
+HttpAnswer Console::open_viewer(const HttpRequest& request) {
+  const std::vector<std::string>& origins = setup_.foxglove->origins;
+  const bool welcome = request.origin.empty() || std::ranges::find(origins, request.origin) != origins.end();
+  if (!welcome) return plain(403, "pages of this origin are not let in: name it with --foxglove-origin");
+  if (!access_->may_read(request.token)) return plain(403, "the token is wrong: open the address that was printed");
+  if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
+  if (!FoxgloveSession::is_offered(request.web_socket_protocols)) {
+    return plain(400, fmt::format("here is {} alone", FoxgloveSession::protocol));
+  }
+  if (viewers_.size() >= max_viewers) return plain(503, "too many viewers are here");
+  HttpAnswer answer = web_socket_answer(request);
+  answer.headers.emplace_back("Sec-WebSocket-Protocol", FoxgloveSession::protocol);
+  answer.upgraded = [this](UpgradedSocket socket) { admit_viewer(std::move(socket)); };
+  return answer;
+}
+
+void Console::admit_viewer(UpgradedSocket socket) {
+  if (viewers_.size() >= max_viewers) return;
+  const int number = next_page_++;
+  const std::string name = fmt::format("{}-{}", setup_.name, number);
+  Result<std::unique_ptr<Board>> board = setup_.board(name);
+  if (!board) return;
+  const auto ended = [this, number, alive = std::weak_ptr(alive_)] {
+    if (!alive.expired()) viewers_.erase(number);
+  };
+  FoxgloveSession::Setup setup{setup_.executor, setup_.cell.name, std::move(*board), ended};
+  viewers_.emplace(number, std::make_unique<FoxgloveSession>(std::move(setup), std::move(socket)));
 }
 
 void Console::admit(UpgradedSocket socket, Time until) {

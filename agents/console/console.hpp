@@ -8,14 +8,20 @@
 //   print((*console)->address());                  // http://127.0.0.1:40213/#TOKEN
 //   co_await (*console)->close();                  // every page has left the board
 //
-// At most 16 pages are open at once.
+// Where the setup says so it also speaks the Foxglove WebSocket protocol at /foxglove (foxglove_session.hpp): to
+// programs, and to browsers' pages of the origins that are named, that show the reading token.
+//
+// At most 16 pages are open at once, and 8 viewers.
 
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "agents/console/access.hpp"
+#include "agents/console/foxglove_session.hpp"
 #include "agents/console/http_server.hpp"
 #include "agents/console/page_files.hpp"
 #include "agents/console/session.hpp"
@@ -25,9 +31,14 @@ namespace pizarra::console {
 class Console {
  public:
   static constexpr std::size_t max_pages = 16;
+  static constexpr std::size_t max_viewers = 8;
 
   // A session with the board under a name of its own.
   using BoardMaker = std::function<Result<std::unique_ptr<Board>>(const std::string& name)>;
+
+  struct Foxglove {
+    std::vector<std::string> origins;  // https://app.foxglove.dev
+  };
 
   // Executor and streams outlive the console.
   struct Setup {
@@ -39,6 +50,7 @@ class Console {
     std::string page_folder;  // of what page/build.mjs made
     int port = 0;
     std::function<void(const std::string& address)> next_address = nullptr;  // the last one has been used
+    std::optional<Foxglove> foxglove = std::nullopt;
   };
 
   // Failures: unreadable-file, cannot-listen.
@@ -49,7 +61,10 @@ class Console {
 
   // Where one browser may come.
   std::string address() const;
+  // For Foxglove, its token included.
+  std::string foxglove_address() const;
   std::size_t pages() const { return sessions_.size(); }
+  std::size_t viewers() const { return viewers_.size(); }
   Task<void> close();
 
  private:
@@ -57,7 +72,9 @@ class Console {
   HttpAnswer answer(const HttpRequest& request);
   HttpAnswer exchange(const HttpRequest& request);
   HttpAnswer open_page(const HttpRequest& request);
+  HttpAnswer open_viewer(const HttpRequest& request);
   void admit(UpgradedSocket socket, Time until);
+  void admit_viewer(UpgradedSocket socket);
   HttpAnswer with_headers(HttpAnswer answer) const;
 
   Setup setup_;
@@ -69,6 +86,7 @@ class Console {
   Event emptied_;
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // whoever may outlast this looks
   std::map<int, std::unique_ptr<Session>> sessions_;
+  std::map<int, std::unique_ptr<FoxgloveSession>> viewers_;
 };
 
 }  // namespace pizarra::console

@@ -1,6 +1,7 @@
 #include "agents/console/foxglove_channels.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -128,6 +129,14 @@ std::string fact_json(const Fact& fact, bool gone) {
 
 std::span<const FoxgloveChannel> foxglove_channels() { return channels; }
 std::span<const std::string_view> foxglove_patterns() { return patterns; }
+
+std::span<const std::string_view> foxglove_patterns(std::size_t channel) {
+  if (channel == facts) return patterns;
+  constexpr std::string_view relations[] = {"(arm-pose ", "(place ", "(event "};
+  const auto* found =
+      std::ranges::find_if(patterns, [&](std::string_view pattern) { return pattern.starts_with(relations[channel]); });
+  return {found, 1};
+}
 
 std::vector<FoxgloveMessage> foxglove_messages(const Fact& fact) {
   std::vector<FoxgloveMessage> messages{{facts, fact_json(fact, false)}};

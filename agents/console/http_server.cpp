@@ -17,9 +17,13 @@ constexpr unsigned max_connections = 64;
 constexpr unsigned silence_seconds = 10;
 constexpr std::size_t head_bytes = 16 << 10;
 
-std::string header_of(MHD_Connection* connection, const char* name) {
-  const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
+std::string value_of(MHD_Connection* connection, MHD_ValueKind kind, const char* name) {
+  const char* value = MHD_lookup_connection_value(connection, kind, name);
   return value == nullptr ? std::string() : std::string(value);
+}
+
+std::string header_of(MHD_Connection* connection, const char* name) {
+  return value_of(connection, MHD_HEADER_KIND, name);
 }
 
 bool has_body(MHD_Connection* connection) {
@@ -36,7 +40,9 @@ HttpRequest request_of(MHD_Connection* connection, const char* method, const cha
           .authorization = header_of(connection, "Authorization"),
           .upgrade = header_of(connection, "Upgrade"),
           .web_socket_key = header_of(connection, "Sec-WebSocket-Key"),
-          .web_socket_version = header_of(connection, "Sec-WebSocket-Version")};
+          .web_socket_version = header_of(connection, "Sec-WebSocket-Version"),
+          .web_socket_protocols = header_of(connection, "Sec-WebSocket-Protocol"),
+          .token = value_of(connection, MHD_GET_ARGUMENT_KIND, "token")};
 }
 
 }  // namespace

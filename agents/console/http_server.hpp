@@ -58,6 +58,8 @@ struct HttpRequest {
   std::string upgrade;
   std::string web_socket_key;
   std::string web_socket_version;
+  std::string web_socket_protocols;
+  std::string token;  // `?token=...`
 };
 
 struct HttpAnswer {

@@ -27,6 +27,13 @@ struct ConsoleChoices {
   bool seed_given = false;
   int port = 0;
   std::string addresses;  // where they go as well
+  bool foxglove = false;
+  std::vector<std::string> foxglove_origins;
+
+  std::optional<console::Console::Foxglove> viewers() const {
+    if (!foxglove) return std::nullopt;
+    return console::Console::Foxglove{foxglove_origins};
+  }
 };
 
 Result<console::CellView> view_of(const forms::CellDescription& cell) {
@@ -76,9 +83,11 @@ int serve(Executor& executor, console::Console::Setup setup, const std::string& 
     fmt::print(stderr, "another browser: {}\n", address);
     if (!addresses.empty()) add_line(addresses, address);
   };
+  const bool viewed = setup.foxglove.has_value();
   const auto console = console::Console::open(std::move(setup));
   if (!console) return complain(console.error(), exit_unavailable);
   print_address((*console)->address());
+  if (viewed) fmt::print(stderr, "for Foxglove: {}\n", (*console)->foxglove_address());
   if (!addresses.empty()) add_line(addresses, (*console)->address());
   executor.run_until([] { return false; });
   const Job closing = executor.spawn((*console)->close());
@@ -111,7 +120,8 @@ int console_of_own_cell(const ConsoleChoices& choices) {
                 .cell = *view,
                 .name = {},
                 .page_folder = {},
-                .port = choices.port},
+                .port = choices.port,
+                .foxglove = choices.viewers()},
                choices.addresses);
 }
 
@@ -144,7 +154,8 @@ int console_of_running_cell(const ConsoleChoices& choices) {
                 .cell = *view,
                 .name = {},
                 .page_folder = {},
-                .port = choices.port},
+                .port = choices.port,
+                .foxglove = choices.viewers()},
                choices.addresses);
 }
 
@@ -172,6 +183,13 @@ void add_console_command(CLI::App& app, int& status) {
       ->capture_default_str();
   console->add_option("--addresses", choices->addresses,
                       "A file, or a pipe that somebody reads, to which each address is added as a line");
+  CLI::Option* foxglove =
+      console->add_flag("--foxglove", choices->foxglove,
+                        "Also speak the Foxglove WebSocket protocol, at an address that is said, to be read");
+  console
+      ->add_option("--foxglove-origin", choices->foxglove_origins,
+                   "An origin whose pages may connect for that, as https://app.foxglove.dev; may be given again")
+      ->needs(foxglove);
   console->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(console, choices->board);
   console->footer(help_footer("console"));

@@ -94,5 +94,26 @@ TEST_F(ConsoleTest, HoldsSoManySessionsAndNoMore) {
   EXPECT_TRUE(access.admitted(cookies.back(), Time(1s)));
 }
 
+TEST_F(ConsoleTest, LetsAViewerReadByItsOwnTokenAndOrigin) {
+  const std::string address = console_->foxglove_address();
+  const std::string path = address.substr(address.find("/foxglove"));
+  const auto asked = [&](const std::string& where, const Headers& other) {
+    Headers headers = upgrade_headers("");
+    headers["Sec-WebSocket-Protocol"] = "other, foxglove.websocket.v1";
+    for (const auto& [name, value] : other) headers[name] = value;
+    return head("GET", where, headers);
+  };
+  EXPECT_TRUE(begins(asked("/foxglove", {{"Origin", ""}}), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(asked("/foxglove?token=" + token_, {{"Origin", ""}}), "HTTP/1.1 403")) << "a page's token";
+  EXPECT_TRUE(begins(asked(path, {{"Origin", "https://evil.example"}}), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(asked(path, {{"Origin", ""}, {"Host", "evil.example"}}), "HTTP/1.1 421"));
+  EXPECT_TRUE(begins(asked(path, {{"Origin", ""}, {"Sec-WebSocket-Protocol", "other"}}), "HTTP/1.1 400"));
+  EXPECT_EQ(console_->viewers(), 0u);
+  const std::string answer = asked(path, {{"Origin", ""}});
+  EXPECT_TRUE(begins(answer, "HTTP/1.1 101"));
+  EXPECT_TRUE(has(answer, "Sec-WebSocket-Protocol: foxglove.websocket.v1"));
+  EXPECT_TRUE(begins(asked(path, {{"Origin", "https://viewer.example"}}), "HTTP/1.1 101")) << "and another";
+}
+
 }  // namespace
 }  // namespace pizarra::console

@@ -33,6 +33,7 @@ class ConsoleTest : public testing::Test {
       return board_.view(name);
     };
     Console::Setup setup{executor_, streams_, maker, cell_, "console", source_dir() + "/agents/console/page/built"};
+    setup.foxglove = Console::Foxglove{{"https://viewer.example"}};
     console_ = Console::open(std::move(setup)).value();
     const std::string address = console_->address();
     const std::size_t colon = address.rfind(':');
