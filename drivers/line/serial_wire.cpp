@@ -60,19 +60,24 @@ bool set_up(int file, speed_t speed, Parity parity) {
 
 }  // namespace
 
-Result<int> SerialWire::open_line() const {
-  const std::optional<speed_t> speed = speed_of(baud_);
-  if (!speed) return fail("bad-baud", fmt::format("serial lines do not run at {} baud", baud_), to_datum(baud_));
-  const int file = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (file >= 0 && set_up(file, *speed, parity_)) return file;
+Result<void> check_baud(int baud) {
+  if (speed_of(baud)) return {};
+  return fail("bad-baud", fmt::format("serial lines do not run at {} baud", baud), to_datum(baud));
+}
+
+Result<int> open_serial(const std::string& path, int baud, Parity parity) {
+  const Result<void> sound = check_baud(baud);
+  if (!sound) return fail(sound);
+  const int file = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (file >= 0 && set_up(file, *speed_of(baud), parity)) return file;
   const std::string why = system_error();
   if (file >= 0) ::close(file);
-  return fail("disconnected", fmt::format("{} cannot be used as a serial line: {}", path_, why), to_datum(path_));
+  return fail("disconnected", fmt::format("{} cannot be used as a serial line: {}", path, why), to_datum(path));
 }
 
 Task<Result<void>> SerialWire::open(Time) {
   close();
-  const Result<int> file = open_line();
+  const Result<int> file = open_serial(path_, baud_, parity_);
   if (!file) co_return fail(file);
   adopt(*file);
   co_return Result<void>();

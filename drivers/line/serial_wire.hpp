@@ -11,6 +11,11 @@ namespace pizarra::line {
 
 enum class Parity : std::uint8_t { none, even };
 
+// Failure: bad-baud.
+Result<void> check_baud(int baud);
+// A file that does not block. Failures: disconnected; bad-baud.
+Result<int> open_serial(const std::string& path, int baud, Parity parity);
+
 class SerialWire : public FileWire {
  public:
   // Baud rates: 9600, 19200, 38400, 57600, 115200.
@@ -21,7 +26,6 @@ class SerialWire : public FileWire {
   std::string place() const override { return path_; }
 
  private:
-  Result<int> open_line() const;
   std::string path_;
   int baud_;
   Parity parity_;
