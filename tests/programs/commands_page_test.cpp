@@ -62,8 +62,8 @@ void add_helped(const std::string& program, const std::string& command, Commands
 
 Commands asked_of_the_programs() {
   Commands commands;
-  for (const char* program :
-       {PIZARRA_CELL, PIZARRA_BOARD, PIZARRA_AGENT, PIZARRA_PLAN, PIZARRA_EMULATE, PIZARRA_KEYS, PIZARRA_SCHEME}) {
+  for (const char* program : {PIZARRA_CELL, PIZARRA_BOARD, PIZARRA_AGENT, PIZARRA_DOOR, PIZARRA_PLAN, PIZARRA_EMULATE,
+                              PIZARRA_KEYS, PIZARRA_SCHEME}) {
     add_helped(program, "", commands);
   }
   return commands;

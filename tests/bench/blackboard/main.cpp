@@ -18,7 +18,8 @@ constexpr std::array table = {
     Row{"ask", ask_replica},         Row{"process", in_process},      Row{"start", start_and_memory},
     Row{"scheme", scheme_reaction},  Row{"tell", tell_round_trip},    Row{"tracing", tracing},
     Row{"watcher", tell_to_watcher}, Row{"throughput", throughput},   Row{"durable", durable_tells},
-    Row{"recovery", recovery},       Row{"stalled", stalled_watcher}, Row{"streams", streams}};
+    Row{"recovery", recovery},       Row{"stalled", stalled_watcher}, Row{"streams", streams},
+    Row{"door", text_door}};
 
 }  // namespace
 

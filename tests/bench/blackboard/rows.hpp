@@ -16,6 +16,7 @@ void scheme_reaction(Figures& figures);
 void start_and_memory(Figures& figures);
 void tell_round_trip(Figures& figures);
 void tell_to_watcher(Figures& figures);
+void text_door(Figures& figures);
 void throughput(Figures& figures);
 void durable_tells(Figures& figures);
 void recovery(Figures& figures);

@@ -1,0 +1,8 @@
+; A cell with a light barrier before it: the arm stands while something is in the beam, and while nobody watches it. The
+; barrier and a turntable are small devices that come through the text door: docs/small-devices.md.
+(cell devices-cell
+  (world
+    (cube circle (at 450 -80))
+    (cube triangle (at 450 80)))
+  (agent guard (scheme "guard.scm"))
+  (domain "../../domains/blocks.scm"))
