@@ -1,5 +1,6 @@
 ; ./pizarra scheme examples/11-devices/guard.scm --try examples/11-devices/guard-test.scm
 (declare (relation stop ((who symbol) (reason string)) (key who) (durable)))
+(tell (agent robot robot "here"))
 
 (expect (stop guard "nobody watches the light barrier"))
 (tell (watching barrier-1))

@@ -6,5 +6,5 @@
 
 (conclude something-is-there (blocked barrier-1)
   (stop barrier-1 "something is in the light barrier"))
-(conclude nobody-watches (and (guarded ?b) (not (watching ?b)))
+(conclude nobody-watches (and (agent ?arm robot ?) (guarded ?b) (not (watching ?b)))
   (stop guard "nobody watches the light barrier"))

@@ -92,7 +92,7 @@ class SmallDevices : public testing::Test {
     return wait_until([&] { return contains(board("ask", query), answer); }, patience);
   }
   bool goes(const std::string& query) {
-    return wait_until([&] { return board("ask", query).text == "nothing\n"; }, patience);
+    return wait_until([&] { return board("ask", query).text == "no\n"; }, patience);
   }
 
   const std::string folder_ = scratch_folder();
@@ -108,6 +108,8 @@ TEST_F(SmallDevices, ABlockedBarrierStopsTheArmAndSoDoesOneThatNobodyWatches) {
   EXPECT_EQ(board("declare", "(relation stop ((who symbol) (reason string)) (key who) (durable))").status, 0);
   const Running guard({PIZARRA_SCHEME, "scheme", source_dir() + "/examples/11-devices/guard.scm", "--board", address_},
                       folder_ + "guard.log");
+  EXPECT_TRUE(comes("(rule guard nobody-watches ?)", "yes")) << guard.said();
+  EXPECT_EQ(board("tell", "(agent robot robot \"localhost\")").status, 0);
   EXPECT_TRUE(comes("(stop guard ?why)", "nobody watches")) << guard.said();
   EmulatedDevice barrier(PIZARRA_LIGHT_BARRIER, "barrier", token("barrier-1"));
   open_door({barrier.line()});
@@ -154,7 +156,7 @@ TEST_F(SmallDevices, AKeyThatIsTakenAwayEndsWhatItsDeviceMayDo) {
   std::filesystem::remove(keys_ + "/barrier-1.key");
   EXPECT_TRUE(goes("(watching ?b)")) << door_->said();
   barrier.type("block");
-  EXPECT_EQ(board("ask", "(blocked ?b)").text, "nothing\n");
+  EXPECT_EQ(board("ask", "(blocked ?b)").text, "no\n");
 }
 
 TEST(DoorWord, RefusesPlacesThatOthersReachAndWhatIsNoPlace) {

@@ -70,13 +70,14 @@ void TcpClient::send(std::string_view text) const {
 }
 
 std::string_view TcpClient::line() {
-  std::size_t end = buffer_.find("\r\n", read_);
+  std::size_t end = buffer_.find('\n', read_);
   while (end == std::string::npos) {
     read_more();
-    end = buffer_.find("\r\n", read_);
+    end = buffer_.find('\n', read_);
   }
-  const std::string_view line = std::string_view(buffer_).substr(read_, end - read_);
-  read_ = end + 2;
+  std::string_view line = std::string_view(buffer_).substr(read_, end - read_);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  read_ = end + 1;
   return line;
 }
 
