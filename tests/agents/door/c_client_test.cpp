@@ -3,6 +3,7 @@
 #include <climits>
 
 #include "blackboard/c/pizarra_device.h"
+#include "blackboard/time/random.hpp"
 #include "drivers/line/tcp_port.hpp"
 #include "tests/agents/door/door_fixture.hpp"
 
@@ -193,6 +194,61 @@ TEST_F(SmallDeviceTest, RefusesWhatHasNoRoomWholeAndHearsTheBeginningOfWhatIsToo
   ASSERT_NE(pizarra_ask(&table.device, "(turned table-7 ?d)"), 0);
   ASSERT_TRUE(table.told(executor_, "ok"));
   EXPECT_TRUE(table.last.ends_with(" (turned table-7 10)")) << table.last;
+}
+
+// A line that says what a damaged door might, and what the client made of it.
+struct Nonsense {
+  std::string comes;
+  std::size_t read = 0;
+  int told = 0;
+  const pizarra_device* device = nullptr;
+
+  static int open(void*) { return 1; }
+  static int send(void*, const char*, int count) { return count; }
+  static int receive(void* user, char* into, int room) {
+    auto& self = *static_cast<Nonsense*>(user);
+    const std::size_t count = self.comes.copy(into, static_cast<std::size_t>(room), self.read);
+    self.read += count;
+    return static_cast<int>(count);
+  }
+  static void heard(void* user, const pizarra_news* news) {
+    auto& self = *static_cast<Nonsense*>(user);
+    ++self.told;
+    const char* const line = self.device->line;
+    if (news->text.size == 0) return;
+    EXPECT_GE(news->text.at, line);
+    EXPECT_LE(news->text.at + news->text.size, line + PIZARRA_LINE);
+    for (int i = 0; i < 4; ++i) {
+      const pizarra_text element = pizarra_nth(news->text, i);
+      EXPECT_LE(element.size, news->text.size);
+      EXPECT_LE(pizarra_inside(element).size, element.size);
+    }
+  }
+};
+
+TEST(SmallDeviceText, NoLineThatComesLeadsItOutOfItsMemory) {
+  const std::string_view lines[] = {"(welcome barrier)\n", "(ok new)\n",           "(ok (a \"b)\") (c 1))\n",
+                                    "(fail no \"why\")\n", "(came 1 (on a b))\n",  "(anew 1)\n",
+                                    "(now 1 7)\n",         "(closed it \"why\")\n"};
+  Random random(7);
+  int told = 0;
+  for (int run = 0; run < 3000; ++run) {
+    Nonsense door{.comes = "(welcome barrier)\n"};
+    for (int i = 0; i < 12; ++i) door.comes += lines[random.below(std::size(lines))];
+    for (int i = 0; i < 3; ++i) door.comes[random.below(door.comes.size())] = static_cast<char>(random.below(256));
+    if (run % 7 == 0) door.comes.insert(random.below(door.comes.size()), std::string(PIZARRA_LINE, '('));
+    const pizarra_calls calls = {&door, &Nonsense::open, &Nonsense::send, &Nonsense::receive, &Nonsense::heard};
+    pizarra_device device;
+    pizarra_begin(&device, &calls, "barrier", "token", 2000);
+    door.device = &device;
+    for (std::uint32_t now = 0; now < 60'000 && door.read < door.comes.size(); now += 400) {
+      pizarra_run(&device, now);
+      pizarra_ask(&device, "(on ?x ?y)");
+    }
+    EXPECT_EQ(door.read, door.comes.size());
+    told += door.told;
+  }
+  EXPECT_GT(told, 3000);
 }
 
 pizarra_text as_text(const char* text) { return {text, static_cast<int>(std::string_view(text).size())}; }

@@ -36,13 +36,14 @@ inline bool run_until(Executor& executor, const std::function<bool()>& condition
   return met;
 }
 
-// A socket that does not block, connected to a port of this machine.
-inline int connect_to(int port) {
+// A socket connected to a port of this machine, with as much room for what it has not read as usual or as is said.
+inline int connect_to(int port, int receive_bytes = 0) {
   sockaddr_in at{};
   at.sin_family = AF_INET;
   at.sin_port = htons(static_cast<std::uint16_t>(port));
   at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const int file = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (receive_bytes > 0) ::setsockopt(file, SOL_SOCKET, SO_RCVBUF, &receive_bytes, sizeof receive_bytes);
   if (::connect(file, reinterpret_cast<const sockaddr*>(&at), sizeof at) == 0) return file;
   ::close(file);
   return -1;
