@@ -61,7 +61,7 @@ Task<Evaluation> run_prompt(runtime::AgentContext& context, Interpreter& interpr
     settled.reset();
     const Job evaluation = context.executor.spawn(evaluate_into(interpreter, std::move(*typed), outcome, settled));
     co_await settled.wait();
-    if (!evaluation.done()) terminal.print("not waited for any longer; what an agent was asked to do goes on");
+    if (!evaluation.done()) terminal.print("not waited for any longer; requests to agents go on");
     const bool well = outcome == Evaluation::done || outcome == Evaluation::quit;
     if (!well && first_failure == Evaluation::done) first_failure = outcome;
   }

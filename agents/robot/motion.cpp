@@ -34,7 +34,7 @@ Result<Eigen::Vector3d> extension(const arm::ArmModel& model, const arm::Joints&
   if (keep.is_symbol("keep-height")) return stretch.ahead;
   if (keep.is_symbol("keep-distance")) return Eigen::Vector3d(0, 0, 1);
   if (!keep.is_symbol("keep-angle")) {
-    return fail("wrong-direction", "what is kept is keep-height, keep-distance or keep-angle", keep);
+    return fail("wrong-direction", "extend knows keep-height, keep-distance and keep-angle", keep);
   }
   const double alpha = std::atan2(stretch.h_mm, stretch.d_mm);
   return Eigen::Vector3d(std::cos(alpha) * stretch.ahead + std::sin(alpha) * Eigen::Vector3d::UnitZ());

@@ -20,7 +20,7 @@ void ServedWatches::add(wire::WatchId number, Datum asked, bool kept, std::uniqu
 
 Result<bool> ServedWatches::acknowledge(wire::WatchId number, std::uint64_t sequence) {
   Served& watch = watches_.at(number);
-  if (sequence > watch.sent) return fail("bad-frame", "what was never sent is acknowledged");
+  if (sequence > watch.sent) return fail("bad-frame", "a change that was never sent is acknowledged");
   const bool is_news = sequence > watch.acknowledged;
   if (is_news) watch.acknowledged = sequence;
   return is_news;

@@ -16,7 +16,7 @@ WatchTable::~WatchTable() { assert(size_ == 0); }
 Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready,
                                                     std::string watcher, std::shared_ptr<Backlog> backlog,
                                                     std::size_t& examined) {
-  if (query.at) return fail("bad-query", "what was cannot be watched, only asked", query_to_datum(query));
+  if (query.at) return fail("bad-query", "the past can be asked for, not watched", query_to_datum(query));
   if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
   const Result<void> checked = store::check_query_on(query, store_.tables());
   if (!checked) return fail(checked);

@@ -63,7 +63,7 @@ Result<std::optional<std::string>> text_of(const std::string& path, std::size_t 
   const bool whole = read(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   close(file);
   if (plain && !short_enough) return fail(too_much("wrote a plan of", most_bytes));
-  if (!plain || !whole) return fail("garbage", "what the planner left in its plan's place is no file that can be read");
+  if (!plain || !whole) return fail("garbage", "the file in the place of the planner's plan cannot be read");
   return text;
 }
 

@@ -46,7 +46,7 @@ std::optional<Failure> check_perception(const forms::Domain& domain, const forms
   std::optional<Failure> wrong;
   if (std::ranges::find(domain.types, perception.sees()) == domain.types.end()) {
     const std::string sentence =
-        fmt::format("what is seen must have a type of the domain: (sees TYPE), and {} is none", perception.sees());
+        fmt::format("(sees TYPE) must name a type of the domain, and {} is none", perception.sees());
     add(wrong, domain.source.failure_at(perception_path(domain, {"sees"}, 1), "unknown-type", sentence));
   }
   const std::optional<double> cube = perception.constant("cube");

@@ -36,7 +36,7 @@ Result<void> Vigil::check(const Facts& beliefs) const {
     }
   }
   if (lost.empty()) return {};
-  return fail("difference", "what the operation and the rest of the plan need does not hold any more",
+  return fail("difference", "a condition of the operation or of the rest of the plan does not hold any more",
               Datum::list(std::move(lost)));
 }
 

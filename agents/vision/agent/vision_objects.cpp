@@ -19,7 +19,7 @@ Failure VisionAgent::State::not_known(const std::string& name) const {
   }
   return {
       "damaged",
-      fmt::format("what was learned under this name is damaged, {}: {}", trouble->subject.text(), trouble->sentence),
+      fmt::format("the object learned under this name is damaged, {}: {}", trouble->subject.text(), trouble->sentence),
       to_datum(name),
       {}};
 }

@@ -151,7 +151,7 @@ Task<Result<Datum>> VisionAgent::State::disconnect(Asked asked) {
 
 Task<Result<Datum>> VisionAgent::State::keep_modes(Asked asked) {
   const std::string holder = co_await holder_for(asked.client);
-  if (!holders.keep(holder)) co_return fail("nothing-held", "who asks is neither connected nor tracks", "keep"_sym);
+  if (!holders.keep(holder)) co_return fail("nothing-held", "the client is neither connected nor tracking", "keep"_sym);
   co_await tell_holders();
   co_return Datum();
 }

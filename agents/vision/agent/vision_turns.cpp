@@ -32,7 +32,7 @@ Task<Result<std::unique_ptr<VisionAgent::State::Turn>>> VisionAgent::State::take
   if (!came) co_return fail(came);
   const Result<bool> present = co_await is_present(client);
   const bool died = present_before.value_or(false) && !present.value_or(true);
-  if (died) co_return fail("absent", "who asked is gone", Datum::symbol(client));
+  if (died) co_return fail("absent", "the client that asked is gone", Datum::symbol(client));
   co_return turn;
 }
 

@@ -182,7 +182,7 @@ std::unexpected<Failure> ClickedPlace::why_none() const {
   const bool leaks = around && (box | *around) != *around;
   const bool is_shape = !cut && cv::countNonZero(enclosed(even)) < least_mark_area_px;
   if (leaks || is_shape) {
-    return refuse("open-contour", "the contour around the point is open: what is filled leaks out of it");
+    return refuse("open-contour", "the contour around the point is open: the filling leaks out of it");
   }
   if (around && cut) return refuse("border", "the shape around the point is cut by the border of the image");
   return refuse("background",

@@ -168,7 +168,7 @@ bool MarkLearner::follow(StereoSight& sight) {
 
 Result<void> MarkLearner::end_filling() {
   if (!mark_) {
-    return fail("moved", "what is around the point came there while it was filled", list(click_.x, click_.y));
+    return fail("moved", "the mark around the point came there while it was filled", list(click_.x, click_.y));
   }
   const Result<void> followed = check_seen(seen_);
   if (!followed) return followed;

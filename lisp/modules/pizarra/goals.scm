@@ -51,7 +51,7 @@
              (list (cons 'then (map (lambda (stage) (together (list stage) read-one)) stages)))))
           ((and only (headed? only 'keep))
            (let ((kept (node-rest (node-within only "in the goal (keep ...)"))))
-             (when (null? kept) (complain! only 'malformed "what is kept is written (keep GOAL ...)"))
+             (when (null? kept) (complain! only 'malformed "a goal that is kept is written (keep GOAL ...)"))
              (list (cons 'keep (conjuncts kept read-one)))))
           (else (conjuncts nodes read-one)))))
 

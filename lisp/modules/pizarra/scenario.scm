@@ -38,7 +38,7 @@
     ((slips) (ranged '((0 1) (1 10) (0 600))))
     ((misplace) (ranged '((0 1))))
     ((#f) #f)
-    (else (complain! node 'unknown-action "what fingers do is slip, slips or misplace"))))
+    (else (complain! node 'unknown-action "fingers know slip, slips and misplace"))))
 
 (define (action? node)
   (let ((head (and (pair? (node-datum node)) (car (node-datum node)))))
