@@ -56,10 +56,11 @@ void Observers::hear(const Datum& request) {
   if (request[1].is_symbol("move")) note_motion();
   if (!request[1].is_symbol("stop")) return;
   std::erase_if(halts_, [](const Job& job) { return job.done(); });
-  halts_.push_back(cell_.time().spawn(check_halt(cell_.time().now())));
+  halts_.push_back(cell_.time().spawn(check_halt()));
 }
 
 void Observers::note_motion() {
+  ++motions_;
   const Time now = cell_.time().now();
   const bool stopped = stop_stands_since_ && now - *stop_stands_since_ > stop_is_heard + look_slack;
   if (stopped && !facts_of(cell_.board(), "(stop ? ?)").empty()) {
@@ -76,14 +77,20 @@ void Observers::note_motion() {
   }
 }
 
-// Asked of the simulated arm itself; whoever then orders another motion has had it end.
-Task<void> Observers::check_halt(Time) {
-  const std::size_t motions = moved_for_.size();
-  co_await sleep(cell_.time(), stop_is_heard + brakes_take);
+// Asked of the simulated arm itself. One that moved as the stop came rests soon, and knows that it was stopped. Whoever
+// then orders another motion has had it end.
+Task<void> Observers::check_halt() {
+  const std::uint64_t motions = motions_;
   const Datum question = list("arm"_sym, "read"_sym);
-  const Result<simulation::Message> reading = co_await cell_.world().world->handle(question);
-  const bool moves = reading && reading->head[1].is_symbol("yes");
-  if (moves && moved_for_.size() == motions) add_unsafe("the arm moves on after a stop came to its controller");
+  const Result<simulation::Message> before = co_await cell_.world().world->handle(question);
+  const bool moved = before && before->head[1].is_symbol("yes");
+  if (!moved) co_return;
+  co_await sleep(cell_.time(), stop_is_heard + brakes_take);
+  const Result<simulation::Message> after = co_await cell_.world().world->handle(question);
+  const bool tells = after && motions_ == motions;
+  if (!tells) co_return;
+  const bool heeded = after->head[1].is_symbol("no") && after->head[2].is_symbol("yes");
+  if (!heeded) add_unsafe("the arm moves on after a stop came to its controller");
 }
 
 Task<void> Observers::look() {
@@ -102,6 +109,8 @@ Task<void> Observers::look_at_world() {
   const Result<story::WorldState> truth = story::world_state_from_datum(answer->head);
   if (!truth) co_return;
   newest_ = *truth;
+  const std::optional<std::string> news = world_news_.of(newest_);
+  if (news) tell_(cell_.time().now(), "world", *news);
   const Result<std::vector<Datum>> facts = judge_.facts(newest_);
   const Time now = cell_.time().now();
   if (facts) lately_.push_back({now, *facts});

@@ -22,6 +22,7 @@
 
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
+#include "programs/chaos/world_news.hpp"
 #include "programs/story/judge.hpp"
 
 namespace pizarra::chaos {
@@ -55,7 +56,7 @@ class Observers {
   };
   void hear(const Datum& request);
   void note_motion();
-  Task<void> check_halt(Time stopped);
+  Task<void> check_halt();
   Task<void> look();
   Task<void> look_at_world();
   void look_at_board();
@@ -70,8 +71,10 @@ class Observers {
   std::set<std::int64_t> marks_;
   std::deque<Moment> lately_;
   story::WorldState newest_;
+  WorldNews world_news_;
   std::int64_t last_event_ = 0;
   int board_lives_ = 1;
+  std::uint64_t motions_ = 0;
   std::map<Datum, int> moved_for_;      // a request, and the life of the robot agent that moved for it
   std::map<std::string, int> present_;  // agents, in which of their lives
   std::optional<Time> stop_stands_since_;

@@ -1,6 +1,7 @@
 #include "programs/chaos/planted_board.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace pizarra::chaos {
 
@@ -39,14 +40,25 @@ class OldLooks : public Watch {
   std::deque<Datum> looks_;
 };
 
-// A look in which the object is lost.
+// A TRACK reply that says of the object that it failed.
+std::string text_without(std::string text, std::string_view object) {
+  const std::string named = fmt::format("(\"{}\" ", object);
+  const std::size_t from = text.find(named);
+  if (from == std::string::npos || text.compare(from + named.size(), 2, "OK") != 0) return text;
+  const std::size_t to = text.find("))", from);
+  if (to == std::string::npos) return text;
+  return text.replace(from, to + 2 - from, named + "FAIL)");
+}
+
+// A look in which the object is lost, also from its text.
 Datum without(const Datum& look, std::string_view object) {
   std::vector<Datum> seen;
   for (const Datum& entry : look[4].items()) {
     const bool hidden = entry.size() > 1 && entry[0].text() == object;
     seen.push_back(hidden ? list(entry[0], "lost"_sym) : entry);
   }
-  return list(look[0], look[1], look[2], look[3], Datum::list(std::move(seen)));
+  const std::string text = text_without(std::string(look[3].text()), object);
+  return list(look[0], look[1], look[2], text, Datum::list(std::move(seen)));
 }
 
 }  // namespace

@@ -11,6 +11,8 @@ namespace pizarra::chaos {
 namespace {
 
 constexpr int most_shrinking_runs = 40;
+// Of this machine's time, however loaded it is. The cell's own time bounds each run.
+constexpr std::chrono::seconds longest_run(600);
 
 struct Outcome {
   RunResult result;
@@ -125,7 +127,11 @@ Tally run_swarm(const SwarmOptions& options, std::FILE* out) {
     return word_of(outcome);
   };
   Tally tally;
-  story::SeedPool pool({.first = options.first_seed, .seeds = options.runs, .jobs = options.jobs}, work);
+  story::SeedPool pool({.first = options.first_seed,
+                        .seeds = options.runs,
+                        .jobs = options.jobs,
+                        .longest = (options.shrink ? most_shrinking_runs : 1) * longest_run},
+                       work);
   const story::SeedPool::End end = pool.run([&](std::uint64_t seed, const story::SeedPool::Answer& answer) {
     const Heard heard = heard_from(answer);
     count(tally, heard.result);
@@ -149,7 +155,8 @@ PlantSearch find_plant(const SwarmOptions& options) {
     return fails && !has_failed(play_quietly(story, {})) ? "found" : "not";
   };
   PlantSearch search;
-  story::SeedPool pool({.first = options.first_seed, .seeds = options.runs, .jobs = options.jobs}, work);
+  story::SeedPool pool(
+      {.first = options.first_seed, .seeds = options.runs, .jobs = options.jobs, .longest = 2 * longest_run}, work);
   const story::SeedPool::End end = pool.run([&](std::uint64_t seed, const story::SeedPool::Answer& answer) {
     // A plant that brings a whole run down is found too.
     const bool is_found = answer.text == "found" || !answer.trouble.empty();

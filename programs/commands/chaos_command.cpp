@@ -2,12 +2,10 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "programs/chaos/plants.hpp"
-#include "programs/chaos/swarm.hpp"
+#include "programs/chaos/reference.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/story/output_file.hpp"
@@ -90,16 +88,24 @@ int replay_one(const ChaosChoices& choices, const forms::CellDescription& cell) 
   return result->kind == chaos::RunResult::Kind::failed ? exit_failed : exit_reached;
 }
 
-// Whether all that the reference came to often is come to still.
-bool exercises_as(const std::string& reference, const chaos::Coverage& coverage) {
-  std::ifstream in(reference);
-  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  const std::vector<std::string> lost = coverage.lost_since(chaos::Coverage::from_text(text));
-  for (const std::string& point : lost) fmt::print("lost: {}\n", point);
-  return lost.empty();
+// It says something of the same runs alone.
+Result<chaos::Reference> reference_for(const ChaosChoices& choices) {
+  Result<chaos::Reference> reference = chaos::read_reference(choices.reference);
+  if (!reference) return reference;
+  if (reference->runs == choices.runs && reference->first_seed == choices.first_seed) return reference;
+  return fail("other-runs",
+              fmt::format("{} is of {} runs from seed {}: give --runs {} --first-seed {}", choices.reference,
+                          reference->runs, reference->first_seed, reference->runs, reference->first_seed));
 }
 
-int run_many(const ChaosChoices& choices, const forms::CellDescription& cell) {
+bool is_as_good_as(const chaos::Reference& reference, const chaos::Reference& now) {
+  const std::vector<std::string> worse = chaos::worse_than(reference, now);
+  for (const std::string& sentence : worse) fmt::print("{}\n", sentence);
+  for (const std::string& sentence : chaos::better_than(reference, now)) fmt::print("{}\n", sentence);
+  return worse.empty();
+}
+
+chaos::SwarmOptions swarm_options(const ChaosChoices& choices, const forms::CellDescription& cell) {
   chaos::SwarmOptions options;
   options.cell = cell;
   options.first_seed = choices.first_seed;
@@ -108,9 +114,20 @@ int run_many(const ChaosChoices& choices, const forms::CellDescription& cell) {
   options.only = choices.only;
   options.shrink = !choices.no_shrink;
   options.replay_with = replay_with(choices);
-  const chaos::Tally tally = chaos::run_swarm(options, stdout);
+  return options;
+}
+
+int run_many(const ChaosChoices& choices, const forms::CellDescription& cell) {
+  std::optional<chaos::Reference> reference;
+  if (!choices.reference.empty()) {
+    Result<chaos::Reference> read = reference_for(choices);
+    if (!read) return complain(read.error(), exit_usage);
+    reference = std::move(*read);
+  }
+  const chaos::Tally tally = chaos::run_swarm(swarm_options(choices, cell), stdout);
+  const chaos::Reference now = chaos::reference_of(choices.first_seed, tally);
   if (!choices.coverage.empty()) {
-    const std::string text = tally.coverage.text();
+    const std::string text = chaos::text_of(now);
     const Result<void> written =
         story::write_file(choices.coverage, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!written) return complain(written.error(), exit_unavailable);
@@ -118,21 +135,16 @@ int run_many(const ChaosChoices& choices, const forms::CellDescription& cell) {
   for (const std::string& point : tally.coverage.unreached()) fmt::print("unreached: {}\n", point);
   fmt::print("{:.1f} s of the cells' time in {:.1f} s of one core: {:.1f} times as fast\n", tally.cell_s, tally.cpu_s,
              tally.cpu_s > 0 ? tally.cell_s / tally.cpu_s : 0.0);
+  const bool compares = reference && tally.whole;
+  const bool well = compares ? is_as_good_as(*reference, now) : chaos::passes(tally);
   fmt::print("{}\n", chaos::last_line(tally));
   if (!tally.whole) return exit_interrupted;
-  const bool well = choices.reference.empty() ? chaos::passes(tally)
-                                              : tally.unsafe == 0 && exercises_as(choices.reference, tally.coverage);
   return well ? exit_reached : exit_failed;
 }
 
 // One planted fault, or all of them, each in as many runs as it takes.
 int find_plants(const ChaosChoices& choices, const forms::CellDescription& cell) {
-  chaos::SwarmOptions options;
-  options.cell = cell;
-  options.first_seed = choices.first_seed;
-  options.runs = choices.runs;
-  options.jobs = choices.jobs;
-  options.only = choices.only;
+  chaos::SwarmOptions options = swarm_options(choices, cell);
   std::vector<std::uint64_t> taken;
   int missed = 0;
   for (const chaos::Plant& plant : chaos::plants()) {
@@ -206,11 +218,11 @@ void add_chaos_command(CLI::App& app, int& status) {
         throw CLI::Success();
       },
       "Print the faults that can be planted, and end");
-  word->add_option("--coverage", choices->coverage, "Write how often each point was come to, a line each");
-  word->add_option(
-          "--reference", choices->reference,
-          "A file of --coverage: the status says whether no run was unsafe, and each point that it has five times or "
-          "more is come to still")
+  word->add_option("--coverage", choices->coverage,
+                   "Write how many runs failed, were unsafe and hung, and how often each point was come to");
+  word->add_option("--reference", choices->reference,
+                   "A file of --coverage of the same runs: the status says whether no more fail, are unsafe or hang, "
+                   "and each point that it has five times or more is come to still")
       ->check(CLI::ExistingFile);
   word->add_flag("--no-shrink", choices->no_shrink, "Leave out to look for the fewest faults that still fail");
   word->add_flag_callback(
@@ -221,10 +233,12 @@ void add_chaos_command(CLI::App& app, int& status) {
         throw CLI::Success();
       },
       "Print the classes of faults, and end");
-  word->footer(help_footer("chaos --runs 200 --first-seed 1",
-                           "Exit status: 0 no run was unsafe, and at most one in a hundred failed; 1 otherwise; 2 a "
-                           "wrong option, or a cell\nthat has no such runs; 4 a file cannot be written; 130 "
-                           "interrupted. With --replay: 0 reached or rightly refused, 1 otherwise."));
+  word->footer(
+      help_footer("chaos --runs 200 --first-seed 1",
+                  "Exit status: 0 no run was unsafe, and at most one in a hundred failed (with --reference: "
+                  "no worse than that);\n1 otherwise; 2 a wrong option or reference, or a cell that has no such "
+                  "runs; 4 a file cannot be written;\n130 interrupted. With --replay: 0 reached or rightly "
+                  "refused, 1 otherwise."));
   word->callback([choices, &status] { status = run_chaos(*choices); });
 }
 

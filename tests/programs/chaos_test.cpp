@@ -1,8 +1,10 @@
 // Runs in which everything fails, at the shell: what they say of themselves.
 
+#include <fstream>
 #include <gtest/gtest.h>
 
 #include "tests/programs/shell.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -34,11 +36,40 @@ TEST(Chaos, AStopThePendantAndAFullDiskHoldTheCellUpAndTheGoalIsReached) {
   }
 }
 
+TEST(Chaos, ObserversFindEyesThatNeverSeeACubeAndAnArmThatHeedsNoStop) {
+  const Said unseen = run("--plant one-unseen --runs 6");
+  EXPECT_TRUE(contains(unseen, "found by run")) << unseen.text;
+  const Said swallowed = run("--plant stop-swallowed --only stop --runs 6");
+  EXPECT_TRUE(contains(swallowed, "found by run")) << swallowed.text;
+}
+
 TEST(Chaos, TheLastLineCountsTheRuns) {
   const Said said = run("--runs 2 --first-seed 3 --only slip");
   const std::string last = said.text.substr(said.text.rfind("chaos runs"));
   EXPECT_TRUE(last.starts_with("chaos runs 2 reached ")) << said.text;
   EXPECT_NE(last.find(" unreached "), std::string::npos) << said.text;
+}
+
+TEST(Chaos, APointThatTheReferenceHasOftenIsNotLostUnnoticed) {
+  const std::string file = scratch_folder() + "coverage.txt";
+  const std::string runs = "--runs 1 --first-seed 3 --only slip --no-shrink ";
+  run(runs + "--coverage " + file);
+  const Said alike = run(runs + "--reference " + file);
+  EXPECT_EQ(alike.status, 0) << alike.text;
+  std::ofstream(file, std::ios::app) << "event seldom 4\nevent often 5\n";
+  const Said lost = run(runs + "--reference " + file);
+  EXPECT_EQ(lost.status, 1) << lost.text;
+  EXPECT_TRUE(contains(lost, "\nlost: event often\n")) << lost.text;
+  EXPECT_FALSE(contains(lost, "seldom")) << lost.text;
+}
+
+TEST(Chaos, AReferenceOfOtherRunsIsRefusedBeforeTheFirst) {
+  const std::string file = scratch_folder() + "others.txt";
+  std::ofstream(file) << "runs 7\nfirst-seed 2\nfailed 0\nunsafe 0\nhung 0\n";
+  const Said said = run("--runs 8 --first-seed 2 --reference " + file);
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_TRUE(contains(said, "is of 7 runs from seed 2: give --runs 7 --first-seed 2")) << said.text;
+  EXPECT_FALSE(contains(said, "reached")) << said.text;
 }
 
 TEST(Chaos, AClassThatIsNotThereIsToldWithThoseThatAre) {
