@@ -11,6 +11,7 @@
 #include "programs/chaos/fault_player.hpp"
 #include "programs/chaos/observers.hpp"
 #include "programs/chaos/peek.hpp"
+#include "programs/chaos/workspace.hpp"
 #include "programs/story/recorder.hpp"
 #include "programs/story/scenario_run.hpp"
 
@@ -29,10 +30,11 @@ constexpr Duration hand_was_there = 4s;
 class Play {
  public:
   Play(ChaosCell& cell, const ChaosStory& story, std::vector<Fault> faults, const story::Judge& judge,
-       story::Narrator& narrator)
+       Workspace workspace, story::Narrator& narrator)
       : cell_(cell),
         story_(story),
         judge_(judge),
+        workspace_(std::move(workspace)),
         narrator_(narrator),
         director_(cell, "director"),
         bystander_(cell, "bystander"),
@@ -169,14 +171,18 @@ class Play {
   }
 
   bool judge_refused(const std::vector<Datum>& goal, const Datum& why) {
-    const Result<bool> possible = judge_.plan_exists(goal, observers_.world());
     result_.why = describe(failure_from_datum(why));
-    if (possible && !*possible) {
-      result_.kind = RunResult::Kind::refused;
-      return true;
+    const Result<bool> possible = judge_.plan_exists(goal, workspace_.within(observers_.world()));
+    if (!possible || *possible) {
+      failed("refused, though there is a plan: " + result_.why);
+      return false;
     }
-    failed("refused, though there is a plan: " + result_.why);
-    return false;
+    result_.kind = RunResult::Kind::refused;
+    const Result<bool> elsewhere = judge_.plan_exists(goal, observers_.world());
+    if (!elsewhere || !*elsewhere) return true;
+    result_.why += "; it lies where no camera looks or the arm does not reach";
+    result_.coverage.hit("cell refused-out-of-reach");
+    return true;
   }
 
   void failed(std::string why) {
@@ -203,6 +209,7 @@ class Play {
   ChaosCell& cell_;
   const ChaosStory& story_;
   const story::Judge& judge_;
+  const Workspace workspace_;
   story::Narrator& narrator_;
   ChaosCell::Client director_;
   ChaosCell::Client bystander_;
@@ -234,6 +241,8 @@ Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, stor
   if (!domain) return fail(domain);
   const Result<story::Judge> judge = story::Judge::make(*domain, story.cell.cube_mm);
   if (!judge) return fail(judge);
+  const Result<simulation::WorldConfig> config = launcher::world_config(story.cell, story.seed);
+  if (!config) return fail(config);
   const double begun_s = cpu_seconds();
   VirtualExecutor time;
   ChaosCell cell(time, story.cell, story.seed, story.clocks, options.plant);
@@ -245,7 +254,7 @@ Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, stor
   narrator.begin(time.now());
   const Result<void> started = cell.start_all();
   if (!started) return fail(started);
-  Play play(cell, story, chosen(story, options), *judge, narrator);
+  Play play(cell, story, chosen(story, options), *judge, Workspace(*config), narrator);
   const Job job = time.spawn(play.run());
   time.run_until([&] { return job.done(); });
   RunResult result = play.result();

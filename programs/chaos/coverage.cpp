@@ -12,9 +12,9 @@ namespace {
 constexpr const char* events[] = {
     "goal",       "plan",           "operation",    "difference",      "operation-fails", "lays-down",
     "makes-room", "lifts-on-sight", "resumes-goal", "waits-for-robot", "asks-eyes-again", "plan-kept"};
-constexpr const char* board_points[] = {"board-lived-again", "reply-lost",   "frames-lost",     "connection-again",
-                                        "agent-lived-again", "lease-lapsed", "journal-refused", "goal-reached",
-                                        "goal-refused",      "several-goals"};
+constexpr const char* board_points[] = {"board-lived-again", "reply-lost",    "frames-lost",         "connection-again",
+                                        "agent-lived-again", "lease-lapsed",  "journal-refused",     "goal-reached",
+                                        "goal-refused",      "several-goals", "refused-out-of-reach"};
 constexpr const char* stops[] = {"STOPPED_AT_RESTART", "MOVED_BY_ITSELF"};
 constexpr const char* operations[] = {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
 constexpr int servo_states = 5;
