@@ -35,7 +35,7 @@ class Access {
   std::optional<std::string> exchange(std::string_view token, Time now);
   // Until when the session lasts to which a Cookie header belongs.
   std::optional<Time> admitted(std::string_view cookies, Time now);
-  // Who only reads shows another token, again and again, for as long as the console lasts.
+  // A viewer that only reads shows another token, again and again, for as long as the console lasts.
   const std::string& reading_token() const { return reading_token_; }
   bool may_read(std::string_view token) const;
   // A browser sends a cookie to every port of its host.

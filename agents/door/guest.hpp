@@ -12,9 +12,9 @@
 //   (lease MS)                        (ok new), or (ok kept) where it renewed the one that there is
 //   (release)                         (ok); what was told under the lease goes
 //
-// What is refused is answered by (fail SYMBOL "SENTENCE"). What is not understood is answered by (closed SYMBOL
-// "SENTENCE"), and ends the session. An ANSWER of a query with one pattern is a fact, of any other a list of facts. The
-// changes of watch N come between the answers, an answer a line:
+// A refused request is answered by (fail SYMBOL "SENTENCE"). A line that is not understood is answered by (closed
+// SYMBOL "SENTENCE"), and ends the session. An ANSWER of a query with one pattern is a fact, of any other a list of
+// facts. The changes of watch N come between the answers, an answer a line:
 //
 //   (anew N)                          all that was said of it is void: first of all, and where the board lost us
 //   (went N ANSWER), (came N ANSWER)

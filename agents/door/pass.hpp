@@ -1,8 +1,8 @@
 #pragma once
 
-// Who may come through the door, and what each may do there: a device has a key as any other client has (keys.hpp).
-// Its token is the key's secret. Its permissions are those of its NAME.key, which the door keeps to on every board,
-// also on one that asks for no keys.
+// The passes of devices at the door, and their permissions there: a device has a key as any other client has
+// (keys.hpp). Its token is the key's secret. Its permissions are those of its NAME.key, which the door keeps to on
+// every board, also on one that asks for no keys.
 //
 //   Result<Pass> pass = pass_of("keys", "barrier-1", token);
 //   const Result<void> permitted = pass->may_tell(fact);          // failure not-permitted

@@ -92,7 +92,7 @@ def _withdraw(number: Symbol, lease: int) -> Flow[None]:
         if lease:
             yield from do(calls.release(lease))
     except Failure as failure:
-        # What the board has forgotten, or is away with, goes by itself.
+        # A lease that the board has forgotten, or that is away with it, goes by itself.
         if failure.symbol not in ("unreachable", "unknown-lease", "undeclared-relation"):
             raise
 

@@ -1,4 +1,4 @@
-// What devices say at the text door and are told: facts, questions, watches, leases; and whom it turns away.
+// Devices at the text door, their words and the answers: facts, questions, watches, leases; and whom it turns away.
 
 #include <sys/stat.h>
 

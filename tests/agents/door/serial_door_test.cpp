@@ -11,7 +11,7 @@ class SerialDoorTest : public DoorTest {
   SerialDoorTest() : line_(line::PtyWire::make(executor_).value()) {
     EXPECT_TRUE(run(executor_, line_->open(executor_.now())));
     open_door({.serial = {SerialPlace{line_->path(), 9600}}});
-    // What is said before the door has opened the line is lost, as on any line.
+    // Words said before the door has opened the line are lost, as on any line.
     EXPECT_TRUE(run_until(executor_, [this] { return !news_.empty(); }));
   }
   void say(const std::string& text) { ASSERT_TRUE(line_->write(text)); }
