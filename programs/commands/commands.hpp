@@ -23,6 +23,8 @@ void add_ps_command(CLI::App& app, int& status);
 void add_down_command(CLI::App& app, int& status);
 void add_shapes_command(CLI::App& app, int& status);
 void add_calibrate_command(CLI::App& app, int& status);
+void add_find_command(CLI::App& app, int& status);
+void add_measure_command(CLI::App& app, int& status);
 void add_look_command(CLI::App& app, int& status);
 void add_top_command(CLI::App& app, int& status);
 void add_method_command(CLI::App& app, int& status);

@@ -29,6 +29,8 @@ int main(int argc, char** argv) {
   pizarra::programs::add_new_command(app, status);
   pizarra::programs::add_form_commands(app, status);
   pizarra::programs::add_look_command(app, status);
+  pizarra::programs::add_find_command(app, status);
+  pizarra::programs::add_measure_command(app, status);
   pizarra::programs::add_shapes_command(app, status);
   pizarra::programs::add_calibrate_command(app, status);
   pizarra::programs::add_top_command(app, status);

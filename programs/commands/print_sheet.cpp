@@ -11,7 +11,7 @@ constexpr double face_mm = simulation::marked_cube_mm;
 constexpr double text_mm = 4;
 
 std::vector<Vector2d> box(double left, double top, double width, double height) {
-  return {{left, top}, {left + width, top}, {left + width, top + height}, {left, top + height}};
+  return box_at({left, top}, {width, height});
 }
 
 void add_mark(Sheet& sheet, simulation::Mark mark, const Vector2d& centre) {
@@ -37,7 +37,14 @@ void add_cut_marks(Sheet& sheet, const Vector2d& centre) {
   }
 }
 
-void add_scale(Sheet& sheet, double top) {
+}  // namespace
+
+std::vector<Vector2d> box_at(const Vector2d& corner, const Vector2d& size) {
+  return {corner, corner + Vector2d(size.x(), 0), corner + size, corner + Vector2d(0, size.y())};
+}
+
+void add_scale(Sheet& sheet) {
+  constexpr double top = 284;
   constexpr double length = 100;
   const double left = (Sheet::width_mm - length) / 2;
   sheet.areas.push_back(box(left, top, length, 0.5));
@@ -50,8 +57,6 @@ void add_scale(Sheet& sheet, double top) {
   sheet.texts.push_back({{left, top + 1.5 * text_mm}, text_mm, "100 mm, when printed at 100 %"});
 }
 
-}  // namespace
-
 Sheet shapes_sheet() {
   constexpr simulation::Mark marks[] = {simulation::Mark::circle, simulation::Mark::triangle, simulation::Mark::square,
                                         simulation::Mark::cross};
@@ -62,7 +67,7 @@ Sheet shapes_sheet() {
     add_mark(sheet, marks[i], face);
     add_cut_marks(sheet, face);
   }
-  add_scale(sheet, 284);
+  add_scale(sheet);
   return sheet;
 }
 
@@ -80,7 +85,7 @@ Sheet board_sheet() {
       sheet.areas.push_back(box(left + x * square_mm, top + y * square_mm, square_mm, square_mm));
     }
   }
-  add_scale(sheet, 284);
+  add_scale(sheet);
   return sheet;
 }
 

@@ -31,6 +31,14 @@ Sheet shapes_sheet();
 // The chessboard that `calibrate` looks for unless told otherwise: 10 x 7 squares of 25 mm.
 Sheet board_sheet();
 
+// Tags, as tags_from_text() reads them, apart, each with its number below it. Failures: those of it, too-many for a
+// page, and too-small.
+Result<Sheet> tags_sheet(const std::string& which, double side_mm);
+
+// Parts of a sheet: an upright rectangle, and the bar that says whether a page was printed at its real size.
+std::vector<Eigen::Vector2d> box_at(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
+void add_scale(Sheet& sheet);
+
 // What a printer prints at real size: PDF in lines, PNG at 300 dots an inch, which it says. By the name's ending.
 // Failures: unknown-format, cannot-write.
 Result<void> write_sheet(const std::string& path, const Sheet& sheet);

@@ -14,12 +14,21 @@ namespace {
 struct ShapesChoices {
   std::string file;
   bool board = false;
+  std::string tags;
+  double side_mm = 40;
 };
+
+Result<Sheet> sheet_of(const ShapesChoices& choices) {
+  if (!choices.tags.empty()) return tags_sheet(choices.tags, choices.side_mm);
+  return choices.board ? board_sheet() : shapes_sheet();
+}
 
 int print_shapes(const ShapesChoices& choices) {
   const std::filesystem::path folder = std::filesystem::path(choices.file).parent_path();
   const bool new_folder = !folder.empty() && !std::filesystem::exists(folder);
-  const Result<void> written = write_sheet(choices.file, choices.board ? board_sheet() : shapes_sheet());
+  const Result<Sheet> sheet = sheet_of(choices);
+  if (!sheet) return complain(sheet.error(), exit_usage);
+  const Result<void> written = write_sheet(choices.file, *sheet);
   if (!written)
     return complain(written.error(), written.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
   fmt::print("{}: an A4 page{}; print it at 100 %, and measure its bar of 100 mm\n", text_of_bytes(choices.file),
@@ -33,9 +42,19 @@ void add_shapes_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<ShapesChoices>();
   CLI::App* shapes = app.add_subcommand(
       "shapes",
-      "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, as faces for cubes.");
+      "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, as faces\n"
+      "for cubes, the board of `calibrate`, or tags.");
   shapes->add_option("--print", choices->file, "Write the page here")->required()->type_name("FILE.pdf|FILE.png");
-  shapes->add_flag("--board", choices->board, "Instead: the chessboard that `calibrate` looks for");
+  CLI::Option* const board =
+      shapes->add_flag("--board", choices->board, "Instead: the chessboard that `calibrate` looks for");
+  CLI::Option* const tags =
+      shapes->add_option("--tags", choices->tags, "Instead: these tags of one family, such as 36h11:0-11 or 4x4-50:3,7")
+          ->type_name("FAMILY:IDS")
+          ->excludes(board);
+  shapes->add_option("--side", choices->side_mm, "The side of the tags' square, mm")
+      ->check(number_check(2, 200))
+      ->capture_default_str()
+      ->needs(tags);
   shapes->footer(help_footer("shapes --print shapes.pdf"));
   shapes->callback([choices, &status] { status = print_shapes(*choices); });
 }

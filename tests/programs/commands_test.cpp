@@ -14,9 +14,9 @@ namespace {
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
 
 TEST(Words, EveryWordHelps) {
-  for (const char* word :
-       {"demo", "scenario", "chaos", "check", "up",   "ps",  "down", "agent", "world",  "repl",   "declare",
-        "tell", "retract",  "ask",   "watch", "look", "top", "goal", "why",   "replay", "shapes", "calibrate"}) {
+  for (const char* word : {"demo",  "scenario", "chaos",   "check",  "up",      "ps",        "down",  "agent",
+                           "world", "repl",     "declare", "tell",   "retract", "ask",       "watch", "look",
+                           "top",   "goal",     "why",     "replay", "shapes",  "calibrate", "find",  "measure"}) {
     const bool is_process = word == std::string("agent") || word == std::string("world");
     const Said said = is_process ? shell(std::string(PIZARRA_AGENT) + " " + word + " --help 2>&1")
                                  : run(std::string(word) + " --help");

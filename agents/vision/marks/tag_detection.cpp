@@ -25,6 +25,15 @@ const TagFamily* family_called(std::string_view name) {
   return found == std::end(families) ? nullptr : &*found;
 }
 
+int tags_of(const TagFamily& family) { return cv::aruco::getPredefinedDictionary(family.dictionary)->bytesList.rows; }
+
+cv::Mat1b print_of(const TagFamily& family, int number) {
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
+  cv::Mat out;
+  dictionary->drawMarker(number, dictionary->markerSize + 2, out);
+  return out;
+}
+
 TagDetection detect_tags(const cv::Mat& grey, const TagFamily& family, double least_around) {
   const auto parameters = cv::aruco::DetectorParameters::create();
   parameters->minMarkerPerimeterRate = least_around;

@@ -21,6 +21,10 @@ struct TagFamily {
 std::span<const TagFamily> tag_families();
 // Null: there is none.
 const TagFamily* family_called(std::string_view name);
+// How many it has: their numbers begin with 0.
+int tags_of(const TagFamily& family);
+// Its print, one pixel a cell, the border included: 0 dark, 255 light.
+cv::Mat1b print_of(const TagFamily& family, int number);
 
 using TagCorners = std::vector<cv::Point2f>;  // clockwise from the tag's own upper left one
 

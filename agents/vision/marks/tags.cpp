@@ -6,38 +6,21 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/tag_detection.hpp"
-#include "agents/vision/marks/tag_fit.hpp"
+#include "agents/vision/marks/tag_mark.hpp"
 #include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra::vision {
 namespace {
 
 constexpr double most_row_difference_px = 2;
-// With less in common with its print a square is none: of a tag whose cells are two pixels wide another family may read
-// a tag of its own, 0.5 to 0.74 like that; a blurred one that can be found is 0.74 to 0.8 like its print.
-constexpr double least_likeness = 0.74;
 // Around a tag there must be light for its border to be seen.
 constexpr double margin_of_side = 0.35;
-// Half a cell beside a tag's border, as a part of its side; and by how much, in how many places, it is lighter outside.
-constexpr double beside_border = 0.05;
-constexpr int border_places = 8;  // a side
-constexpr double least_contrast = 20;
-constexpr double least_border_share = 0.75;
-
-// How far off the middle of a tag may be, by what covers a part of its border, that is found: px, or a part of its
-// side.
-constexpr double most_off_px = 1;
-constexpr double most_off_share = 0.015;
-// By so much, as a part of it, what the cells say of that may be too little (tag_fit.hpp).
-constexpr double fit_slack = 0.15;
 
 using Corners = TagCorners;
 
 void move_by(Corners& corners, cv::Point origin) {
   for (cv::Point2f& p : corners) p += cv::Point2f(origin);
 }
-
-double side_px(const Corners& corners) { return cv::arcLength(corners, true) / 4; }
 
 cv::Rect around(const Corners& corners, cv::Size image) {
   const int margin = cvCeil(margin_of_side * side_px(corners)) + 2;
@@ -46,106 +29,8 @@ cv::Rect around(const Corners& corners, cv::Size image) {
          cv::Rect({0, 0}, image);
 }
 
-cv::Point2d diagonals_meet(const Corners& c) {
-  const cv::Point2d a = c[2] - c[0];
-  const cv::Point2d b = c[3] - c[1];
-  const cv::Point2d between = c[1] - c[0];
-  const double across = a.cross(b);
-  return cv::Point2d(c[0]) + a * (std::abs(across) < 1e-9 ? 0.5 : between.cross(b) / across);
-}
-
-MarkContour outline_of(const cv::Mat& grey, const Corners& corners) {
-  MarkContour out;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point from(corners[i]);
-    const cv::Point to(corners[(i + 1) % corners.size()]);
-    cv::LineIterator line(grey, from, to);
-    // The last pixel is the next side's first.
-    for (int j = 0; j + 1 < line.count; ++j, ++line) out.push_back(line.pos());
-  }
-  return out;
-}
-
-// Along each side, half a cell within the border and as far outside; not beyond the image.
-template <class Visit>
-void visit_border(const cv::Mat1b& grey, const Corners& corners, const Visit& visit) {
-  const cv::Point2d middle = diagonals_meet(corners);
-  const cv::Rect image({0, 0}, grey.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point2d from(corners[i]);
-    const cv::Point2d along = cv::Point2d(corners[(i + 1) % corners.size()]) - from;
-    for (int j = 0; j < border_places; ++j) {
-      const cv::Point2d on = from + along * ((j + 0.5) / border_places);
-      const cv::Point2d outwards = (on - middle) * (2 * beside_border);
-      const cv::Point outside(on + outwards);
-      const cv::Point inside(on - outwards);
-      if (image.contains(outside) && image.contains(inside)) visit(grey(inside), grey(outside));
-    }
-  }
-}
-
-struct BorderLevels {
-  double inside = 0;
-  double outside = 0;
-};
-
-BorderLevels levels_along_border(const cv::Mat1b& grey, const Corners& corners) {
-  BorderLevels sum;
-  int places = 0;
-  visit_border(grey, corners, [&](int inside, int outside) {
-    sum.inside += inside;
-    sum.outside += outside;
-    ++places;
-  });
-  const double each = 1.0 / std::max(1, places);
-  return {sum.inside * each, sum.outside * each};
-}
-
-SeenMark mark_of(const cv::Mat& grey, const Corners& corners, Tag tag) {
-  const cv::Moments moments = cv::moments(corners);
-  const double xx = moments.mu20 / moments.m00;
-  const double yy = moments.mu02 / moments.m00;
-  const double xy = moments.mu11 / moments.m00;
-  const double spread = std::hypot((xx - yy) / 2, xy);
-  SeenMark out;
-  out.tag = std::move(tag);
-  std::ranges::copy(corners, out.corners.begin());
-  const BorderLevels levels = levels_along_border(grey, corners);
-  out.mark_level = levels.inside;
-  out.ground_level = levels.outside;
-  out.centre = diagonals_meet(corners);
-  out.contour = outline_of(grey, corners);
-  out.box = cv::boundingRect(corners);
-  out.area_px = moments.m00;
-  out.perimeter_px = static_cast<int>(out.contour.size());
-  out.width_px = std::sqrt(xx);
-  out.height_px = std::sqrt(yy);
-  out.slimness = std::sqrt(((xx + yy) / 2 - spread) / ((xx + yy) / 2 + spread));
-  out.roundness = 2 * CV_PI * (xx + yy) / moments.m00;
-  return out;
-}
-
 bool is_around(const Corners& corners, cv::Point2d point) {
   return cv::pointPolygonTest(corners, cv::Point2f(point), false) >= 0;
-}
-
-// Whether it is dark within the border and light around it. Cells alone are no proof: of the larger families' codes a
-// light triangle may spell one.
-bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
-  int agreeing = 0;
-  visit_border(grey, corners, [&](int inside, int outside) { agreeing += outside - inside > least_contrast ? 1 : 0; });
-  return agreeing >= least_border_share * border_places * static_cast<double>(corners.size());
-}
-
-// The tag, unless its corners are not its own but where something lies over its border.
-std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners, const TagFamily& family, int number) {
-  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
-  const double allowed = std::max(most_off_px, most_off_share * side_px(corners));
-  const double doubt = (1 + fit_slack) * middle_off_px(grey, corners, *dictionary, number) / allowed;
-  if (doubt > 1) return std::nullopt;
-  SeenMark out = mark_of(grey, corners, {std::string(family.name), number});
-  out.tag_doubt = doubt;
-  return out;
 }
 
 // The largest square around the point, whether a tag of that family or not: light cells may be squares too.
@@ -180,16 +65,6 @@ std::optional<Corners> square_around(const cv::Mat& grey, cv::Point2d point) {
   return !small || (large && cv::contourArea(*large) > cv::contourArea(*small)) ? large : small;
 }
 
-// How like the tag's print that is what the corners enclose, 1 at most.
-double likeness(const cv::Mat1b& grey, const Corners& corners, const cv::aruco::Dictionary& dictionary, int number) {
-  constexpr int cell_px = 4;
-  cv::Mat print;
-  dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, print);
-  cv::Mat1f like;
-  cv::matchTemplate(squared(grey, corners, print.cols), print, like, cv::TM_CCOEFF_NORMED);
-  return like(0, 0);
-}
-
 struct Reading {
   const TagFamily* family;
   int number;
@@ -209,8 +84,8 @@ std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d 
       Corners& corners = detection.found[i];
       move_by(corners, area.tl());
       if (!is_around(corners, point) || !has_a_border(grey, corners)) continue;
-      const double like = likeness(grey, corners, *dictionary, detection.numbers[i]);
-      if (like <= (best ? best->likeness : least_likeness)) continue;
+      const double like = tag_likeness(grey, corners, *dictionary, detection.numbers[i]);
+      if (like <= (best ? best->likeness : least_tag_likeness)) continue;
       best = Reading{&family, detection.numbers[i], std::move(corners), like};
     }
   }
@@ -249,7 +124,7 @@ Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point) {
   if (!square) return std::nullopt;
   const std::optional<Reading> read = read_large_tag(grey, around(*square, grey.size()), point);
   if (!read) return std::nullopt;
-  std::optional<SeenMark> mark = whole_mark(grey, read->corners, *read->family, read->number);
+  std::optional<SeenMark> mark = whole_tag(grey, read->corners, *read->family, read->number);
   if (mark) return mark;
   return fail("unclear-tag",
               "the point is within a tag of which a part of the border is hidden or blurred: show the whole of it",
@@ -267,7 +142,7 @@ std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect ar
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     if (detection.numbers[i] != tag.number) continue;
     move_by(detection.found[i], looked_at.tl());
-    std::optional<SeenMark> mark = whole_mark(grey, detection.found[i], *family, tag.number);
+    std::optional<SeenMark> mark = whole_tag(grey, detection.found[i], *family, tag.number);
     if (mark) out.push_back(std::move(*mark));
   }
   return out;
@@ -281,7 +156,7 @@ std::vector<SeenMark> follow_tag(const cv::Mat& grey, const Tag& tag, cv::Rect a
   const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family->dictionary);
   for (const TagSquare& square : tags_at_a_glance(grey, looked_at, *dictionary)) {
     if (square.number != tag.number) continue;
-    std::optional<SeenMark> mark = whole_mark(grey, square.corners, *family, tag.number);
+    std::optional<SeenMark> mark = whole_tag(grey, square.corners, *family, tag.number);
     if (mark) out.push_back(std::move(*mark));
   }
   return out.empty() ? find_tags(grey, tag, looked_at) : out;

@@ -1,0 +1,34 @@
+#pragma once
+
+// A square in which a tag was read, as a mark: whether it is one at all, and where.
+//
+//   if (has_a_border(grey, corners) && tag_likeness(grey, corners, *dictionary, 17) > least_tag_likeness) ...
+//   std::optional<SeenMark> mark = whole_tag(grey, corners, family, 17);
+
+#include <optional>
+
+#include "agents/vision/marks/mark_measure.hpp"
+#include "agents/vision/marks/tag_detection.hpp"
+
+namespace pizarra::vision {
+
+// With less in common with its print a square is none: of a tag whose cells are two pixels wide another family may read
+// a tag of its own, 0.5 to 0.74 like that; a blurred one that can be found is 0.74 to 0.8 like its print.
+inline constexpr double least_tag_likeness = 0.74;
+
+// The mean of its four sides.
+double side_px(const TagCorners& corners);
+
+// Whether it is dark within the border and light around it. Cells alone are no proof: of the larger families' codes a
+// light triangle may spell one.
+bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners);
+
+// How like the tag's print that is what the corners enclose, 1 at most.
+double tag_likeness(const cv::Mat1b& grey, const TagCorners& corners, const cv::aruco::Dictionary& dictionary,
+                    int number);
+
+// The tag, unless its corners are not its own but where something lies over its border.
+std::optional<SeenMark> whole_tag(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family,
+                                  int number);
+
+}  // namespace pizarra::vision
