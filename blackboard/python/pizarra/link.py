@@ -21,6 +21,7 @@ from pizarra.keys import Keys
 # the wrong moment (blackboard/wire/half_open.hpp).
 _LET_GO_WHEN_HALF_OPEN = ((zmq.TCP_KEEPALIVE, 1), (zmq.TCP_KEEPALIVE_IDLE, 2), (zmq.TCP_KEEPALIVE_INTVL, 2),
                           (zmq.TCP_KEEPALIVE_CNT, 3), (zmq.TCP_MAXRT, 6000))
+_READABLE = int(zmq.POLLIN)  # as a flag of an enumeration it takes as long as the look itself
 _AS_A_CLIENT = ((zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50), (zmq.RECONNECT_IVL_MAX, 1000))
 
 
@@ -94,4 +95,4 @@ class Link:
 
 
 def _has_more(socket: Any) -> bool:
-    return bool(socket.getsockopt(zmq.EVENTS) & zmq.POLLIN)
+    return bool(socket.getsockopt(zmq.EVENTS) & _READABLE)

@@ -32,6 +32,7 @@ class Request:
 class Requests:
     # None goes before the board has answered those so far behind it: it remembers the answers of the last 256.
     MOST_AHEAD = 128
+    MOST_PENDING = 4096
 
     def __init__(self, send: Callable[[str], bool]) -> None:
         self._send = send
@@ -39,6 +40,8 @@ class Requests:
         self._pending: Dict[int, Request] = {}
 
     def begin(self, body: Any, repeatable: bool) -> Request:
+        if len(self._pending) >= self.MOST_PENDING:
+            raise Failure("too-large", "too many requests to the board are under way")
         text = write(body, FRAME_DEPTH - 1)
         # An element takes a letter at least.
         many = len(text) > FRAME_ELEMENTS and elements(body) + ENVELOPE_ELEMENTS > FRAME_ELEMENTS

@@ -31,6 +31,7 @@ from pizarra.writer import check_teller, write
 
 class Session:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
+    LISTENS = 0.1  # as often at least, who listens
     # Where another board may take over: it serves within half a second.
     PING_AMONG_OTHERS, SILENCE_AMONG_OTHERS = 0.1, 0.4
 
@@ -48,6 +49,7 @@ class Session:
         self.id = self._life = 0
         self.joined = False
         self._heard = self._greeted = self._pinged = -1e9
+        self._listened = time.monotonic()
         self._declared: Dict[str, Any] = {}
         self.feeds: Dict[int, Feed] = {}
         self._next_feed = 1
@@ -103,6 +105,8 @@ class Session:
     def turn(self, seconds: float = 0.0) -> None:
         """Receives what has come, waiting that long for it, and says what is due."""
         self.check_open()
+        # Who does not listen cannot say that the board is silent.
+        self._heard += max(0.0, time.monotonic() - self._listened - self.LISTENS)
         self._tick()
         if seconds > 0:
             self.link.wait(seconds)
@@ -110,6 +114,7 @@ class Session:
             for message in read_all(text):
                 self._receive(message)
         self._tick()
+        self._listened = time.monotonic()
 
     def send(self, message: List[Any]) -> bool:
         self.check_open()

@@ -19,7 +19,7 @@ constexpr std::array table = {
     Row{"scheme", scheme_reaction},  Row{"tell", tell_round_trip},    Row{"tracing", tracing},
     Row{"watcher", tell_to_watcher}, Row{"throughput", throughput},   Row{"durable", durable_tells},
     Row{"recovery", recovery},       Row{"stalled", stalled_watcher}, Row{"streams", streams},
-    Row{"door", text_door}};
+    Row{"door", text_door},          Row{"python", python_client}};
 
 }  // namespace
 

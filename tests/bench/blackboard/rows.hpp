@@ -11,6 +11,7 @@ constexpr int rounds = 7;
 
 void ask_replica(Figures& figures);
 void in_process(Figures& figures);
+void python_client(Figures& figures);
 void tracing(Figures& figures);
 void scheme_reaction(Figures& figures);
 void start_and_memory(Figures& figures);

@@ -8,10 +8,12 @@ boards_test.py PIZARRA-BOARD
 import asyncio
 import os
 import signal
+import time
 
 import a_board
 from a_board import NOTE, PATIENCE, BoardTest, free_address
 from pizarra import AsyncBoard, Board
+from pizarra.session import Session
 
 
 class SeveralBoards(BoardTest):
@@ -39,6 +41,15 @@ class SeveralBoards(BoardTest):
             self.assertEqual(change.added, [], "the other board has other facts")
             board.tell("(note 2 a)")
             self.assertEqual(watch.next(PATIENCE).added[0].bindings["?n"], 2)
+
+    def test_who_was_busy_with_something_else_does_not_take_the_board_for_gone(self):
+        self.start_board(self.addresses[0])
+        with self.client() as board:
+            board.declare(NOTE)
+            time.sleep(3 * Session.SILENCE_AMONG_OTHERS)
+            board.turn()
+            self.assertTrue(board.session.joined)
+            self.assertEqual(board.ask("(note ? ?)"), [])
 
     def test_so_it_is_in_asyncio_back_and_forth(self):
         async def follow():

@@ -113,6 +113,12 @@ class OnABoard(BoardTest):
         self.assertTrue(all(isinstance(request.result, list) for request in begun))
         self.assertEqual(len(self.board.ask("(note ?n 1)")), 300)
 
+    def test_so_many_requests_are_under_way_and_no_more(self):
+        begun = [self.board.begin([Symbol("ask"), read("(note ? ?)")], True) for _ in range(Requests.MOST_PENDING)]
+        self.refused("too-large", self.board.ask, "(note ? ?)")
+        self.until(lambda: self.board.turn(0.05) or all(request.result for request in begun))
+        self.assertEqual(self.board.ask("(note ? ?)"), [])
+
     def test_a_closed_board_says_so(self):
         watch = self.board.watch("(note ?n ?)")
         self.board.tell("(note 1 2)")
