@@ -29,7 +29,8 @@ struct Grid {
         rows(static_cast<std::size_t>((last_mm - first_mm).y() / step.y())) {}
   // The upper left corner of a tag's own square.
   Vector2d place(std::size_t i, double side_mm) const {
-    const Vector2d cell(static_cast<double>(i % columns), static_cast<double>(i / columns));
+    const std::size_t row = i / columns;
+    const Vector2d cell(static_cast<double>(i % columns), static_cast<double>(row));
     return first_mm + cell.cwiseProduct(step) + Vector2d::Constant(side_mm * around_of_side);
   }
   Vector2d step;
