@@ -194,12 +194,17 @@ Task<Result<arm::ArmReading>> ArmControl::until_ended(bool gripper, Duration lon
       if (!halting) lose(halting.error());
       co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
     }
-    // Where the controller was late with something new, it is told as soon as it comes.
-    if (now < tell_at || !facts_.changed()) continue;
-    tell_at = std::max(tell_at + tell_period_, now);
-    // A board that is slow is told the newest when it is back, and the looking at the arm does not wait for it.
-    if (!telling_) on_the_way_ = context_.executor.spawn(tell_on_the_way());
+    tell_where_due(tell_at);
   }
+}
+
+// Where the controller was late with something new, it is told as soon as it comes.
+void ArmControl::tell_where_due(Time& tell_at) {
+  const Time now = context_.executor.now();
+  if (now < tell_at || !facts_.changed()) return;
+  tell_at = std::max(tell_at + tell_period_, now);
+  // A board that is slow is told the newest when it is back, and the looking at the arm does not wait for it.
+  if (!telling_) on_the_way_ = context_.executor.spawn(tell_on_the_way());
 }
 
 // A board that is away misses this; the end of the motion is told surely.
@@ -239,10 +244,31 @@ Task<Result<void>> ArmControl::follow(arm::Joints from, std::vector<arm::Joints>
   co_return {};
 }
 
+// A gripper may be a device of its own, and slow: the arm is looked at meanwhile.
+Task<Result<void>> ArmControl::begin_grip(double opening_mm) {
+  std::optional<Result<void>> begun;
+  Event answered(context_.executor);
+  const Job beginning = context_.executor.spawn(start_gripper(opening_mm, begun, answered));
+  Time tell_at = context_.executor.now() + tell_period_;
+  while (!begun) {
+    const Time deadline = context_.executor.now() + poll_period;
+    const bool now = co_await answered.wait(deadline);
+    if (now) break;
+    const Result<arm::ArmReading> reading = co_await read();
+    if (reading) tell_where_due(tell_at);
+  }
+  co_return *begun;
+}
+
+Task<void> ArmControl::start_gripper(double opening_mm, std::optional<Result<void>>& begun, Event& answered) {
+  begun = co_await driver_.start_gripper(opening_mm);
+  answered.set();
+}
+
 Task<Result<void>> ArmControl::grip(double opening_mm) {
   gripping_ = true;
   if (stop_requested_) co_return stopped();
-  const Result<void> started = co_await driver_.start_gripper(opening_mm);
+  const Result<void> started = co_await begin_grip(opening_mm);
   if (!started) co_return refused(started.error());
   const Result<arm::ArmReading> ended = co_await until_ended(true, gripping_time);
   if (!ended) co_return fail(ended);
@@ -290,7 +316,10 @@ Task<Result<void>> ArmControl::stop() {
     if (!reading->gripper_trouble) {
       const double opening_mm = reading->opening_mm;
       const Result<void> held = co_await driver_.start_gripper(opening_mm);
-      if (!held) co_return held;
+      // A gripper that dies just now is not the arm.
+      const Result<arm::ArmReading> after = co_await read();
+      const bool gripper_is_gone = after && after->gripper_trouble;
+      if (!held && !gripper_is_gone) co_return held;
     }
   }
   const Time deadline = context_.executor.now() + stopping_time;

@@ -96,6 +96,9 @@ class ArmControl {
   friend class InHand;
   Task<Result<void>> switch_on();
   Task<Result<arm::ArmReading>> until_ended(bool gripper, Duration longest);
+  void tell_where_due(Time& tell_at);
+  Task<Result<void>> begin_grip(double opening_mm);
+  Task<void> start_gripper(double opening_mm, std::optional<Result<void>>& begun, Event& answered);
   Task<Result<void>> brake();
   Task<void> look();
   Task<void> look_at_rest();

@@ -14,6 +14,7 @@ Task<Result<void>> GrippingArm::take_control() {
 
 Task<Result<void>> GrippingArm::start_gripper(double opening_mm) {
   const Result<void> started = co_await gripper_.start(opening_mm);
+  if (!started) trouble_ = started.error();
   if (!started) co_return started;
   // An answer to a question asked before it began does not count.
   asking_ = Job();

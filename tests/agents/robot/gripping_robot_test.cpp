@@ -13,6 +13,7 @@ class FakeGripper : public gripper::GripperDriver {
   bool activates = true;  // when it is asked to
   Duration answers_after = 1ms;
   double opening_mm = 80;
+  Duration opens_in = 0ms;  // how long its fingers take
 
   Task<Result<void>> connect() override {
     co_await sleep(executor_, answers_after);
@@ -23,13 +24,14 @@ class FakeGripper : public gripper::GripperDriver {
     co_await sleep(executor_, answers_after);
     const Result<void> sound = ready();
     if (sound) opening_mm = opening;
+    began_ = executor_.now();
     co_return sound;
   }
   Task<Result<gripper::GripperReading>> read() override {
     co_await sleep(executor_, answers_after);
     const Result<void> sound = ready();
     if (!sound) co_return fail(sound);
-    gripper::GripperReading reading{opening_mm, false, false};
+    gripper::GripperReading reading{opening_mm, executor_.now() - began_ < opens_in, false};
     co_return reading;
   }
 
@@ -39,6 +41,7 @@ class FakeGripper : public gripper::GripperDriver {
     return fail("not-in-control", "the gripper is not activated");
   }
   Executor& executor_;
+  Time began_{};
 };
 
 class GrippingRobot : public Robot {
@@ -92,6 +95,40 @@ TEST_F(GrippingRobot, AGripperThatLostItsPowerIsActivatedByTakingControlAnew) {
   EXPECT_FALSE(hand.activated) << "nobody asked for it";
   EXPECT_EQ(call("(get-control)"), "(ok true)");
   EXPECT_EQ(call("(gripper 60)"), "(ok true)");
+}
+
+// The arm that an operator pushes away is told of, and held, while its gripper keeps everybody waiting.
+TEST_F(GrippingRobot, ASlowGripperThatIsToBeginHidesNothingOfTheArm) {
+  come_up();
+  hand.answers_after = 10s;
+  const std::string id = ask("(gripper 40)");
+  executor.run_for(100ms);
+  arm::Joints pushed = arm.at();
+  pushed[0] += 5;
+  arm.put(pushed);
+  const std::string before = fact("(arm-joints robot ?)");
+  executor.run_for(2s);
+  EXPECT_NE(fact("(arm-joints robot ?)"), before);
+  EXPECT_EQ(reply(id), "");
+}
+
+TEST_F(GrippingRobot, AGripperThatDiesAsItIsStoppedDoesNotTakeTheArmWithIt) {
+  come_up();
+  ASSERT_EQ(call("(gripper 80)"), "(ok true)");
+  hand.opens_in = 5s;
+  const std::string id = ask("(gripper 20)");
+  executor.run_for(500ms);
+  hand.answers_after = 200ms;
+  hand.activated = false;
+  Transaction stop;
+  stop.tell(form("(stop user \"now\")"));
+  ASSERT_TRUE(board.transact("user", stop));
+  executor.run_for(50ms);
+  for (int i = 0; i < 200; ++i) {
+    executor.run_for(20ms);
+    ASSERT_EQ(fact("(arm robot fault ?)"), "");
+  }
+  EXPECT_TRUE(reply(id).starts_with("(fail ")) << reply(id);
 }
 
 // A reading that took a while is of when it was taken.
