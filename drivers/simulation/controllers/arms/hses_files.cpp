@@ -1,7 +1,5 @@
 #include "drivers/simulation/controllers/arms/hses_files.hpp"
 
-#include <optional>
-
 #include "drivers/arm/motoman/hses_packet.hpp"
 
 namespace pizarra::simulation {
@@ -65,7 +63,9 @@ std::string HsesFiles::answer(std::string_view datagram) {
 
 std::string HsesFiles::carry_out(const Message& message) {
   leaving_.clear();
+  last_said_.clear();
   coming_name_.clear();
+  taken_.reset();
   const auto refuse = [&](std::uint16_t code) { return file_reply(message.id, message.service, last_block_bit, code); };
   if (message.service == lists) return send(message, list(message.data));
   if (message.service == gives) {
@@ -104,21 +104,27 @@ std::string HsesFiles::send(const Message& message, const std::string& text) {
 }
 
 std::string HsesFiles::next_block(const Message& message) {
-  // An acknowledgement that comes again is of no block that still waits.
-  const bool next = !leaving_.empty() && (message.block & ~last_block_bit) == left_;
+  // Who says an acknowledgement again has not had what was said to it.
+  const std::uint32_t acknowledged = message.block & ~last_block_bit;
+  if (left_ > 0 && acknowledged == left_ - 1) return last_said_;
+  const bool next = !leaving_.empty() && acknowledged == left_;
   if (!next) return {};
   const std::string data = std::move(leaving_.front());
   leaving_.pop_front();
   ++left_;
   const std::uint32_t block = leaving_.empty() ? left_ | last_block_bit : left_;
-  return file_reply(message.id, message.service, block, 0, data);
+  last_said_ = file_reply(message.id, message.service, block, 0, data);
+  return last_said_;
 }
 
 std::string HsesFiles::take_block(const Message& message) {
+  if (message.block == taken_) return file_reply(message.id, message.service, message.block, 0);
   if (coming_name_.empty()) return {};
+  taken_ = message.block;
   coming_ += message.data;
   if (coming_.size() > longest_file) {
     coming_name_.clear();
+    taken_.reset();
     return file_reply(message.id, message.service, message.block, arm::hses::wrong_size);
   }
   if ((message.block & last_block_bit) != 0) {

@@ -12,6 +12,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,8 +46,10 @@ class HsesFiles {
   std::map<std::string, std::string, std::less<>> files_;
   std::deque<std::string> leaving_;  // blocks that are still to go
   std::uint32_t left_ = 0;           // how many went
+  std::string last_said_;            // the block before that
   std::string coming_name_;          // empty: none comes
   std::string coming_;
+  std::optional<std::uint32_t> taken_;  // the block that came last
 };
 
 }  // namespace pizarra::simulation

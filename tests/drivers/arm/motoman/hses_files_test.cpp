@@ -104,6 +104,34 @@ TEST_F(HsesFileClients, AFileGoesThereAndComesBackInBlocks) {
   EXPECT_EQ(say(0x16, 0, 0, "LONG.JBI").added, 0xe2b3);
 }
 
+// A client over UDP says again what it has had no answer to.
+TEST_F(HsesFileClients, ABlockThatComesAgainIsTakenOnceAndAnsweredAgain) {
+  ASSERT_EQ(say(0x15, 0, 0, "TWICE.JBI").block, 0u);
+  for (const auto& [number, text] : {std::pair(1u, "one "), std::pair(2u | last, "two")}) {
+    for (int time = 0; time < 2; ++time) {
+      const Said taken = say(0x15, 1, number, text);
+      EXPECT_TRUE(taken.anything);
+      EXPECT_EQ(taken.block, number);
+      EXPECT_EQ(taken.status, 0);
+    }
+  }
+  EXPECT_EQ(fetch(0x16, "TWICE.JBI"), "one two");
+}
+
+TEST_F(HsesFileClients, AnAcknowledgementThatComesAgainIsAnsweredWithTheSameBlock) {
+  const std::string text = std::string(400, 'a') + std::string(400, 'b') + "c";
+  send("LONG.JBI", text);
+  ASSERT_EQ(say(0x16, 0, 0, "LONG.JBI").block, 1u);
+  const Said second = say(0x16, 1, 1, "");
+  EXPECT_EQ(second.block, 2u);
+  const Said again = say(0x16, 1, 1, "");
+  EXPECT_EQ(again.block, 2u);
+  EXPECT_EQ(again.data, second.data);
+  EXPECT_EQ(say(0x16, 1, 2, "").block, 3u | last);
+  EXPECT_EQ(say(0x16, 1, 2, "").data, "c");
+  EXPECT_FALSE(say(0x16, 1, 3u | last, "").anything);
+}
+
 TEST_F(HsesFileClients, AFileMayStandInOneMessageBehindItsName) {
   EXPECT_EQ(say(0x15, 0, 0, std::string("API_TEST.JBI\0//NAME API_TEST", 28)).status, 0);
   EXPECT_EQ(fetch(0x16, "API_TEST.JBI"), "//NAME API_TEST");
