@@ -106,6 +106,13 @@ TEST_F(RobotiqManual, RosDriverFindsItReadyAtRegisterZero) {
   EXPECT_EQ(after("00 04 00 00 00 03", "00 04 06 39"), "00 04 06 F9 00 00 80 80 00");
 }
 
+// That driver's simple controller activates the gripper and has it go in one message: it goes once it is active.
+TEST_F(RobotiqManual, WhatItIsToldWhileItIsActivatedIsDoneAfterwards) {
+  EXPECT_EQ(say("00 10 00 00 00 03 06 09 00 00 FF FF 96"), "00 10 00 00 00 03");
+  EXPECT_EQ(after("00 04 00 00 00 03", "00 04 06 19").substr(0, 17), "00 04 06 39 00 00");
+  EXPECT_EQ(after("00 04 00 00 00 03", "00 04 06 39"), "00 04 06 F9 00 00 FF FF 00");
+}
+
 TEST_F(RobotiqManual, ItStopsWhereItIsWhenItIsToldToGoNoFurther) {
   activate();
   say("09 10 03 E8 00 03 06 09 00 00 FF FF FF");

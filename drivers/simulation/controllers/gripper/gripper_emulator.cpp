@@ -58,12 +58,19 @@ void GripperEmulator::told(gripper::RegisterImage orders) {
     goes_ = false;
     sending_ = executor_.spawn(send_to(opening_mm_));
   } else if (goes_elsewhere && go && active()) {
-    ++sent_;
-    goes_ = true;
-    states_.put(setup_.object, gripper::gripper::on_its_way);
-    sending_ = executor_.spawn(send_to(wanted_mm()));
+    go_there();
   }
+  const bool can_go = go && active_since_;
+  delayed_ = can_go && (delayed_ || !active());
   tell();
+}
+
+void GripperEmulator::go_there() {
+  delayed_ = false;
+  ++sent_;
+  goes_ = true;
+  states_.put(setup_.object, gripper::gripper::on_its_way);
+  sending_ = executor_.spawn(send_to(wanted_mm()));
 }
 
 // Its answers about itself besides the place of its fingers.
@@ -89,6 +96,7 @@ Task<void> GripperEmulator::send_to(double opening_mm) {
 Task<void> GripperEmulator::live() {
   while (true) {
     const Result<arm::ArmReading> reading = co_await body_.read();
+    if (delayed_ && active()) go_there();
     if (reading && sending_.done()) look(*reading);
     co_await sleep(executor_, look_every);
   }

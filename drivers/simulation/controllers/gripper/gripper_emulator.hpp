@@ -48,6 +48,7 @@ class GripperEmulator {
   static constexpr Duration look_every = 20ms;
   static constexpr Duration activation_time = 200ms;
   Task<void> live();
+  void go_there();
   Task<void> send_to(double opening_mm);
   void look(const arm::ArmReading& reading);
   void tell();
@@ -64,7 +65,8 @@ class GripperEmulator {
   int exception_ = 0;
   int fault_ = 0;
   std::optional<Time> active_since_;
-  bool goes_ = false;  // it was sent somewhere and has not been seen to stand since
+  bool goes_ = false;     // it was sent somewhere and has not been seen to stand since
+  bool delayed_ = false;  // it is to go as soon as it is active
   double opening_mm_ = 0;
   std::uint64_t sent_ = 0;
   Job sending_;
