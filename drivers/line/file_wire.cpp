@@ -13,6 +13,7 @@ void FileWire::adopt(int file) {
   close();
   file_ = file;
   unread_.clear();
+  unsent_.clear();
   executor_.watch_readable(file_, [this] { receive(); });
 }
 
@@ -27,6 +28,20 @@ void FileWire::lose(std::string why) {
 }
 
 Result<void> FileWire::write(std::string_view bytes) {
+  if (!bytes.empty() && !unsent_.empty()) {
+    std::string_view rest = unsent_;
+    const Result<void> ended = put(rest);
+    unsent_.erase(0, unsent_.size() - rest.size());
+    if (!ended) return ended;
+  }
+  const std::size_t whole = bytes.size();
+  Result<void> done = put(bytes);
+  if (!done && bytes.size() < whole) unsent_ = bytes;
+  return done;
+}
+
+// Takes what was sent off the front.
+Result<void> FileWire::put(std::string_view& bytes) {
   while (file_ >= 0 && !bytes.empty()) {
     // A socket whose other end is gone would end the program with a signal; other files know no flags.
     ssize_t sent = ::send(file_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);

@@ -1,7 +1,8 @@
 #pragma once
 
 // The common part of all wires over a file descriptor. At most 64 KiB that nobody reads are kept; more breaks the
-// connection.
+// connection. What the line does not take is lost as a whole: of a message that it took a part of, write() fails, and
+// the rest goes before the next one.
 
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/byte_wire.hpp"
@@ -26,10 +27,12 @@ class FileWire : public ByteWire {
  private:
   static constexpr std::size_t most_unread = 64 << 10;
   void receive();
+  Result<void> put(std::string_view& bytes);
   void lose(std::string why);
 
   int file_ = -1;
   std::string unread_;
+  std::string unsent_;  // of a message that was cut
   std::string why_closed_ = "the line is closed";
   WaitList arrived_;
 };

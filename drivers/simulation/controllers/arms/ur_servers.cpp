@@ -72,7 +72,10 @@ Task<void> tell_interface(Executor& executor, UrEmulator& emulator, UrInterface 
       const UrState state = co_await emulator.state();
       said += kind == UrInterface::real_time ? ur_real_time_packet(state) : ur_state_message(emulator.model(), state);
     }
-    if (!said.empty()) heard = port.write(said).has_value();
+    if (said.empty()) continue;
+    const bool told = port.write(said).has_value();
+    // Who reads too slowly is there all the same.
+    heard = told || port.write({}).has_value();
   }
 }
 
