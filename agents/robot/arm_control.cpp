@@ -74,7 +74,7 @@ Task<Result<void>> ArmControl::connect() {
 
 // One that gives no control is monitored all the same.
 Task<Result<void>> ArmControl::switch_on() {
-  const Result<void> control = co_await driver_.take_control();
+  const Result<void> control = co_await driver_.power_up();
   if (!control && control.error().symbol != "not-in-control") co_return control;
   const Result<arm::ArmReading> reading = co_await driver_.read();
   if (!reading) co_return fail(reading);

@@ -56,6 +56,8 @@ class ArmDriver {
   // what it does say is not of that arm (unknown-arm).
   virtual Task<Result<std::string>> identify() = 0;
   virtual Task<Result<void>> take_control() = 0;
+  // The same as the controller is met for the first time. A device of the arm that takes its time is not waited for.
+  virtual Task<Result<void>> power_up() { return take_control(); }
   // Starts a move through the waypoints (joint interpolation between them, in what the axes read), at `speed` 0..1 of
   // the axes' speeds, and answers once it is accepted.
   virtual Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) = 0;

@@ -2,7 +2,19 @@
 
 namespace pizarra::gripper {
 
+Task<Result<void>> GrippingArm::power_up() {
+  const Result<void> up = co_await arm_.power_up();
+  if (up) activating_ = executor_.spawn(activate());
+  co_return up;
+}
+
+Task<void> GrippingArm::activate() {
+  [[maybe_unused]] const Result<void> connected = co_await gripper_.connect();
+  reads_left_ = 0;
+}
+
 Task<Result<void>> GrippingArm::take_control() {
+  activating_ = Job();
   const Result<void> control = co_await arm_.take_control();
   if (!control) co_return control;
   const Result<void> connected = co_await gripper_.connect();
@@ -13,12 +25,14 @@ Task<Result<void>> GrippingArm::take_control() {
 }
 
 Task<Result<void>> GrippingArm::start_gripper(double opening_mm) {
+  while (!activating_.done()) co_await sleep(executor_, look_again);
   const Result<void> started = co_await gripper_.start(opening_mm);
   if (!started) trouble_ = started.error();
   if (!started) co_return started;
   // An answer to a question asked before it began does not count.
   asking_ = Job();
   reads_left_ = 0;
+  trouble_.reset();
   last_.moving = true;
   co_return Result<void>();
 }

@@ -9,7 +9,8 @@
 // gripper's last answer, or the reason why there is none.
 //
 // take_control() takes the arm's first, and then has the gripper ready to move: not-in-control where that fails, and
-// the arm can be moved all the same.
+// the arm can be moved all the same. power_up() waits for the arm alone; an opening that is ordered while the gripper
+// is still being activated begins after that.
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"
@@ -23,6 +24,7 @@ class GrippingArm : public arm::ArmDriver {
   GrippingArm(Executor& executor, arm::ArmDriver& arm, GripperDriver& gripper)
       : executor_(executor), arm_(arm), gripper_(gripper) {}
   Task<Result<std::string>> identify() override { return arm_.identify(); }
+  Task<Result<void>> power_up() override;
   Task<Result<void>> take_control() override;
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     return arm_.start_move(std::move(waypoints), speed);
@@ -35,7 +37,9 @@ class GrippingArm : public arm::ArmDriver {
 
  private:
   static constexpr int reads_of_an_opening = 10;
+  static constexpr Duration look_again = 20ms;
   Task<void> ask();
+  Task<void> activate();
 
   Executor& executor_;
   arm::ArmDriver& arm_;
@@ -44,6 +48,7 @@ class GrippingArm : public arm::ArmDriver {
   std::optional<Failure> trouble_ = Failure{"disconnected", "the gripper has not been asked yet", {}, {}};
   int reads_left_ = 0;  // until the gripper is asked again
   Job asking_;
+  Job activating_;
 };
 
 }  // namespace pizarra::gripper

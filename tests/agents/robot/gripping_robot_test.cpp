@@ -112,6 +112,17 @@ TEST_F(GrippingRobot, ASlowGripperThatIsToBeginHidesNothingOfTheArm) {
   EXPECT_EQ(reply(id), "");
 }
 
+TEST_F(GrippingRobot, IsThereWhileItsGripperIsBeingActivated) {
+  hand.activated = false;
+  hand.answers_after = 8s;
+  come_up();
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
+  const std::string id = ask("(turn right 10)");
+  executor.run_for(2s);
+  EXPECT_EQ(reply(id), "(ok true)");
+  EXPECT_EQ(call("(gripper 40)"), "(ok true)") << "it waits for that";
+}
+
 TEST_F(GrippingRobot, AGripperThatDiesAsItIsStoppedDoesNotTakeTheArmWithIt) {
   come_up();
   ASSERT_EQ(call("(gripper 80)"), "(ok true)");
