@@ -110,6 +110,18 @@ void UrEmulator::set_speed_slider(double fraction) {
   static_cast<void>(cabinet_.obey("override " + std::to_string(percent)));
 }
 
+// The digital outputs of a bank, those of them that the mask means.
+void UrEmulator::set_outputs(std::string_view bank) {
+  const std::string name(bank);
+  const auto bits = [this](const std::string& field) {
+    const auto found = numbers_.find(field);
+    return found == numbers_.end() ? 0u : static_cast<std::uint32_t>(found->second);
+  };
+  const int first = bank == "configurable" ? 8 : bank == "tool" ? 16 : 0;
+  const std::uint32_t mask = bits(name + "_digital_output_mask") << first;
+  outputs_ = (outputs_ & ~mask) | (bits(name + "_digital_output") << first & mask);
+}
+
 Task<std::string> UrEmulator::answer(std::string message) {
   if (message.empty() || !cabinet_.powered()) co_return std::string();
   if (message.front() != arm::rtde::data) co_return exchange_.answer(message);
@@ -120,6 +132,12 @@ Task<std::string> UrEmulator::answer(std::string message) {
     if (each.first != arm::rtde::opening_name) continue;
     // The protocol answers nothing to this: fingers that may not move stay.
     [[maybe_unused]] const Refusal refusal = co_await cabinet_.grip(each.second);
+  }
+  // The mask may stand behind what it is of.
+  for (const auto& each : taken) {
+    constexpr std::string_view what = "_digital_output";
+    const bool outputs = each.first.ends_with(what);
+    if (outputs) set_outputs(std::string_view(each.first).substr(0, each.first.size() - what.size()));
   }
   co_return std::string();
 }

@@ -71,6 +71,7 @@ class UrEmulator {
   Task<bool> move(std::vector<UrStep> moves);
   void set(const UrStep& step);
   void set_speed_slider(double fraction);
+  void set_outputs(std::string_view bank);
   void say(std::string message);
   void switch_off();
   void release_brakes();

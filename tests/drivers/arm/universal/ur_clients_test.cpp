@@ -218,5 +218,21 @@ TEST_F(UrClients, TheSpeedSliderIsWhatAnInputSays) {
   EXPECT_EQ(slide(1, 7), 1);
 }
 
+TEST_F(UrClients, DigitalOutputsAreWhatTheMaskOfAnInputMeans) {
+  connect_exchange();
+  EXPECT_EQ(say('O', at(100, "actual_digital_output_bits")), "\1UINT64");
+  EXPECT_EQ(say('I', "standard_digital_output,standard_digital_output_mask"), "\1UINT8,UINT8");
+  EXPECT_EQ(say('I', "tool_digital_output_mask,tool_digital_output"), "\2UINT8,UINT8");
+  EXPECT_EQ(say('S', ""), "\1");
+  const auto outputs_after = [&](std::string input) {
+    EXPECT_TRUE(rtde_line.near.write(rtde::write('U', std::move(input))));
+    const std::vector<std::string> told = hear(100ms);
+    return told.empty() ? '\0' : told.back().back() + 256 * told.back()[told.back().size() - 3];
+  };
+  EXPECT_EQ(outputs_after("\1\7\3"), 3);
+  EXPECT_EQ(outputs_after(std::string("\1\0\1", 3)), 2);
+  EXPECT_EQ(outputs_after("\2\1\3"), 2 + 256);
+}
+
 }  // namespace
 }  // namespace pizarra::arm
