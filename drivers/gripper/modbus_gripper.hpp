@@ -9,8 +9,9 @@
 // Orders are written as one block of registers, and answers read as another: registers between those of its fields are
 // written as 0.
 //
-// How far it is proven: with the emulated gripper of drivers/simulation/controllers/gripper/, which libmodbus serves;
-// never with hardware. The registers are those of public drivers for Robotiq's two-finger grippers.
+// How far it is proven: with the emulated gripper of drivers/simulation/controllers/gripper/, which libmodbus serves,
+// and with a gripper of the tests that shares no code with it; never with hardware. The registers are those of public
+// drivers for Robotiq's two-finger grippers.
 
 #include "drivers/gripper/gripper_driver.hpp"
 #include "drivers/gripper/gripper_registers.hpp"

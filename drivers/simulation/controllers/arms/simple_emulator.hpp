@@ -11,7 +11,8 @@
 // A point out of order stops the arm; one that comes while the arm moves is refused. Its servos are switched on by
 // hand, as its power comes on.
 //
-// How far it is proven: with the driver of drivers/arm/simple_message/ alone.
+// How far it is proven: with the driver of drivers/arm/simple_message/, and by the published server's answers, message
+// by message (docs/write-a-driver.md).
 
 #include "drivers/arm/simple_message/simple_message.hpp"
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
