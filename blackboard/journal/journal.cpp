@@ -66,7 +66,8 @@ bool read_told(const Datum& form, const store::Commit& commit, store::Commit::En
   if (size == 3) return true;
   if (!form[3].is_form("because")) return false;
   for (const Datum& id : form[3].items().subspan(1)) {
-    if (!is_id(id)) return false;
+    // 0 stands for no fact: a board takes it as a cause, and must read it back.
+    if (!id.is_integer() || id.integer() < 0) return false;
     fact.because.push_back(static_cast<FactId>(id.integer()));
   }
   return true;

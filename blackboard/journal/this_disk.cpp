@@ -86,8 +86,9 @@ class ThisDisk : public Disk {
 
 }  // namespace
 
+// It outlives every journal, those of static storage too.
 Disk& this_disk() {
-  static ThisDisk disk;
+  static Disk& disk = *new ThisDisk;
   return disk;
 }
 

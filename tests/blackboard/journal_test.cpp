@@ -71,6 +71,12 @@ TEST_F(Journal, SaysEveryKindOfChangeInALine) {
             "(6 1500 \"alice\" (retract 3))\n");
 }
 
+TEST_F(Journal, AFactToldBecauseOfNoFactCanBeRead) {
+  const auto read_back = journal::read_journal_line("(1 0 \"alice\" (tell 1 (on a b) (because 0 7)))");
+  ASSERT_TRUE(read_back.has_value()) << read_back.error().sentence;
+  EXPECT_EQ(std::get<store::Commit>(*read_back).entries.at(0).fact.because, (std::vector<FactId>{0, 7}));
+}
+
 // The end of a lease under which everything was taken, on a board that has lived for long.
 TEST_F(Journal, WhatItSaysOfAllThereMayBeCanBeRead) {
   constexpr FactId highest = std::numeric_limits<std::int64_t>::max();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <set>
@@ -58,6 +59,14 @@ std::set<FactId> kept_by(const store::Store& store) {
   return kept;
 }
 
+// Must succeed.
+template <class Value>
+Value sound(Result<Value> result) {
+  if (result) return std::move(*result);
+  std::fprintf(stderr, "%s: %s\n", result.error().symbol.c_str(), result.error().sentence.c_str());
+  std::abort();
+}
+
 class ServerUnderTest {
  public:
   // Goes on from what the one before it left in the journal.
@@ -70,7 +79,7 @@ class ServerUnderTest {
     options.keys = key_folder();
     options.journal = &writer_;
     options.remembered = remembered_;
-    server_ = server::BoardServer::open(executor_, board_, options).value();
+    server_ = sound(server::BoardServer::open(executor_, board_, options));
     near_ = std::make_unique<FuzzedClient>(executor_, "fuzz", server_->addresses()[0]);
     keyed_ = std::make_unique<FuzzedClient>(executor_, "robot", server_->addresses()[1], &keys_);
   }
@@ -93,13 +102,13 @@ class ServerUnderTest {
  private:
   std::unique_ptr<store::Store> recovered() {
     auto store = std::make_unique<store::Store>();
-    remembered_ = file_->recover(*store).value();
+    remembered_ = sound(file_->recover(*store));
     return store;
   }
 
   RealExecutor executor_;
-  const wire::ClientKeys keys_ = wire::read_client_keys(key_folder() + "/robot.secret").value();
-  const std::shared_ptr<journal::JournalFile> file_ = journal::JournalFile::open(kept_journal.path, {}).value();
+  const wire::ClientKeys keys_ = sound(wire::read_client_keys(key_folder() + "/robot.secret"));
+  const std::shared_ptr<journal::JournalFile> file_ = sound(journal::JournalFile::open(kept_journal.path, {}));
   std::vector<journal::RememberedReply> remembered_;
   memory::MemoryBoard board_{executor_, recovered()};
   journal::JournalWriter writer_{executor_, file_};
