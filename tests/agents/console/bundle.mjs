@@ -1,15 +1,14 @@
 // node bundle.mjs SCRATCH: the bundle in the tree is what the sources give, and small.
 
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, cpSync, mkdtempSync, readFileSync, readdirSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { copyFileSync, cpSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { expect, modulesFolder, pageFolder, skip } from './browser.mjs';
+import { expect, modulesFolder, ownFolder, pageFolder, skip } from './browser.mjs';
 
 const scratch = process.argv[2];
 const modules = modulesFolder(scratch);
-const out = mkdtempSync(join(tmpdir(), 'pizarra-bundle-'));
+const out = ownFolder();
 if (modules !== pageFolder) {
   copyFileSync(join(pageFolder, 'build.mjs'), join(modules, 'build.mjs'));
   cpSync(join(pageFolder, 'src'), join(modules, 'src'), { recursive: true });
