@@ -65,7 +65,9 @@ TEST_F(Hosts, AreUnpluggedAndPluggedInAgainWhileAGoalIsBuilt) {
   std::thread asker([&] { goal = cell_->run("board-pc", "goal '(on circle triangle)'"); });
   const bool begun = cell_->comes("board-pc", "ask '(operation ?n ?what running)'", "PICK-UP");
   cell_->network().link("arm-pc", "both cut");
-  std::this_thread::sleep_for(seconds(5));
+  // Longer than the arm and its agents bear without the board.
+  constexpr seconds unplugged{5};
+  std::this_thread::sleep_for(unplugged);
   cell_->network().link("arm-pc", "both");
   asker.join();
   EXPECT_TRUE(begun);
