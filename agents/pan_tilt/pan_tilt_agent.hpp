@@ -2,7 +2,7 @@
 
 // The pan-tilt agent: it turns a stereo head through a PanTiltDriver and offers the thesis' 11 operations in degrees
 // and percent, absolute and relative, within the limits of the unit that is there; and `look-at`, which keeps an object
-// in view (docs/facts.md, pan-tilt). Positions answer once the unit has accepted them; the `head` fact tells the rest.
+// in view (docs/facts/pan-tilt.md). Positions answer once the unit has accepted them; the `head` fact tells the rest.
 //
 //   PanTiltAgent agent(context, driver, mount);
 //   Job job = executor.spawn(agent.run());

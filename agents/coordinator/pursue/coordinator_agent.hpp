@@ -1,7 +1,7 @@
 #pragma once
 
 // The coordinator: takes goals, sees to it that they are planned, and drives the arm by what the eyes see until they
-// hold (the thesis' steps a to h). It tells its actions and their reasons as facts (docs/facts.md).
+// hold (the thesis' steps a to h). It tells its actions and their reasons as facts (docs/facts/coordinator.md).
 //
 // Lifecycle: constructed, run() spawned. Its state is durable facts: killed and made anew it goes on with the goal it
 // had. A domain file that cannot be read ends run() with the failure.

@@ -1,7 +1,7 @@
 #pragma once
 
 // The planner: takes operators and facts, makes a plan, owns it, and hands out the operation to do next, which follows
-// from what holds (docs/facts.md).
+// from what holds (docs/facts/planner.md).
 //
 // Lifecycle: constructed, run() spawned. Its plan is durable facts: killed and made anew it goes on with the plan that
 // it had. The operators and facts that it was told by get-operations and get-facts are in memory alone. The search runs

@@ -1,7 +1,7 @@
 #pragma once
 
 // The vision agent: learns, finds and tracks marks in the images of a stereo camera, and nothing else than these images
-// is known to it. Its replies are the thesis' Table C.2 to the letter; facts as docs/facts.md lists them.
+// is known to it. Its replies are the thesis' Table C.2 to the letter; facts as docs/facts/vision.md lists them.
 //
 // Lifecycle: constructed, run() spawned; `(connect)` opens the capture and starts the data channel, `learn`, `find` and
 // `track` open it themselves (`track` connects too, for its only output is that channel). Learned objects are kept

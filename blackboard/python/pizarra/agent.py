@@ -47,7 +47,7 @@ class Agent:
                  configures: Iterable[Any] = (), monitors: Iterable[Any] = (), host: Optional[str] = None,
                  context: Optional[str] = None) -> None:
         """`kind` is as the name where it is not said. What it reads is a relation's name, or a whole relation, which is
-        declared then: so it need not wait for who posts it. `context` is where it is bound (docs/facts.md, Names)."""
+        declared then: so it need not wait for who posts it. `context` is where it is bound (docs/facts/agents.md, Names)."""
         self.name, self.kind, self.host, self.context = name, kind or name, host, context
         self._parts = (list(posts), list(reads), list(configures), list(monitors))
         self._operations: Dict[str, Tuple[Operation, Callable[..., Any]]] = {}

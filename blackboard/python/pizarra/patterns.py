@@ -1,4 +1,4 @@
-"""How agents meet through facts, each way written once for both boards (flow.py). docs/facts.md names the patterns.
+"""How agents meet through facts, each way written once for both boards (flow.py). docs/facts/agents.md names the patterns.
 
     values = board.request("coordinator", "(goal (on-table lid))")        # QUERY
     board.send("pan-tilt", "(pan 30)")                                    # SEND

@@ -8,7 +8,7 @@
             ...                                             # tell again what stands under presence.lease
     board.run(presence.leave())
 
-Who offers anything is bound by its name, too, so that others find it by its kind (docs/facts.md, Names). On an
+Who offers anything is bound by its name, too, so that others find it by its kind (docs/facts/agents.md, Names). On an
 AsyncBoard, await the same flows; Agent (agent.py) does.
 """
 
