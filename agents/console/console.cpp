@@ -48,6 +48,8 @@ Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   if (!server) return fail(server);
   console->server_ = std::move(*server);
   console->access_ = std::make_unique<Access>(console->server_->port());
+  const Result<void> kept = console->keep_pictures();
+  if (!kept) return fail(kept);
   return console;
 }
 
@@ -58,6 +60,18 @@ Console::Console(Setup setup, PageFiles page)
       emptied_(setup_.executor) {}
 
 Console::~Console() = default;
+
+Result<void> Console::keep_pictures() {
+  if (setup_.pictures == nullptr) return {};
+  Result<std::unique_ptr<Board>> board = setup_.board(setup_.name + "-pictures");
+  if (!board) return fail(board);
+  const auto trouble = [this](const Failure& failure) {
+    if (setup_.trouble) setup_.trouble(failure);
+  };
+  keeper_ = std::make_unique<PictureKeeper>(
+      PictureKeeper::Setup{setup_.executor, setup_.streams, std::move(*board), *setup_.pictures, trouble});
+  return {};
+}
 
 // Behind the #, so that no log and no other server ever sees it.
 std::string Console::address() const {
@@ -157,7 +171,7 @@ void Console::admit(UpgradedSocket socket, Time until) {
     sessions_.erase(number);
     if (sessions_.empty()) emptied_.set();
   };
-  Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), until, ended};
+  Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), until, ended, setup_.pictures};
   sessions_.emplace(number, std::make_unique<Session>(std::move(setup), std::move(socket)));
 }
 

@@ -24,6 +24,7 @@
 #include "agents/console/foxglove_session.hpp"
 #include "agents/console/http_server.hpp"
 #include "agents/console/page_files.hpp"
+#include "agents/console/picture_keeper.hpp"
 #include "agents/console/session.hpp"
 
 namespace pizarra::console {
@@ -51,9 +52,11 @@ class Console {
     int port = 0;
     std::function<void(const std::string& address)> next_address = nullptr;  // the last one has been used
     std::optional<Foxglove> foxglove = std::nullopt;
+    PictureStore* pictures = nullptr;                       // what the eyes see is kept there; it outlives the console
+    std::function<void(const Failure&)> trouble = nullptr;  // pictures are not kept
   };
 
-  // Failures: unreadable-file, cannot-listen.
+  // Failures: unreadable-file, cannot-listen, those of a board that refuses to keep pictures.
   static Result<std::unique_ptr<Console>> open(Setup setup);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -69,6 +72,7 @@ class Console {
 
  private:
   Console(Setup setup, PageFiles page);
+  Result<void> keep_pictures();
   HttpAnswer answer(const HttpRequest& request);
   HttpAnswer exchange(const HttpRequest& request);
   HttpAnswer open_page(const HttpRequest& request);
@@ -80,6 +84,7 @@ class Console {
   Setup setup_;
   PageFiles page_;
   ImageFeeds images_;
+  std::unique_ptr<PictureKeeper> keeper_;
   std::unique_ptr<HttpServer> server_;
   std::unique_ptr<Access> access_;
   int next_page_ = 1;

@@ -20,10 +20,14 @@ std::string jpeg_of(const cv::Mat& pixels, int quality) {
   return {bytes.begin(), bytes.end()};
 }
 
+cv::Mat pixels_of(const Image& image) {
+  return {image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data())};
+}
+
 void encode_picture(ImageFeeds::Picture& into, const Image& image, bool full, bool light) {
-  cv::Mat pixels(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
-  if (full) into.jpeg = jpeg_of(pixels, jpeg_quality);
+  if (full) into.jpeg = full_jpeg(image);
   if (!light) return;
+  const cv::Mat pixels = pixels_of(image);
   cv::Mat small = pixels;
   if (image.width > light_width) {
     cv::resize(pixels, small, {light_width, image.height * light_width / image.width}, 0, 0, cv::INTER_AREA);
@@ -31,13 +35,15 @@ void encode_picture(ImageFeeds::Picture& into, const Image& image, bool full, bo
   into.light = jpeg_of(small, light_quality);
 }
 
+}  // namespace
+
 bool can_be_encoded(const Image& image) {
   const bool coloured = image.channels == 1 || image.channels == 3;
   const auto size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   return coloured && size > 0 && image.pixels.size() == size * static_cast<std::size_t>(image.channels);
 }
 
-}  // namespace
+std::string full_jpeg(const Image& image) { return jpeg_of(pixels_of(image), jpeg_quality); }
 
 class ImageFeeds::Feed {
  public:

@@ -22,6 +22,11 @@
 
 namespace pizarra::console {
 
+// Grey or in colours, and as large as it says.
+bool can_be_encoded(const Image& image);
+// Of the size and quality that a page on a quick line gets.
+std::string full_jpeg(const Image& image);
+
 class ImageFeeds {
  public:
   struct Picture {

@@ -51,6 +51,7 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"watch", {number, text}, &Session::watch},
                                           {"unwatch", {number}, &Session::unwatch},
                                           {"then", {number, form, number}, &Session::then},
+                                          {"picture", {number, name, number}, &Session::picture},
                                           {"request", {number, name, form}, &Session::request},
                                           {"goal", {number, text}, &Session::goal},
                                           {"stop", {number, text}, &Session::stop},

@@ -8,6 +8,7 @@
 //   (watch N "QUERY")           the same of what a person typed: refused where it cannot be read or is not known
 //   (unwatch N)
 //   (then N QUERY TIME-US)      what held of the query then, where the board keeps a journal
+//   (picture N STREAM TIME-US)  what was seen then, where it is kept
 //   (request N AGENT OPERATION) asks an agent, as any client does
 //   (goal N "TEXT")             accepted, and then how it ended: two answers, the
 //                               second the state it ended in, or its refusal
@@ -22,7 +23,8 @@
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...},
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; images as
-// binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it.
+// binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it; one that was asked for as
+// `(picture N NUMBER CAPTURED-US WIDTH HEIGHT)`.
 //
 // Bounds: 64 watches, 16 requests in hand, 4 streams, images under way (four of each, 64 kB of all). A page that does
 // not take in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
@@ -36,6 +38,7 @@
 #include <vector>
 
 #include "agents/console/image_feed.hpp"
+#include "agents/console/picture_store.hpp"
 #include "agents/console/pulse.hpp"
 #include "agents/console/web_socket.hpp"
 #include "agents/runtime/service.hpp"
@@ -72,6 +75,7 @@ class Session {
     std::unique_ptr<Board> board;
     Time until;                   // the page is let go then
     std::function<void()> ended;  // it has left the board; this may be destroyed
+    const PictureStore* pictures = nullptr;
   };
 
   Session(Setup setup, UpgradedSocket socket);
@@ -113,6 +117,7 @@ class Session {
   void watch(const Datum& form);
   void unwatch(const Datum& form);
   void then(const Datum& form);
+  void picture(const Datum& form);
   void request(const Datum& form);
   void goal(const Datum& form);
   void stop(const Datum& form);
@@ -140,6 +145,7 @@ class Session {
   Task<void> start_watch(Number number, Query query, bool when_declared);
   Task<void> send_changes(Number number, std::unique_ptr<Watch> watch);
   Task<void> ask_then(Number number, Query query);
+  Task<void> show_kept(Number number, std::string stream, Time moment);
   void say_arms(const std::vector<Answer>& answers, const std::string& past);
   Task<void> room();
   Task<void> follow_arms();

@@ -148,6 +148,24 @@ Task<void> Session::ask_then(Number number, Query query) {
   say_arms(change.added, past);
 }
 
+void Session::picture(const Datum& form) {
+  const Number number = form[1].integer();
+  if (setup_.pictures == nullptr) return refuse(number, "no-picture", "this console keeps no pictures");
+  begin_request(number, show_kept(number, std::string(form[2].text()), Time(Duration(form[3].integer()))));
+}
+
+Task<void> Session::show_kept(Number number, std::string stream, Time moment) {
+  const Result<PictureStore::Picture> kept = co_await setup_.pictures->find(std::move(stream), moment);
+  if (!kept) {
+    say(refusal_text(number, kept.error()));
+    co_return;
+  }
+  co_await room();
+  std::string message = fmt::format("(picture {} {} {} {} {})\n", number, kept->number,
+                                    kept->captured.time_since_epoch().count(), kept->width, kept->height);
+  socket_->send(WebSocket::Class::images, message += kept->jpeg);
+}
+
 void Session::unwatch(const Datum& form) { watches_.erase(form[1].integer()); }
 
 Task<void> Session::start_watch(Number number, Query query, bool when_declared) {

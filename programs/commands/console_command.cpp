@@ -1,5 +1,6 @@
 // `console`: the cell that runs here, or one in this process, in a browser.
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -29,6 +30,8 @@ struct ConsoleChoices {
   std::string addresses;  // where they go as well
   bool foxglove = false;
   std::vector<std::string> foxglove_origins;
+  std::string pictures;  // the folder; empty: one of its own, gone with it
+  int pictures_mb = static_cast<int>(console::PictureStore::usual_bytes / 1'000'000);
 
   std::optional<console::Console::Foxglove> viewers() const {
     if (!foxglove) return std::nullopt;
@@ -75,8 +78,53 @@ void print_address(const std::string& address) {
   std::fflush(stdout);
 }
 
+// A folder that goes with this.
+class OwnFolder {
+ public:
+  OwnFolder() : path_((std::filesystem::temp_directory_path() / "pizarra-pictures-XXXXXX").string()) {
+    made_ = mkdtemp(path_.data()) != nullptr;
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+  ~OwnFolder() {
+    std::error_code error;
+    if (made_) std::filesystem::remove_all(path_, error);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  bool made_ = false;  // where it is not, nothing can be written there
+};
+
+// The pictures of the past, where they are wanted: in the folder that is named, or in one of their own.
+class KeptPictures {
+ public:
+  KeptPictures(Executor& executor, const ConsoleChoices& choices) {
+    if (choices.pictures_mb == 0) return;
+    if (choices.pictures.empty()) own_.emplace();
+    const std::string& folder = own_ ? own_->path() : choices.pictures;
+    opened_ = console::PictureStore::open(executor, folder, choices.pictures_mb * std::uintmax_t{1'000'000});
+  }
+  std::optional<Failure> failure() const { return opened_ ? std::nullopt : std::optional(opened_.error()); }
+  console::PictureStore* store() const { return opened_->get(); }
+
+ private:
+  std::optional<OwnFolder> own_;
+  Result<std::unique_ptr<console::PictureStore>> opened_;  // of none: none are wanted
+};
+
+void say_no_pictures(const Failure& why) {
+  fmt::print(stderr, "pizarra: pictures of the past are not kept: {}\n", why.sentence);
+}
+
 // Until somebody stops the executor; every page has left the board then.
-int serve(Executor& executor, console::Console::Setup setup, const std::string& addresses) {
+int serve(Executor& executor, console::Console::Setup setup, const ConsoleChoices& choices) {
+  const std::string& addresses = choices.addresses;
+  const KeptPictures pictures(executor, choices);
+  if (pictures.failure()) return complain(*pictures.failure(), exit_unavailable);
+  setup.pictures = pictures.store();
+  setup.trouble = say_no_pictures;
   setup.name = fmt::format("console-{}", getpid());
   setup.page_folder = shipped_file("agents/console/page/built");
   setup.next_address = [addresses](const std::string& address) {
@@ -122,7 +170,7 @@ int console_of_own_cell(const ConsoleChoices& choices) {
                 .page_folder = {},
                 .port = choices.port,
                 .foxglove = choices.viewers()},
-               choices.addresses);
+               choices);
 }
 
 int console_of_running_cell(const ConsoleChoices& choices) {
@@ -156,7 +204,7 @@ int console_of_running_cell(const ConsoleChoices& choices) {
                 .page_folder = {},
                 .port = choices.port,
                 .foxglove = choices.viewers()},
-               choices.addresses);
+               choices);
 }
 
 int run_console(const ConsoleChoices& choices) {
@@ -180,6 +228,11 @@ void add_console_command(CLI::App& app, int& status) {
       ->check(CLI::ExistingFile);
   console->add_option("--port", choices->port, "The port on this host's loopback; 0: any that is free")
       ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  console->add_option("--pictures", choices->pictures,
+                      "The folder in which pictures of the past are kept; default: one that goes with the console");
+  console->add_option("--pictures-mb", choices->pictures_mb, "How much of them at most; 0: none are kept")
+      ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
   console->add_option("--addresses", choices->addresses,
                       "A file, or a pipe that somebody reads, to which each address is added as a line");

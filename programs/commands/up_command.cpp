@@ -241,8 +241,19 @@ Result<void> Up::start_console(const std::string& cell) {
       executor_, path, [this](const std::string& address) { narrator_.say(executor_.now(), "console", address); });
   if (!pipe) return fail(pipe);
   addresses_ = std::move(*pipe);
-  std::vector<std::string> command = {
-      beside_this_program("pizarra-cell"), "console", cell, "--board", board_address_, "--addresses", path};
+  // They belong to the journal, which is begun anew.
+  const std::string pictures = directory_.file("pictures");
+  std::error_code error;
+  std::filesystem::remove_all(pictures, error);
+  std::vector<std::string> command = {beside_this_program("pizarra-cell"),
+                                      "console",
+                                      cell,
+                                      "--board",
+                                      board_address_,
+                                      "--addresses",
+                                      path,
+                                      "--pictures",
+                                      pictures};
   if (!key_.empty()) command.insert(command.end(), {"--key", key_});
   return start("console", std::move(command));
 }

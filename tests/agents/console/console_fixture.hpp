@@ -29,11 +29,18 @@ inline testing::AssertionResult begins(const std::string& text, std::string_view
 class ConsoleTest : public testing::Test {
  protected:
   ConsoleTest() : board_(executor_), here_(board_.view("test")) {
+    reopen([](Console::Setup&) {});
+  }
+
+  // A console that is set up otherwise takes the place of the one before.
+  void reopen(const std::function<void(Console::Setup&)>& change) {
+    console_.reset();
     const Console::BoardMaker maker = [this](const std::string& name) -> Result<std::unique_ptr<Board>> {
       return board_.view(name);
     };
     Console::Setup setup{executor_, streams_, maker, cell_, "console", source_dir() + "/agents/console/page/built"};
     setup.foxglove = Console::Foxglove{{"https://viewer.example"}};
+    change(setup);
     console_ = Console::open(std::move(setup)).value();
     const std::string address = console_->address();
     const std::size_t colon = address.rfind(':');

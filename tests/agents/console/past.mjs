@@ -1,5 +1,5 @@
-// node past.mjs PIZARRA-CELL SCRATCH: the slider back into the journal: what was known then is shown in the same views,
-// and now again; a board without a journal says so.
+// node past.mjs PIZARRA-CELL SCRATCH: the slider back into the journal: what was known and seen then is shown in the same
+// views, and now again; an entry of the story shows what was seen; a board without a journal says so.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -29,9 +29,35 @@ async function goTo(of, part) {
 await goTo(page, 120);
 await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));
 expect((await page.locator('.objects li').count()) < 5, 'then fewer objects were known');
+const numbers = () =>
+  page.$$eval('#images figcaption', (notes) => notes.map((note) => Number(note.textContent.match(/frame (\d+)/)?.[1])));
+const newest = await numbers();
+await goTo(page, 900);
+await page.waitForFunction(() =>
+  [...document.querySelectorAll('#images figcaption')].every((note) => /frame \d+, \d\d:\d\d:\d\d/.test(note.textContent)),
+);
+const then = await numbers();
+await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));
 await page.screenshot({ path: join(pictures, 'past.png') });
 await page.click('#back-to-now');
 await known(5);
+await page.waitForFunction(
+  (old) => Number(document.querySelector('#images figcaption').textContent.match(/frame (\d+)$/)?.[1]) > old,
+  Math.max(...then),
+);
+expect(then.every((number) => number > 0), `what was seen then was shown: frames ${then}, and before ${newest}`);
+await page.fill('#goal-text', '(on circle triangle)');
+await page.press('#goal-text', 'Enter');
+await page.waitForSelector('#plan li.running');
+await page.click('#tab-story');
+await page.click('#story .timeline details >> nth=0');
+await page.waitForSelector('#story .kept canvas:not([hidden])');
+expect(/frame \d+, \d\d:/.test(await text(page, '#story .kept figcaption')), 'an entry of the story shows what was seen');
+await page.screenshot({ path: join(pictures, 'story-picture.png') });
+await page.click('#story button:text-is("Show all as it was then")');
+await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));
+expect(await page.isEnabled('#back-to-now'), 'and leads to the moment');
+await page.click('#back-to-now');
 expect((await text(page, '#moment-note')) === 'now', 'and now all of them are again');
 await page.waitForFunction(() => /grip/.test(document.getElementById('readings').innerText));
 expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);

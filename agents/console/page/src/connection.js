@@ -231,15 +231,26 @@ export class Connection {
     };
   }
 
-  // `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, a newline, a JPEG.
+  // What was seen then, if it was kept: { bitmap, number, captured, width, height }.
+  async picture(stream, microseconds) {
+    const [kept] = await this.#call(null, 'picture', sym(stream), microseconds);
+    return kept;
+  }
+
+  // `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, or `(picture REQUEST ...)` of one that was asked for; a newline, a
+  // JPEG.
   async #show(buffer) {
     const bytes = new Uint8Array(buffer);
     const end = bytes.indexOf(10);
-    const [, stream, number, captured, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
-    const name = text(stream);
+    const [kind, of, number, captured, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
     const bitmap = await createImageBitmap(new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' })).catch(
       () => null,
     );
+    if (text(kind) === 'picture') {
+      const kept = { values: [{ bitmap, number, captured, width, height }] };
+      return this.#requests.get(of)?.take(bitmap ? kept : { error: { sentence: 'what was kept is no picture' } });
+    }
+    const name = text(of);
     // A hidden page draws nothing, and so is sent nothing.
     requestAnimationFrame(() => {
       if (bitmap) this.#looks.get(name)?.({ bitmap, number, captured, width, height });

@@ -1,7 +1,8 @@
 // The image streams: the left one plain, and with what the eyes make of it. A stream is chosen by its kind. A click into
-// the plain one says where and in which frame, to who asked first for such points and takes this one.
+// the plain one says where and in which frame, to who asked first for such points and takes this one. Of a moment that has
+// gone by they show what was kept.
 
-import { element, find } from './dom.js';
+import { clock, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
@@ -22,18 +23,40 @@ function makeView(title) {
   return { canvas, note, card, stream: '', shown: null, end: () => {} };
 }
 
-function draw(view, picture) {
-  const { canvas } = view;
+export function drawPicture(canvas, picture) {
   if (canvas.width !== picture.width || canvas.height !== picture.height) {
     canvas.width = picture.width;
     canvas.height = picture.height;
   }
   canvas.getContext('2d').drawImage(picture.bitmap, 0, 0, picture.width, picture.height);
+}
+
+function draw(view, picture) {
+  const { canvas } = view;
+  drawPicture(canvas, picture);
   view.shown = { number: picture.number, width: picture.width, height: picture.height };
   view.note.textContent = `frame ${picture.number}`;
   // For who measures.
   canvas.dataset.captured = picture.captured;
   canvas.dataset.frame = picture.number;
+}
+
+// A click into what has gone by is none.
+async function drawKept(connection, view, moment, isShown) {
+  view.shown = null;
+  view.note.textContent = 'looking for what was kept …';
+  try {
+    const kept = await connection.picture(view.stream, moment);
+    if (isShown()) {
+      drawPicture(view.canvas, kept);
+      view.note.textContent = `frame ${kept.number}, ${clock(kept.captured)}`;
+    }
+    kept.bitmap.close();
+  } catch (failure) {
+    if (!isShown()) return;
+    view.canvas.getContext('2d').clearRect(0, 0, view.canvas.width, view.canvas.height);
+    view.note.textContent = failureText(failure);
+  }
 }
 
 // Of the image that is shown, though it is drawn with room around it.
@@ -49,7 +72,8 @@ function pointIn(view, event) {
 export function showImages(connection) {
   const views = wanted.map((want) => makeView(want.title));
   find('images').append(...views.map((view) => view.card));
-  connection.follow('(stream ?name ?kind ?place)', (answers) => {
+  let moment = null;
+  connection.followAlways('(stream ?name ?kind ?place)', (answers) => {
     const streams = answers.map(fact);
     wanted.forEach((want, index) => {
       const view = views[index];
@@ -58,7 +82,7 @@ export function showImages(connection) {
       if (name === view.stream) return;
       view.end();
       view.stream = name;
-      view.end = name ? connection.look(name, (picture) => draw(view, picture)) : () => {};
+      view.end = name ? connection.look(name, (picture) => moment === null && draw(view, picture)) : () => {};
       if (!name) view.note.textContent = 'no such stream';
     });
   });
@@ -69,5 +93,12 @@ export function showImages(connection) {
     const point = plain.shown && pointIn(plain, event);
     if (point) takers.some((take) => take(point));
   });
-  return { onPoint: (take) => takers.push(take) };
+  const showMoment = (then) => {
+    moment = then;
+    const isShown = () => moment === then;
+    for (const view of views) if (then !== null) drawKept(connection, view, then, isShown);
+  };
+  // The stream that tells most of a moment.
+  const telling = () => views[1].stream || views[0].stream;
+  return { onPoint: (take) => takers.push(take), showMoment, telling };
 }

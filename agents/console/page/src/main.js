@@ -27,13 +27,12 @@ const scene = showScene(connection);
 const images = showImages(connection);
 showWant(connection);
 showServo(connection);
-showStory(connection);
+showStory(connection, images, showPast(connection, images));
 showHead(connection, images, () => hands.me);
 showEyes(connection, images, () => hands.me);
 showDrive(connection, hands);
 showFacts(connection);
 showAgents(connection);
-showPast(connection);
 
 connection.onArm = scene.moveArm;
 connection.onHello = (hello) => {

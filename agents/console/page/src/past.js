@@ -3,7 +3,8 @@
 
 import { clock, element, failureText, find } from './dom.js';
 
-export function showPast(connection) {
+// Answers what goes to a moment that is named.
+export function showPast(connection, images) {
   const bar = find('past');
   const slider = element('input', {
     type: 'range',
@@ -24,6 +25,7 @@ export function showPast(connection) {
     document.body.classList.toggle('past', moment !== null);
     now.disabled = moment === null;
     note.textContent = moment === null ? 'now' : `${clock(moment)} …`;
+    images.showMoment(moment);
     const failure = await connection.showMoment(moment);
     if (moment !== null) note.textContent = failure ? failureText(failure) : `as it was at ${clock(moment)}`;
   };
@@ -40,4 +42,8 @@ export function showPast(connection) {
   };
   connection.followAlways('(agent ?name ?kind ?host)', since);
   connection.followAlways('(event ?n ?kind ?sentence ?detail)', since);
+  return (moment) => {
+    slider.value = ((moment - first) * 1000) / (Date.now() * 1000 - first);
+    show(moment);
+  };
 }

@@ -1,9 +1,10 @@
-// The story as a timeline, newest first: what was wanted, planned, done, seen otherwise. An entry opens its detail and
-// what it was told because of; above them the coordinator says why it does what it does.
+// The story as a timeline, newest first: what was wanted, planned, done, seen otherwise. An entry opens its detail, what
+// it was told because of, and what was seen then; above them the coordinator says why it does what it does.
 
 import { clipped, clock, eachFrame, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { goalHistory } from './goal_history.js';
+import { keptPicture } from './kept_picture.js';
 import { planChange, planIn } from './plan_change.js';
 import { provenanceButton, toldBy } from './provenance.js';
 import { text, write } from './datum.js';
@@ -26,7 +27,7 @@ function detailOf(events, number, detail) {
   return element('pre', {}, clipped(write(detail), 4000));
 }
 
-function entryOf(connection, events, answer) {
+function entryOf({ connection, images, goTo }, events, answer) {
   const [, number, kind, sentence, detail] = fact(answer);
   const told = answer.facts[0];
   const summary = element(
@@ -36,17 +37,21 @@ function entryOf(connection, events, answer) {
     element('span', { class: `kind ${text(kind)}` }, text(kind)),
     element('span', {}, clipped(text(sentence))),
   );
+  const seen = element('div', {});
+  const open = (event) => event.target.open && seen.replaceChildren(keptPicture(connection, images.telling(), told.when));
   return element(
     'details',
-    { 'data-number': number },
+    { 'data-number': number, ontoggle: open },
     summary,
     element('p', { class: 'quiet' }, toldBy(answer.ids[0], told)),
+    element('button', { type: 'button', class: 'small', onclick: () => goTo(told.when) }, 'Show all as it was then'),
+    seen,
     provenanceButton(connection, answer.ids[0], told),
     detailOf(events, number, detail),
   );
 }
 
-export function showStory(connection) {
+export function showStory(connection, images, goTo) {
   const list = element('div', { class: 'timeline' });
   const why = element('pre', { class: 'answer', hidden: true });
   const ask = async () => {
@@ -72,7 +77,7 @@ export function showStory(connection) {
     const newest = answers.toSorted((a, b) => fact(b)[1] - fact(a)[1]).slice(0, shown);
     const ids = new Set(newest.map((answer) => answer.ids[0]));
     for (const id of entries.keys()) if (!ids.has(id)) entries.delete(id);
-    for (const answer of newest) if (!entries.has(answer.ids[0])) entries.set(answer.ids[0], entryOf(connection, answers, answer));
+    for (const answer of newest) if (!entries.has(answer.ids[0])) entries.set(answer.ids[0], entryOf({ connection, images, goTo }, answers, answer));
     list.replaceChildren(...newest.map((answer) => entries.get(answer.ids[0])));
   });
   connection.follow('(event ?n ?kind ?sentence ?detail)', (held) => {
