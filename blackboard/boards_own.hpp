@@ -12,7 +12,7 @@
 
 namespace pizarra {
 
-// Who tells what the board does by itself; nobody else is called so.
+// The teller of the board's own changes; nobody else has this name.
 inline constexpr std::string_view board_teller = "board";
 
 inline bool is_statistics(std::string_view relation) {

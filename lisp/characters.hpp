@@ -1,6 +1,6 @@
 #pragma once
 
-// Which bytes the language is made of, and where a byte of a text stands for a person.
+// The bytes of which the language is made, and where a byte of a text stands for a person.
 
 #include <array>
 #include <cstddef>

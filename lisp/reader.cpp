@@ -31,7 +31,7 @@ constexpr std::array<bool, 256> plain_bytes = [] {
   return out;
 }();
 
-// Of what `text` begins with.
+// The length of the plain characters at the beginning of `text`.
 std::size_t length_of_plain(std::string_view text) {
   const auto is_plain = [](char c) { return plain_bytes[static_cast<unsigned char>(c)]; };
   return static_cast<std::size_t>(std::ranges::find_if_not(text, is_plain) - text.begin());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which way the head must turn for the camera on it to look at a point.
+// The direction in which the head must turn so that its camera looks at a point.
 //
 //   const Gaze gaze = gaze_at(mount, {450, -165, 30});     // degrees of the head's pan and tilt
 //

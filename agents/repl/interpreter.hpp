@@ -46,7 +46,7 @@ class Interpreter {
   // All the forms of `text`, one after another, up to the first that fails.
   Task<Evaluation> evaluate(std::string text);
 
-  // What may be typed: commands, agents and what they offer, relations, objects. As of the last evaluation.
+  // The words that may be typed: commands, agents and what they offer, relations, objects. As of the last evaluation.
   const std::set<std::string>& words() const { return words_; }
   Task<void> learn_words();
 
@@ -96,7 +96,7 @@ class Interpreter {
   void say_change(int number, const Change& change, bool first);
   void say(const std::string& text, const std::string& json);
   Evaluation show(const Failure& failure, Evaluation outcome);
-  // What the board answered, or that it did not.
+  // Shows the board's answer, or that none came.
   Evaluation show(const Failure& failure);
   Evaluation usage(std::string_view command);
 

@@ -20,7 +20,7 @@ class SignalPipe {
   SignalPipe& operator=(const SignalPipe&) = delete;
 
   int file() const { return read_end_; }
-  // What has come since the last time, in order.
+  // The signals that came since the last time, in order.
   std::vector<int> take();
 
  private:

@@ -61,7 +61,7 @@ class ArmFacts {
 
 // x, y, z (0.01 mm) and rx, ry, rz (0.001 degree, each in (-180, 180]) of the grip centre.
 std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& joints);
-// What each axis reads, axis 1 first: 0.001 degree or mm.
+// The axes' readings, axis 1 first: 0.001 degree or mm.
 std::vector<Datum> joint_numbers(const arm::Joints& joints);
 
 // The axes' positions as a list, exactly, and back; nothing where it is no such list.

@@ -54,7 +54,7 @@ void require_parent(Transaction& transaction, const Path& path) {
   transaction.require(Transaction::Present{context_form(parent)});
 }
 
-// Of what did not hold.
+// Says which precondition did not hold.
 std::unexpected<Failure> explain(const Failure& failure, const Path& path, const Reference& reference) {
   const std::string text = path_text(path);
   if (failure.symbol != "precondition-failed") return fail(failure);

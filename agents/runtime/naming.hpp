@@ -68,7 +68,7 @@ class Naming {
   Task<Result<void>> bind(Path path, Reference reference);
   // In place of whatever is bound there, if anything. Failures bad-name, no-context, absent, already-bound (a context).
   Task<Result<void>> rebind(Path path, Reference reference);
-  // What is not bound any more is fine: somebody saw to it. Failure bad-name.
+  // A name that is not bound any more is fine: somebody saw to it. Failure bad-name.
   Task<Result<void>> unbind(Path path);
   // Everything that was bound by this object, at once.
   Task<Result<void>> unbind_all();
@@ -79,7 +79,7 @@ class Naming {
   Task<Result<Reference>> resolve(Path path);
   // Waits for it to be bound; failure timeout.
   Task<Result<Reference>> await(Path path, Time deadline);
-  // What is in a context; at most max_listed. Failure no-context.
+  // The names in a context; at most max_listed. Failure no-context.
   Task<Result<Listing>> list(Path path);
   // Whatever is bound of a kind, wherever in the tree; at most max_listed.
   Task<Result<Listing>> find(std::string kind);

@@ -56,7 +56,7 @@ class Roles {
 
   // Declares, wires what is not wired to its usual server, and follows what is told. The service has started.
   void start();
-  // Who plays it now. Before the board has answered: the usual one, absent.
+  // The agent that plays it now. Before the board has answered: the usual one, absent.
   const Holder& holder(std::string_view role) const;
   // True once somebody plays it, false at the deadline.
   Task<bool> wait_for(std::string role, Time deadline);

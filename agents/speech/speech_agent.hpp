@@ -6,7 +6,7 @@
 //   (request r1 speech (say "move left 5 centimetres"))    -> (reply r1 (ok "(move-h left 50)" true))
 //   (request r2 speech (say "pick up the circle"))         -> (reply r2 (ok "(goal (holding circle))" 1))
 //
-// Which robot and which coordinator: those that play its roles `robot` and `coordinator`.
+// It asks the robot and the coordinator that play its roles `robot` and `coordinator`.
 // The answer is what was understood, and what the agent asked answered. Failures: not-understood, and the agent's own.
 
 #include "agents/runtime/roles.hpp"

@@ -16,7 +16,7 @@ class RemoteStream {
   RemoteStream& operator=(const RemoteStream&) = delete;
   virtual ~RemoteStream();
 
-  // What asks the server for it.
+  // The request for it.
   Datum request() const;
   // Asks under a new number, so that nothing said about the former one is mistaken for it.
   void begin_again();

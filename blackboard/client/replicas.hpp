@@ -40,7 +40,7 @@ class Replicas {
   void answered_at(Revision revision, bool sent);
   // It answered, and did not say.
   void answered() { unsure_ = true; }
-  // What was known of the server's revisions is void.
+  // The revisions that were known of the server are void.
   void begin_again();
 
  private:

@@ -92,7 +92,7 @@ class JournalFile : public Log {
   std::size_t slice_bytes_ = largest_slice;
 };
 
-// With what SQLite and the board leave beside it when they are killed.
+// Also removes the files that SQLite and the board leave beside it when they are killed.
 void remove_journal(const std::string& path, Disk& disk = this_disk());
 
 // Where a journal ends. Failures as above.

@@ -34,7 +34,7 @@ class JournalWriter {
   using Position = std::uint64_t;  // how many lines came before, and this one
   // What need not last; what must; and of that, what takes facts away and adds none.
   enum class Change : std::uint8_t { passing, lasting, removing };
-  // Of what need not last.
+  // The most that waits of `passing` changes.
   static constexpr std::size_t max_waiting_bytes = 16 << 20;
 
   JournalWriter(Executor& executor, std::shared_ptr<Log> log);

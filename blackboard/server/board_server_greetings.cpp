@@ -21,7 +21,7 @@ void BoardServer::refuse(const std::string& peer, const Failure& failure) {
   send(peer, list("refused"_sym, failure_to_datum(failure)));
 }
 
-// Of what is being received: its session's client, else its key's name, else nothing.
+// The sender of the message in hand: its session's client, else its key's name, else nothing.
 std::string BoardServer::who_is(const std::string& peer) const {
   if (const auto session = sessions_.of_peer(peer)) return sessions_.all().at(*session).client();
   const wire::PublicKey* key = keys_ ? keys_->find(socket_->sender_key()) : nullptr;

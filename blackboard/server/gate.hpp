@@ -30,7 +30,7 @@ class Gate {
   // It may tell, take or read its facts: who may not is told nothing of how a relation is declared. Failure too-large
   // where too many are called alike.
   Result<void> declare(Key key, const std::vector<Relation>& relations) const;
-  // Adds to `examined` how many facts it looked at, for whose they are: they count as the transaction's own. Failure
+  // Adds to `examined` the facts that it looked at to find their owners: they count as the transaction's own. Failure
   // too-costly.
   Result<void> transact(Key key, const Transaction& transaction, std::size_t& examined) const;
   Result<void> ask(Key key, const Query& query) const;

@@ -20,7 +20,7 @@ class PermittedBoard {
  public:
   struct Client {
     const std::string& teller;
-    const std::string& name;  // whose what it asks for is: its key's, whatever its teller is called beyond that
+    const std::string& name;  // the owner of its requests: the key's name, or else the client's
     Gate::Key key = nullptr;
   };
 
@@ -33,7 +33,7 @@ class PermittedBoard {
   Result<std::unique_ptr<watch::WatchQueue>> watch(const Client& client, const Datum& query,
                                                    std::function<void()> ready, std::shared_ptr<watch::Backlog> backlog,
                                                    std::size_t& examined);
-  // What `(ask QUERY)` asks.
+  // The query of `(ask QUERY)`.
   Result<Query> query_of(const Client& client, const Datum& body) const;
   // A failure as this client is told it: it hears of no relation that is none of its business.
   Failure told(const Client& client, Failure failure, std::size_t& examined) const;

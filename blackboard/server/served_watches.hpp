@@ -25,7 +25,7 @@ class ServedWatches {
   static constexpr std::size_t most = 256;
   static constexpr std::size_t most_under_way = 16;  // changes of a watch
 
-  // What was asked for by the number; null where no such watch stands.
+  // The query of this number; null where no such watch stands.
   const Datum* asked(wire::WatchId number) const;
   std::size_t size() const { return watches_.size(); }
   // `kept` by the client, which is told the ids of what goes.
@@ -45,7 +45,7 @@ class ServedWatches {
   bool send(wire::FrameSocket& socket, const std::string& peer, std::size_t& examined);
   // The client was heard from: answers whether its connection took no more before.
   bool unblock() { return std::exchange(blocked_, false); }
-  // What was under way may be lost.
+  // The changes under way may be lost.
   void begin_again();
 
  private:

@@ -29,7 +29,8 @@ Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables);
 // Adds to `examined` how many facts were looked at.
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables, std::size_t& examined);
 
-// What is settled before a search: variables, and the fact that a positive clause is to match, where there is one.
+// Everything that is settled before a search: variables, and the fact that a positive clause is to match, where there
+// is one.
 struct SearchStart {
   Bindings bindings;
   std::size_t clause = 0;

@@ -20,9 +20,9 @@ class IndexMaker {
 
   std::function<void()> on_wanted;
 
-  // For what is nobody's in particular.
+  // For work that no client asked for.
   Indexing::May may() const { return on_wanted ? Indexing::May::make_in_parts : Indexing::May::make_at_once; }
-  // What to await, and then to look again.
+  // The ticket to await before looking again.
   IndexTicket want(TableIndexes& table, const FactIndex::Kind& kind);
   bool is_idle() const { return makings_.empty(); }
   // How many are made.

@@ -20,7 +20,7 @@ namespace pizarra::store {
 class IndexMaker;
 class TableIndexes;
 
-// What is awaited of the maker of indexes: that so many are made; 0 is nothing.
+// Awaits the maker of indexes until so many are made; 0 awaits nothing.
 using IndexTicket = std::uint64_t;
 
 class Indexing {

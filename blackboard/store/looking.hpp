@@ -28,7 +28,7 @@ class Looking {
 
   // Whether the bound allows of another fact, and what was compared so far.
   bool at_one_more() { return at_more(1); }
-  // What takes as long as so many facts.
+  // Counts work that takes as long as so many facts.
   bool at_more(std::size_t facts) {
     facts_ += facts;
     return is_allowed();

@@ -8,7 +8,7 @@ namespace pizarra::store {
 
 namespace {
 
-// By what comparison NAME with a value leaves of it.
+// Keeps the part of the range in which the comparison NAME with the value holds.
 void narrow(ValueRange& range, std::string_view name, const Datum& value) {
   if (name == "=" || name == ">" || name == ">=") range.begin_at(value, name != ">");
   if (name == "=" || name == "<" || name == "<=") range.end_at(value, name != "<");

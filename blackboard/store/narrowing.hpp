@@ -13,7 +13,7 @@
 
 namespace pizarra::store {
 
-// Which argument of the pattern the variable is, if any.
+// The argument of the pattern that is this variable, if any.
 std::optional<std::size_t> argument_of(const Datum& variable, const Datum& pattern);
 
 // By a comparison in which what is bound stands already. One that says nothing of an argument narrows nothing.

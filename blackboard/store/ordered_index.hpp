@@ -15,7 +15,7 @@
 
 namespace pizarra::store {
 
-// What an argument may be; without an end, anything on that side.
+// The range of an argument; without an end, anything on that side.
 struct ValueRange {
   std::size_t argument = 0;
   std::optional<Datum> from = {};

@@ -1,7 +1,7 @@
 #pragma once
 
-// Which tables a pattern or a query is about, and whether it fits them. Failures undeclared-relation, wrong-shape,
-// bad-query and too-large; not-permitted for what only the board says.
+// Finds the tables that a pattern or a query is about, and checks it against them. Failures undeclared-relation,
+// wrong-shape, bad-query and too-large; not-permitted for what only the board says.
 //
 //   Result<const FactTable*> table = table_for(pattern, tables);
 //   Result<void> checked = check_query_on(query, tables);

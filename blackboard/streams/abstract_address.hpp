@@ -16,7 +16,7 @@ class AbstractAddress {
  public:
   static constexpr std::size_t longest_name = sizeof(sockaddr_un::sun_path) - 1;
 
-  // What is longer is cut.
+  // A longer one is cut.
   explicit AbstractAddress(std::string_view name) : length_(std::min(name.size(), longest_name)) {
     address_.sun_family = AF_UNIX;
     // The name begins after a zero byte.

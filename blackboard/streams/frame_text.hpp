@@ -11,7 +11,7 @@
 
 namespace pizarra::streams {
 
-// What messages of the stream begin with.
+// The beginning of the stream's messages.
 inline std::string frame_topic(const std::string& stream) { return stream + ' '; }
 
 std::string frame_to_text(const std::string& stream, const StreamFrame& frame);

@@ -43,7 +43,7 @@ class WatchTable {
   // How many patterns of whose watches are about a relation.
   using Watchers = std::map<std::string, std::size_t, std::less<>>;
   const Watchers& watchers_of(std::string_view relation) const;
-  // What waits for each watcher.
+  // The changes that wait for each watcher.
   struct Load {
     std::size_t watches = 0;
     std::size_t changes = 0;

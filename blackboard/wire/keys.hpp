@@ -52,7 +52,7 @@ struct KeyPair {
   std::string secret_key;
 };
 
-// What a client of an encrypted board needs.
+// The keys that a client of an encrypted board needs.
 struct ClientKeys {
   KeyPair own;
   std::string board_key;

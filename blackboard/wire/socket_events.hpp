@@ -17,7 +17,7 @@ namespace pizarra::wire {
 
 class SocketEvents {
  public:
-  // What the value is, zmq_socket_monitor(3) says of each event.
+  // zmq_socket_monitor(3) says what the value of each event is.
   using Listener = std::function<void(std::uint16_t event, std::uint32_t value)>;
 
   SocketEvents(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, int which, Listener listener);

@@ -54,7 +54,7 @@ using SessionId = std::uint64_t;
 using RequestId = std::uint64_t;
 using WatchId = std::uint64_t;
 
-// What goes together in a frame: so many messages, and no more once it has so many bytes.
+// The messages that go together in a frame: so many messages, and no more once it has so many bytes.
 constexpr std::size_t most_messages = 64;
 constexpr std::size_t bytes_together = 64 << 10;
 

@@ -45,8 +45,8 @@ Result<Joints> inverse_in_place(const ArmModel& model, const ToolPose& pose, con
 // cannot leave the plane that axis 1 turns has the tool's direction turned into that plane.
 ToolPose nearest_attainable(const ArmModel& model, const ToolPose& pose, const Joints& near);
 
-// Which axis is beyond its limits or stops, if any, as a failure `joint-limit`, or `not-finite`, or `bad-joints` where
-// their number is not the arm's; the subject is the axis, from 1.
+// The axis that is beyond its limits or stops, if any, as a failure `joint-limit`, or `not-finite`, or `bad-joints`
+// where their number is not the arm's; the subject is the axis, from 1.
 Result<void> check_limits(const ArmModel& model, const Joints& joints);
 
 // The wrist centre as seen from axis 2, in the plane that the arm stretches in: d ahead, h above, mm.

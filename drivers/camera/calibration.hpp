@@ -67,7 +67,7 @@ struct StereoCalibration {
 // A failure reports every error of the file, each with a caret.
 Result<StereoCalibration> read_calibration(std::string_view text, const std::string& file);
 Result<StereoCalibration> read_calibration_file(const std::string& path);
-// What read_calibration() reads.
+// The text that read_calibration() reads.
 std::string write_calibration(const StereoCalibration& calibration);
 
 }  // namespace pizarra::camera

@@ -20,7 +20,7 @@ struct FitErrors {
   int width_px;
 };
 
-// What may be behind errors that are too large.
+// Likely causes of errors that are too large.
 inline constexpr std::string_view lens_cause =
     "Are all images of one camera at one zoom, and is the board flat and whole in each?";
 inline constexpr std::string_view pair_cause =

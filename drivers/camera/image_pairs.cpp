@@ -89,7 +89,7 @@ bool are_most(const ImagePairs& pairs, std::size_t left, std::size_t right) {
   return 2 * pairs.sides[0].size() > std::min(left, right);
 }
 
-// By what is equal of them.
+// Pairs the images whose numbers are equal.
 ImagePairs matched(const Side& left, const ByNumbers& right) {
   ImagePairs out;
   for (std::size_t i = 0; i < left.files.size(); ++i) {

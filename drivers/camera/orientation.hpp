@@ -1,6 +1,6 @@
 #pragma once
 
-// Which way up a photograph is, as cameras say it in Exif: the pixels lie as the sensor does.
+// The way up of a photograph, as cameras say it in Exif: the pixels lie as the sensor does.
 //
 //   const int orientation = orientation_in(exif);       // 1: as they lie
 //   turn_upright(image, orientation);

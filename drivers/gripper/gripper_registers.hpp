@@ -31,7 +31,7 @@ inline constexpr std::uint16_t arrived = 3;
 
 }  // namespace gripper
 
-// What a gripper is told, and what it tells.
+// The fields that a gripper is told, and those that it tells.
 inline std::array<forms::RegisterField, 5> orders_of(const forms::GripperSetup& setup) {
   return {setup.activate, setup.go, setup.target, setup.speed_field, setup.force_field};
 }

@@ -26,7 +26,7 @@ class DatagramWire {
   virtual ~DatagramWire() = default;
   virtual Task<Result<void>> open(Time deadline) = 0;
   virtual void close() = 0;
-  // To whom it was opened; of a device's port, to whoever sent what was received last.
+  // To the address that it was opened to; a device's port answers the newest sender.
   virtual Result<void> send(std::string_view datagram) = 0;
   virtual Task<Result<std::string>> receive(Time deadline) = 0;
   // Where a person finds the device: `192.168.0.3 port 10040`; empty where it is no place.

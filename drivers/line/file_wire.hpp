@@ -1,8 +1,8 @@
 #pragma once
 
 // The common part of all wires over a file descriptor. At most 64 KiB that nobody reads are kept; more breaks the
-// connection. What the line does not take is lost as a whole: of a message that it took a part of, write() fails, and
-// the rest goes before the next one.
+// connection. A message that the line does not take is lost as a whole. Where it took a part, write() fails, and the
+// rest goes before the next message.
 
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/byte_wire.hpp"
@@ -37,7 +37,7 @@ class FileWire : public ByteWire {
   WaitList arrived_;
 };
 
-// What errno says.
+// The text of errno.
 std::string system_error();
 
 }  // namespace pizarra::line

@@ -15,7 +15,7 @@
 
 namespace pizarra::line {
 
-// What both have in common.
+// The part that both have in common.
 class UdpSocket : public DatagramWire {
  public:
   ~UdpSocket() override { UdpSocket::close(); }

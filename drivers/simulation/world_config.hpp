@@ -25,7 +25,7 @@ enum class Mark : std::uint8_t { circle, square, cross, triangle };
 // "circle", "square", "cross", "triangle"; nothing for another word.
 std::optional<Mark> mark_from_name(std::string_view name);
 std::string_view mark_name(Mark mark);
-// What an object may be called: [A-Za-z][A-Za-z0-9-]*, at most 64 characters.
+// The form of an object's name: [A-Za-z][A-Za-z0-9-]*, at most 64 characters.
 bool valid_name(std::string_view name);
 
 inline constexpr double cube_mass_kg = 0.15;  // whatever its size

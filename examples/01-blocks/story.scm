@@ -1,4 +1,4 @@
-; What `pizarra demo` shows: a tower is built although a hand moves the block that the arm reaches for, and later knocks
+; The story of `pizarra demo`: a tower is built although a hand moves the block that the arm reaches for, and later knocks
 ; over what was built.
 (scenario "a tower of three, in spite of a hand"
   (cell "cell.scm")

@@ -38,7 +38,7 @@ Result<std::vector<GoalLiterals>> goal_alternatives(const std::vector<Datum>& go
 
 bool goal_holds(const std::vector<Datum>& goal, const std::set<Datum>& facts, const TypedObjects& objects);
 
-// What of the goal does not hold: its conjuncts, an `or` or a quantifier whole.
+// The parts of the goal that do not hold: its conjuncts, an `or` or a quantifier whole.
 std::vector<Datum> unmet_parts(const std::vector<Datum>& goal, const std::set<Datum>& facts,
                                const TypedObjects& objects);
 

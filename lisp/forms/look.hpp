@@ -14,7 +14,7 @@
 
 namespace pizarra::forms {
 
-// What a reply is understood by. Points and directions are lists (X Y Z), mm, in the base frame.
+// The situation in which a reply is understood. Points and directions are lists (X Y Z), mm, in the base frame.
 struct LookSituation {
   Datum camera;                   // (FOCAL CX CY BASE-LINE CENTRE ACROSS DOWN FORWARD)
   Datum hand;                     // (MARK OFFSET GRIP HALF-WIDTH BELOW MARK-HALF), GRIP () where it is not known

@@ -11,8 +11,8 @@
 
 namespace pizarra::forms {
 
-// What an executor can do: its primitives, those of them that take a target where others take an object, and the forms
-// of target that it knows.
+// The abilities of an executor: its primitives, those of them that take a target where others take an object, and the
+// forms of target that it knows.
 struct Motions {
   Arities primitives;
   std::vector<std::string> aimed;

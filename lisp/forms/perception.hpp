@@ -39,7 +39,7 @@ class Perception {
   std::optional<double> constant(std::string_view name) const;
   // In place of what the section says of a constant that it has.
   void set_constant(std::string_view name, double value);
-  // What always holds, such as (spot place-1 450 -200).
+  // Facts that always hold, such as (spot place-1 450 -200).
   const std::vector<Datum>& facts() const { return facts_; }
 
  private:

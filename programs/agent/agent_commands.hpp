@@ -10,7 +10,7 @@
 
 namespace pizarra::programs {
 
-// Which cameras of one's own a program opens, and how.
+// The real cameras that a program opens, and how.
 struct OwnCameras {
   std::function<bool(const forms::CameraSetup&)> opens;
   launcher::CameraMaker make;

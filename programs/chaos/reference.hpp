@@ -1,7 +1,7 @@
 #pragma once
 
-// What some runs came to, kept as a file, and what later code must not do worse with the same seeds: no more runs that
-// fail, are unsafe or hang, and every point of the coverage that they came to often.
+// The outcome of some runs, kept as a file. Later code must do no worse with the same seeds: no more runs fail, are
+// unsafe or hang, and every point of the coverage that they came to often is come to again.
 //
 //   Result<Reference> reference = read_reference("chaos-coverage.txt");
 //   for (const std::string& sentence : worse_than(*reference, reference_of(1, tally))) ...

@@ -15,7 +15,7 @@ namespace pizarra::programs {
 // Prints the failure to standard error and answers `code`.
 int complain(const Failure& failure, ExitCode code);
 
-// What ends a word's help: how it is typed, after `./pizarra`, and how it ends.
+// The end of a command's help: how it is typed, after `./pizarra`, and its exit status.
 std::string help_footer(std::string_view example, std::string_view exit_codes = exit_code_help);
 
 // As `--version` tells it.

@@ -18,7 +18,7 @@ Result<Moment> moment_from_text(const std::string& text, Time end);
 // `2026-11-21T12:30:00`, or `@12.500000` of a clock that begins at 0.
 std::string time_text(Time when);
 
-// What an option `--at` is given; an empty one names no moment.
+// The argument of an option `--at`; an empty one names no moment.
 CLI::Validator moment_check();
 
 }  // namespace pizarra::programs

@@ -32,7 +32,7 @@ struct BoardChoices {
 
 void add_board_options(CLI::App* word, BoardChoices& choices);
 
-// Where the board is, with which key one comes there, and whose it is where that runs here.
+// The board's address, the key to come with, and the cell that it belongs to where that runs here.
 struct Destination {
   std::string address;
   std::string key;
@@ -53,10 +53,10 @@ struct Manner {
   Preparation prepared = nullptr;
 };
 
-// Why the board is not to be had any more; nothing while it is.
+// Why the board cannot be reached any more; nothing while it can.
 using Loss = std::function<std::optional<Failure>()>;
 
-// What this process is called on a board: what it asks for and what it holds there are one client's.
+// The name of this process on a board: its requests and what it holds there are one client's.
 std::string prompt_name();
 
 class BoardSession {

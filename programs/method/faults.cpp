@@ -83,7 +83,7 @@ void find_unanswered(const Traffic& traffic, std::vector<Fault>& faults) {
   }
 }
 
-// By what was measured: a subscriber's share of the time, and what one more of them would add.
+// From the measured times: a subscriber's share, and the time that one more of them would add.
 void find_slow_pushes(const Traffic& traffic, std::vector<Fault>& faults) {
   double each_ms = 0;
   if (traffic.scales.size() > 1) {

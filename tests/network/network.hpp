@@ -43,7 +43,7 @@ class Network {
   std::vector<std::string> on(const std::string& host, const std::vector<std::string>& command) const;
   // Has the calling thread, and those that it starts from now on, be on that host's network.
   void enter(const std::string& host) const;
-  // Of what is started there from now on.
+  // For processes that are started there from now on.
   void put_clock_off(const std::string& host, std::chrono::seconds offset) { hosts_.at(host).clock_off = offset; }
   // `both`, `out` or `in` with conditions behind it; with veth none but `cut`, both ways.
   void link(const std::string& host, const std::string& conditions);

@@ -23,7 +23,7 @@ class Arm {
   // One robot operation. Failures: those of the robot, `absent` when it stays away too long, and `stopped` where
   // another robot stands in for the one that was moving.
   Task<Result<Datum>> ask(Datum operation);
-  // What the servo decided. A turn is taken back by the wrist, so that the fingers stay along the base's y.
+  // Carries out the servo's decision. A turn is taken back by the wrist, so that the fingers stay along the base's y.
   Task<Result<void>> perform(ServoCommand command);
   // Where the grip centre is, base frame, mm.
   Task<Result<Eigen::Vector3d>> grip_centre();

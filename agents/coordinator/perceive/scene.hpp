@@ -37,7 +37,8 @@ class Scene {
   // Whether all these objects were seen lately and lie still.
   bool still(const std::vector<std::string>& objects) const;
 
-  // What others say of themselves. While the head turns, or nobody knows how it stands, nothing can be placed.
+  // The facts that others tell of themselves. While the head turns, or nobody knows how it stands, nothing can be
+  // placed.
   void take_camera(const CameraModel& model);
   // Looks are placed again once the camera is known anew.
   void forget_camera();
@@ -48,7 +49,7 @@ class Scene {
   // Whether the next look can be placed: the camera's model and its head are known, and the head stands long enough for
   // no look under way to be older. Counts the looks that cannot.
   bool places_next_look();
-  // By which the next look is understood. There is a view.
+  // The situation in which the next look is understood. There is a view.
   forms::LookSituation situation() const;
   void take_look(std::int64_t frame, const forms::PerceivedLook& look);
 

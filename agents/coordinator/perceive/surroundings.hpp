@@ -24,7 +24,7 @@ class Surroundings {
                const runtime::Service& service, Story& story);
 
   void start();
-  // Whose facts are followed from now on: the agents that play these roles.
+  // Follows the facts of these agents from now on: they play the roles.
   void follow_eyes(const std::string& agent);
   void follow_robot(const std::string& agent);
 

@@ -31,8 +31,8 @@ class Planning {
   // The objects that are seen, and those that the domain says are always there, with their types. A goal quantifies
   // over these.
   forms::TypedObjects objects() const;
-  // From what is believed now. Failures: off-plan, where no end of the goal's plan serves; not-ready, where it has
-  // none; absent.
+  // From the beliefs of now. Failures: off-plan, where no end of the goal's plan serves; not-ready, where it has none;
+  // absent.
   Task<Result<NextOperation>> next(std::int64_t goal);
 
  private:

@@ -8,7 +8,7 @@
 // still serves, or the new plan. The goal is a durable fact, from which a new life of the coordinator goes on; the plan
 // is the planner's.
 //
-// What is wanted changes on the board first: a goal that the board refuses, as one whose disk is full does, changes
+// A wish changes on the board first: a goal that the board refuses, as one whose disk is full does, changes
 // nothing here.
 
 #include <map>

@@ -25,7 +25,7 @@ class RunningPlan {
   // The operations are those of a plan that was found with these operators.
   RunningPlan(std::int64_t number, std::vector<Datum> operations, const std::vector<PlanningOperator>& operators,
               const std::vector<Datum>& goals);
-  // From what facts() told. Failure bad-plan.
+  // The inverse of facts(). Failure bad-plan.
   static Result<RunningPlan> from_facts(const Datum& plan, const Datum& needs);
 
   // (plan NUMBER (OPERATION ...)) and (plan-needs NUMBER ((FACT ...) ...)), one list more than operations.

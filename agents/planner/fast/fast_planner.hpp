@@ -30,7 +30,7 @@ class FastPlanner : public PlanEngine {
   // Budget::nodes counts states whose distance is asked, and actions redone. The culprits of `none` are those that the
   // invariants name (impossible_goals.hpp), or all the goals.
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
-  // With what is known of the problem, which begins where the problem does.
+  // Uses the nearness that is known, which begins where the problem does.
   Outcome solve(const Problem& problem, Nearness& nearness, const Budget& budget,
                 const std::function<bool()>& cancelled);
   // Of a plan of the problem, what is needed, in as few actions as trying other orders gives. Neither beams nor proofs

@@ -37,7 +37,7 @@ class BackwardSearch {
   std::size_t nodes() const { return nodes_; }
   bool stopped() const { return cancelled_seen_ || !spent_.empty(); }
   bool cancelled() const { return cancelled_seen_; }
-  // Which bound was reached first; empty: none.
+  // The bound that was reached first; empty: none.
   const std::string& spent() const { return spent_; }
 
  private:

@@ -8,7 +8,7 @@
 //   landmarks.from(state);
 //   landmarks.of_fact(fact).test(2);        // no way to the fact without an action of kind 2
 //
-// What cannot be reached at all needs every kind.
+// A fact that cannot be reached at all needs every kind.
 
 #include <cstdint>
 #include <vector>
@@ -28,7 +28,7 @@ class RelaxedLandmarks {
   void from(const Bits& state);
   bool reached(std::size_t fact) const { return reached_[fact] != 0; }
   Bits of_fact(std::size_t fact) const;
-  // What all the actions need, their own kinds included; every kind where there is no action.
+  // The kinds that all the actions need, their own kinds included; every kind where there is no action.
   Bits of_all(const std::vector<std::uint32_t>& actions) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which of two aims suits a problem's size: the fewest parallel steps, proved, or a plan soon.
+// Chooses the aim that suits a problem's size: the fewest parallel steps, proved, or a plan soon.
 //
 //   if (mode_for(problem) == PlanMode::optimal) ...
 

@@ -85,7 +85,7 @@ using PlanSteps = std::vector<std::vector<Datum>>;
 // operation that cannot be done, the two that interfere, or the goal that is not reached as the subject.
 Result<void> validate_plan(const PlanningTask& task, const PlanSteps& steps);
 
-// What a valid plan costs: an action each where the task counts no cost.
+// The cost of a valid plan: one for each action where the task counts no cost.
 std::int64_t plan_cost(const PlanningTask& task, const PlanSteps& steps);
 
 }  // namespace pizarra::planner

@@ -54,7 +54,7 @@ class CameraFeed {
 
  private:
   Task<void> run();
-  // What the camera captures later than `after`.
+  // The first frame that the camera captures later than `after`.
   Task<void> capture(Time after);
   Task<void> change_to(State state, std::string trouble);
   void keep(const camera::StereoFrame& frame);

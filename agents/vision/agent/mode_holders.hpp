@@ -1,6 +1,6 @@
 #pragma once
 
-// Which clients hold which modes of the eyes. Each connects, and tracks objects, for itself: what one ends goes on for
+// The clients that hold each mode of the eyes. Each connects, and tracks objects, for itself: what one ends goes on for
 // the others, and whoever dies lets go of what it held. Of whoever is not present on the board nobody knows when it
 // dies: what such clients hold, they hold as one, and only for a time.
 //

@@ -10,7 +10,7 @@
 namespace pizarra::vision {
 namespace {
 
-// Of who asks, and of what is asked about: all strings are names of objects.
+// Checks the names of the client and of the objects: all strings are names of objects.
 Result<void> check_names(const Fact& request) {
   Result<void> good = ModeHolders::check_client(request.teller);
   for (const Datum& argument : request.datum[3].items()) {

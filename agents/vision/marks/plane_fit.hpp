@@ -40,7 +40,7 @@ struct PlaneFit {
   cv::Matx22d slope_at(const cv::Vec2d& plane) const;
 };
 
-// By what the two reaches say, the seen one turned by so many of Reach::turns.
+// The map between the two reaches, the seen one turned by so many of Reach::turns.
 cv::Matx33d affine_start(const Reach& seen, const Reach& learned, int turn);
 
 // Nothing where fewer than half of the edges are there.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which learned object a seen mark is: the one it matches with no more doubt than noise makes, and clearly better than
+// Finds the learned object that a seen mark is: it matches with no more doubt than noise makes, and clearly better than
 // every other.
 //
 //   const Likeness likely = likeness(mark, objects, *objects.find("circle"));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which objects have other names now, all at once, so that two that exchange their names stay two.
+// The objects that have other names now, all at once, so that two that exchange their names stay two.
 //
 //   name_now(renames, "circle");                      // "disc"
 

@@ -105,7 +105,7 @@ class Session:
     def turn(self, seconds: float = 0.0) -> None:
         """Receives what has come, waiting that long for it, and says what is due."""
         self.check_open()
-        # Who does not listen cannot say that the board is silent.
+        # A client that does not listen cannot say that the board is silent.
         self._heard += max(0.0, time.monotonic() - self._listened - self.LISTENS)
         self._tick()
         if seconds > 0:

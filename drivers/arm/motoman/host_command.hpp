@@ -33,7 +33,7 @@ struct HostCommand {
 // Numbers between commas, blanks and line ends around them. None where one is no finite number, or there are over 64.
 std::optional<std::vector<double>> numbers_in(std::string_view text);
 
-// What carries commands to a controller, one after another.
+// Carries commands to a controller, one after another.
 class HostLine {
  public:
   virtual ~HostLine() = default;

@@ -83,7 +83,8 @@ std::string write_point(const SimplePoint& point, line::ByteOrder order);
 Result<SimplePoint> read_point(std::string_view data, line::ByteOrder order);
 std::string write_status(const SimpleStatus& status, line::ByteOrder order);
 Result<SimpleStatus> read_status(std::string_view data, line::ByteOrder order);
-// What keeps the arm from moving but `motion_possible`. Failure: not-in-control; an error's code is its subject.
+// The reason for which the arm cannot move, beside `motion_possible`. Failure: not-in-control; an error's code is its
+// subject.
 Result<void> check_status(const SimpleStatus& status);
 
 // An axis' reading, degrees or mm, and the joint that it is on the wire, radians or metres; `sign` is of angles.

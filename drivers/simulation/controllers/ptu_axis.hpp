@@ -29,7 +29,7 @@ class PtuAxis {
   void go_to_stop(bool high);
   // Whether it runs against a stop, and will stand there.
   bool hits_stop() const { return hits_stop_; }
-  // What it counts from now on is true.
+  // Its counts are true from now on.
   void calibrate() { offset_ = 0; }
   // Stands at once and counts from here.
   void lose_power();

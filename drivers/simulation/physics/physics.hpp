@@ -64,7 +64,7 @@ class Physics {
   // One joint at a time.
   void hold(KinematicId body, CubeId cube);
   void let_go();
-  // What the joint carried in the last step; 0 where nothing is held.
+  // The load on the joint in the last step; 0 where nothing is held.
   double hold_force_n() const;
 
   void step();

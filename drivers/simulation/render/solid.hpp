@@ -1,6 +1,6 @@
 #pragma once
 
-// What is drawn: convex solids with flat faces, and convex decals painted on them.
+// The things that are drawn: convex solids with flat faces, and convex decals painted on them.
 //
 //   Solid cube = make_box(pose, {0, 0, 0}, {30, 30, 30}, white);
 //   paint_mark(cube.faces[0], centre, up, Mark::circle, 1, black, id);

@@ -37,7 +37,7 @@
             ((pizarra agent-words) kind posts rule conclude loop operation
              tell retract ask for-all call pause fail say text now me))))
 
-;; What a macro means is found by its variable; procedures are copied, so that `set!` changes none for others.
+;; The meaning of a macro is found by its variable; procedures are copied, so that `set!` changes none for others.
 (define (add-binding! target name variable)
   (if (macro? (variable-ref variable))
       (module-add! target name variable)
@@ -91,7 +91,7 @@
          (cons 'error values))
         (else (list 'error 'scheme-error (sentence-of key values)))))
 
-;; What THUNK answers, or (error SYMBOL SENTENCE).
+;; The answer of THUNK, or (error SYMBOL SENTENCE).
 (define (bounded limits thunk)
   (catch #t
     (lambda () (call-with-time-and-allocation-limits (limit-seconds limits) (limit-bytes limits) thunk))
@@ -205,7 +205,7 @@
         (hash-set! (program-waiting program) number (cons part continuation))
         (list 'asks (effects-of run) number form))))
 
-;; Of what the program keeps from run to run: an error where it is more than it may be.
+;; An error where the program keeps more memory from run to run than it may.
 (define (memory-failure program)
   (let ((most (+ (program-heap program) (limit-bytes (program-limits program)))))
     (and (> (bytes-held) most)

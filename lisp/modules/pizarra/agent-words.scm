@@ -211,7 +211,7 @@
 (define-syntax-rule (retract pattern ...)
   (begin (add-step! (list 'retract (board-form pattern))) ... (if #f #f)))
 
-;; What the host answers: (ok VALUE) or (fail SYMBOL "sentence").
+;; The host's answer: (ok VALUE) or (fail SYMBOL "sentence").
 (define (question . form)
   (when (loading) (error "this may stand where something runs, not at the top of the file:" (car form)))
   (in-run (car form))

@@ -92,7 +92,7 @@
         sense
         (begin (complain! (section-in found 'sense) 'malformed "the sense is 1 or -1") 1))))
 
-;; What only some axes have.
+;; The parts that only some axes have.
 (define (allowed-in role structure)
   (append '(limits speed sense zero pulses-per-turn)
           (if (and (memq structure '(articulated polar)) (memq role '(elbow pitch))) '(from stops) '())

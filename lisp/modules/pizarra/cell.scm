@@ -232,7 +232,7 @@
              (complain! node 'unknown-agent "there is no agent ~a~a" name
                         (suggestion name (append known-kinds added)))))))
 
-;; What a named host has: (KEY AGENT-NODE ...), KEY the file of the secret with which it comes to a board elsewhere.
+;; The parts of a named host: (KEY AGENT-NODE ...), KEY the file of the secret with which it comes to a board elsewhere.
 (define (things-of-host host)
   (let* ((found (sections (drop (node-items host) 2) '(agents key)))
          (agents (section-in found 'agents)))
@@ -357,7 +357,7 @@
                       span))))
     (if room (map span-of '(x y z)) '())))
 
-;; What an arm's section holds after its name.
+;; The parts of an arm's section after its name.
 (define (parts-of arm known)
   (let ((rest (node-rest arm)))
     (sections (if (pair? rest) (cdr rest) '()) known)))

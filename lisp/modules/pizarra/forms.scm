@@ -1,4 +1,4 @@
-;; What every interpreter of a person's text stands on.
+;; The tools of every interpreter of a person's text.
 ;;
 ;; A node is a datum that knows its path (indices from the top of the text) and its context (what it stands in). An
 ;; interpreter walks nodes, complains about those that are wrong, and goes on, so that one reading reports everything:
@@ -47,7 +47,7 @@
           (list 'ok value)
           (cons 'errors (stable-sort found (lambda (a b) (path<? (third a) (third b)))))))))
 
-;; What (interpreter ROOT) returns, whatever it complains about: as much as can be made of a text that is wrong.
+;; The result of (interpreter ROOT), whatever it complains about: as much as can be made of a text that is wrong.
 (define (guessing data interpreter)
   (parameterize ((complaints '()) (complaint-count 0))
     (interpreter (make-node data '() '()))))

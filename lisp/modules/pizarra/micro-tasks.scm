@@ -58,7 +58,7 @@
                     (append problems found)))))
       (list (problem 'malformed "a micro-tasks section is (micro-tasks TASK ...)" '() '()))))
 
-;; What steps may call: (NAME ARITY KINDS), a kind for each argument: `object`, or `target` where that may stand too.
+;; The tasks that steps may call: (NAME ARITY KINDS), a kind for each argument: `object`, or `target` where one may stand.
 (define (known-primitives primitives aimed)
   (map (lambda (primitive)
          (let ((name (first primitive)) (arity (second primitive)))

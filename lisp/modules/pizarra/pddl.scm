@@ -1,4 +1,4 @@
-;; What PDDL's domain and problem files have in common: typed lists, atoms and conditions, over a vocabulary of types,
+;; The parts that PDDL's domain and problem files share: typed lists, atoms and conditions, over a vocabulary of types,
 ;; predicates, functions and objects. (pizarra pddl-domain) and (pizarra pddl-problem) are the two languages.
 ;;
 ;; Names come in lower case, as the reader hands them on. A type that is not known is #f, fits everywhere, and has been
@@ -206,7 +206,7 @@
         (and (every identity terms) (cons tag terms)))
       (complain! node 'malformed "an equality is written (= A B)")))
 
-;; What the literals so tagged say, each once.
+;; The facts of the literals so tagged, each once.
 (define (literals-of literals tag)
   (let ((seen (make-hash-table)))
     (filter-map (lambda (literal)

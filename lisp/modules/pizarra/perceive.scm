@@ -219,7 +219,7 @@
          #f)))
     (reverse found)))
 
-;; What APPLY answers, or (fail too-much-work SENTENCE HEAD).
+;; The answer of APPLY, or (fail too-much-work SENTENCE HEAD).
 (define (within-bounds head apply)
   (let/ec leave
     (set! give-up

@@ -41,7 +41,7 @@
             (handed-on found 'perception)
             (handed-on found 'micro-tasks))))
 
-;; What stands in a section that may be missing.
+;; The items of a section that may be missing.
 (define (nodes-in found name)
   (let ((section (section-in found name)))
     (if section

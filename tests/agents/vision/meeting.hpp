@@ -91,7 +91,7 @@ class Meeting {
 
   double depth_mm() const { return mark_mm * model.focal_px / size_px; }
   double disparity_px() const { return model.focal_px * model.base_line_mm / depth_mm(); }
-  // Of what both images show, in the left one.
+  // The middle, in the left image, of the area that both images show.
   cv::Point2d middle() const { return {model.centre_x_px + disparity_px() / 2, model.centre_y_px}; }
   double px_a_frame() {
     if (way == Way::mark_quickly) return random.uniform(2, 12);

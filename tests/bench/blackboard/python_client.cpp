@@ -50,7 +50,7 @@ double facts_per_second(Client& client) {
   return batch * batches / seconds_of([&] { client.run(tell_batches(client.board())); });
 }
 
-// What the script measures in a process of its own.
+// The figure that the script measures in a process of its own.
 double measured_in_python(const std::string& address, const std::string& client, const std::string& what) {
   const std::string script = source_dir() + "/tests/bench/blackboard/python_client.py";
   Child python = Child::program({"/usr/bin/python3", "-B", script, address, client, what, std::to_string(trips),

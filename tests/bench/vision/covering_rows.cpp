@@ -14,7 +14,7 @@ namespace {
 constexpr double wrong_px = 2;
 constexpr double surely = 0.9;
 constexpr double surely_wrong_px = 1;
-// Of what is told surely.
+// The most wrong ones among those that are told surely.
 constexpr double most_wrong_percent = 100.0 / 300;
 constexpr double tag_mm = 44;
 constexpr int frames_before = 5;

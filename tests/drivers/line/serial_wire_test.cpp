@@ -27,7 +27,7 @@ TEST(SerialWire, AParityThatAPseudoTerminalCannotHaveDoesNotKeepItClosed) {
   }
 }
 
-// Who reads late finds whole messages, however many were lost.
+// A late reader finds whole messages, however many were lost.
 TEST(SerialWire, OfAMessageThatIsCutTheRestGoesBeforeTheNext) {
   RealExecutor executor;
   const auto device = PtyWire::make(executor);

@@ -60,7 +60,7 @@ class ArmCabinet {
   Refusal reset();
   // Refused as a move is.
   Task<Refusal> grip(double opening_mm);
-  // What its encoders say; where nobody knows, it has an alarm and says what it said last.
+  // The reading of its encoders; where nobody knows, it has an alarm and says what it said last.
   Task<arm::ArmReading> read();
 
   const arm::ArmModel& model() const { return model_; }

@@ -35,7 +35,7 @@ class HsesEmulator {
   std::string answer_about_files(std::string_view datagram);
 
  private:
-  // What a request comes to: data, or why not.
+  // The outcome of a request: data, or why not.
   struct Outcome {
     std::uint16_t refusal = 0;
     std::string data = {};

@@ -104,7 +104,7 @@ std::string HsesFiles::send(const Message& message, const std::string& text) {
 }
 
 std::string HsesFiles::next_block(const Message& message) {
-  // Who says an acknowledgement again has not had what was said to it.
+  // A client that repeats an acknowledgement has not had the answer to it.
   const std::uint32_t acknowledged = message.block & ~last_block_bit;
   if (left_ > 0 && acknowledged == left_ - 1) return last_said_;
   const bool next = !leaving_.empty() && acknowledged == left_;
