@@ -30,12 +30,17 @@ Outline outline_of(const std::string& mark) {
   return out;
 }
 
-class Painter {
- public:
-  Painter(cv::Mat& canvas, const camera::StereoModel& model, bool right)
-      : canvas_(canvas), model_(model), right_(right) {}
+struct Patch {
+  Outline outline;  // px from the image's left upper corner
+  int level = 0;
+};
 
-  void fill(const SceneFace& face, const Outline& outline, int turns, int level) {
+// The patches of a scene as one camera sees them, later ones over earlier ones.
+class Projection {
+ public:
+  Projection(const camera::StereoModel& model, bool right) : model_(model), right_(right) {}
+
+  void add(const SceneFace& face, const Outline& outline, int turns, int level) {
     const double yaw = face.yaw_deg * CV_PI / 180;
     const double pitch = face.pitch_deg * CV_PI / 180;
     Outline seen;
@@ -47,14 +52,24 @@ class Painter {
       // Pixel (0, 0) covers -0.5 to 0.5.
       seen.push_back(project(model_, point, right_) + cv::Point2d(0.5, 0.5));
     }
-    fill(seen, level);
+    patches_.push_back({std::move(seen), level});
   }
-  void fill(const SceneBlot& blot) {
+  void add(const SceneBlot& blot) {
     const cv::Point2d half(blot.box.width / 2, blot.box.height / 2);
     const cv::Point2d moved(right_ ? blot.disparity_px : 0, 0);
     Outline seen = turned(box(-half.x, -half.y, half.x, half.y), blot.turn_deg);
     for (cv::Point2d& p : seen) p += blot.box.tl() + half - moved;
-    fill(seen, blot.level);
+    patches_.push_back({std::move(seen), blot.level});
+  }
+  // Only the pixels that a patch touches are drawn finely: a scene is mostly ground.
+  cv::Mat1b painted(int ground) const {
+    cv::Mat1b image(model_.height, model_.width, static_cast<std::uint8_t>(ground));
+    const cv::Rect touched = touched_pixels();
+    if (touched.empty()) return image;
+    cv::Mat1b fine(touched.height * oversampling, touched.width * oversampling, static_cast<std::uint8_t>(ground));
+    for (const Patch& patch : patches_) fill(fine, patch, touched.tl());
+    cv::resize(fine, image(touched), touched.size(), 0, 0, cv::INTER_AREA);
+    return image;
   }
 
  private:
@@ -66,45 +81,52 @@ class Painter {
     }
     return out;
   }
-  // From the image's left upper corner, px.
-  void fill(const Outline& outline, int level) {
-    if (outline.empty()) return;
+  cv::Rect touched_pixels() const {
+    cv::Rect out;
+    for (const Patch& patch : patches_) {
+      for (const cv::Point2d& p : patch.outline) {
+        out |= cv::Rect(static_cast<int>(std::floor(p.x)) - 1, static_cast<int>(std::floor(p.y)) - 1, 3, 3);
+      }
+    }
+    return out & cv::Rect(0, 0, model_.width, model_.height);
+  }
+  static void fill(cv::Mat1b& fine, const Patch& patch, cv::Point2d from) {
+    if (patch.outline.empty()) return;
     std::vector<cv::Point> polygon;
     // fillPoly takes 1/16 px here and covers sample centres.
-    for (const cv::Point2d& p : outline) {
+    for (const cv::Point2d& at : patch.outline) {
+      const cv::Point2d p = at - from;
       polygon.emplace_back(static_cast<int>(std::lround((p.x * oversampling - 0.5) * 16)),
                            static_cast<int>(std::lround((p.y * oversampling - 0.5) * 16)));
     }
-    cv::fillPoly(canvas_, std::vector<std::vector<cv::Point>>{polygon}, level, cv::LINE_8, 4);
+    cv::fillPoly(fine, std::vector<std::vector<cv::Point>>{polygon}, patch.level, cv::LINE_8, 4);
   }
 
-  cv::Mat& canvas_;
   const camera::StereoModel& model_;
   bool right_;
+  std::vector<Patch> patches_;
 };
 
 std::shared_ptr<const Image> draw(const Scene& scene, const camera::StereoModel& model, bool right, Random& random) {
-  cv::Mat canvas(model.height * oversampling, model.width * oversampling, CV_8UC1, scene.ground);
-  Painter painter(canvas, model, right);
+  Projection projection(model, right);
   for (const SceneFace& face : scene.faces) {
     const bool plate = face.mark == "plate";
-    painter.fill(face, plate ? box(-29, -34, 29, 22) : box(-30, -30, 30, 30), 0, plate ? 45 : 225);
-    painter.fill(face, outline_of(face.mark), face.quarter_turns, plate ? 225 : 25);
+    projection.add(face, plate ? box(-29, -34, 29, 22) : box(-30, -30, 30, 30), 0, plate ? 45 : 225);
+    projection.add(face, outline_of(face.mark), face.quarter_turns, plate ? 225 : 25);
   }
-  for (const SceneBlot& blot : scene.blots) painter.fill(blot);
-  cv::Mat small;
-  cv::resize(canvas, small, {model.width, model.height}, 0, 0, cv::INTER_AREA);
+  for (const SceneBlot& blot : scene.blots) projection.add(blot);
   cv::Mat1f light;
-  small.convertTo(light, CV_32F);
+  projection.painted(scene.ground).convertTo(light, CV_32F);
   if (scene.blur_px > 0) cv::GaussianBlur(light, light, {7, 7}, scene.blur_px);
+  const cv::Mat1d noise =
+      scene.noise > 0 ? normal_image(light.size(), scene.noise, random) : cv::Mat1d(light.size(), 0.0);
   auto image = std::make_shared<Image>();
   image->width = model.width;
   image->height = model.height;
   image->pixels.reserve(static_cast<std::size_t>(model.width * model.height));
   for (int y = 0; y < model.height; ++y) {
     for (int x = 0; x < model.width; ++x) {
-      const double value =
-          light(y, x) * (1 - scene.gradient * x / model.width) + (scene.noise > 0 ? scene.noise * random.normal() : 0);
+      const double value = light(y, x) * (1 - scene.gradient * x / model.width) + noise(y, x);
       image->pixels.push_back(cv::saturate_cast<std::uint8_t>(value));
     }
   }
@@ -112,6 +134,25 @@ std::shared_ptr<const Image> draw(const Scene& scene, const camera::StereoModel&
 }
 
 }  // namespace
+
+// Random::normal() for all pixels at once.
+cv::Mat1d normal_image(cv::Size size, double spread, Random& random) {
+  cv::Mat1d radius(size);
+  cv::Mat1d turn(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      radius(y, x) = 1 - random.uniform(0, 1);
+      turn(y, x) = 2 * CV_PI * random.uniform(0, 1);
+    }
+  }
+  cv::log(radius, radius);
+  radius *= -2 * spread * spread;
+  cv::sqrt(radius, radius);
+  cv::Mat1d out;
+  cv::Mat1d unused;
+  cv::polarToCart(radius, turn, out, unused);
+  return out;
+}
 
 cv::Point2d project(const camera::StereoModel& model, const cv::Point3d& point, bool right) {
   const double offset_mm = (right ? -0.5 : 0.5) * model.base_line_mm;
