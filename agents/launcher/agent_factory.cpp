@@ -188,11 +188,17 @@ std::vector<std::string> named_agents(const forms::CellDescription& description)
   return kinds;
 }
 
-bool has_arm_plugin(const forms::CellDescription& description) { return description.arm_line.protocol == "plugin"; }
+DevicePlugin plugin_of(const std::string& agent, const forms::CellDescription& description) {
+  const std::string kind = kind_of_agent(agent);
+  if (kind == "robot" && description.arm_line.protocol == "plugin") return {"arm", description.arm_line.places.front()};
+  if (kind == "vision" && description.eyes.is_plugin()) return {"camera", description.eyes.plugin};
+  return {};
+}
 
 bool needs_world(const std::string& agent, const forms::CellDescription& description) {
   const std::string kind = kind_of_agent(agent);
-  if (kind == "robot") return description.arm_line.protocol.empty() || has_arm_plugin(description);
+  if (!plugin_of(kind, description).library.empty()) return true;
+  if (kind == "robot") return description.arm_line.protocol.empty();
   if (kind == "slave") return description.slave && description.slave->line.protocol.empty();
   if (kind == "pan-tilt") return description.pan_tilt.kind.empty();
   if (kind == "vision") return description.eyes.is_simulated();
@@ -248,7 +254,7 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtim
   }
   if (kind == "vision") {
     std::unique_ptr<camera::StereoCamera> camera;
-    if (description.eyes.is_simulated()) {
+    if (description.eyes.is_simulated() || description.eyes.is_plugin()) {
       camera = std::make_unique<simulation::SimulatedCamera>(context.executor, link);
     } else if (own_cameras) {
       camera = own_cameras(context.executor, description.eyes);

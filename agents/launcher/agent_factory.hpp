@@ -31,8 +31,12 @@ std::vector<std::string> named_agents(const forms::CellDescription& description)
 // Whether the agent has a device in the simulated world, which is reached over its socket, on this machine alone.
 bool needs_world(const std::string& agent, const forms::CellDescription& description);
 
-// Whether the arm's driver is a plug-in, whose process the robot agent reaches as it would the simulated world.
-bool has_arm_plugin(const forms::CellDescription& description);
+// The plug-in that drives the agent's device, whose process the agent reaches as it would the simulated world.
+struct DevicePlugin {
+  std::string device;   // arm or camera
+  std::string library;  // its file's name; empty: there is none
+};
+DevicePlugin plugin_of(const std::string& agent, const forms::CellDescription& description);
 
 // The simulated world of the cell, checked. Failures: bad-cell, and those of the arm file.
 Result<simulation::WorldConfig> world_config(const forms::CellDescription& description, std::uint64_t seed);

@@ -25,8 +25,10 @@ LocalCell::~LocalCell() = default;
 
 Result<void> LocalCell::start(const std::string& kind, const std::string& host) {
   if (agents_.contains(kind)) return fail("already-running", fmt::format("the {} agent runs already", kind));
-  if (kind == "robot" && has_arm_plugin(description_)) {
-    return fail("no-plugin", "the arm's plug-in has a process of its own: ./pizarra up runs it", Datum::symbol(kind));
+  if (const DevicePlugin plugin = plugin_of(kind, description_); !plugin.library.empty()) {
+    const std::string sentence =
+        fmt::format("the {}'s plug-in has a process of its own: ./pizarra up runs it", plugin.device);
+    return fail("no-plugin", sentence, Datum::symbol(kind));
   }
   auto running = std::make_unique<Running>();
   running->view = board_.view(kind);

@@ -5,7 +5,7 @@
 //   class MyCamera : public pizarra::plugin::Camera { ... };
 //   PIZARRA_CAMERA_PLUGIN(MyCamera)
 //
-// `pizarra-plugin camera LIBRARY --listen ADDRESS` serves it. No word of a cell file does so yet.
+// `(camera (plugin "libmycamera.so"))` in a cell file has the eyes look through it.
 
 #include <cstdint>
 #include <vector>
@@ -36,8 +36,9 @@ struct CameraPair {
 class Camera {
  public:
   virtual ~Camera() = default;
+  // Again after a failure, too.
   virtual CameraModel open() = 0;
-  // The next pair, waiting for it for a second at most.
+  // The next pair, taken after this was called, waiting for it for a second at most.
   virtual CameraPair next(bool colour) = 0;
 };
 

@@ -6,6 +6,7 @@
 //           (calibration "pair.calibration"))
 //   (camera (side-by-side (video "film.avi")) (focal 520) (base-line 60))    ; rectified already
 //   (camera (single (images "shots/*.jpg")) (rate 10) (learned-at 600))      ; one camera alone
+//   (camera (plugin "libmycamera.so"))                                       ; drivers/plugin/camera_plugin.hpp
 //
 // A source is a (device N) or (device "/dev/video0"), a (video "FILE"), an image sequence (images "FOLDER") or
 // (images "PATTERN"), a (stream "URL"), or a (pipeline "ELEMENT ! ... ! appsink") of GStreamer. drivers/camera/ reads
@@ -25,9 +26,10 @@ struct CameraSource {
 };
 
 struct CameraSetup {
-  enum class Arrangement : std::uint8_t { simulated, single, side_by_side, pair };
+  enum class Arrangement : std::uint8_t { simulated, single, side_by_side, pair, plugin };
   Arrangement arrangement = Arrangement::simulated;
-  std::vector<CameraSource> sources = {};  // two for a pair, the left one first; one otherwise
+  std::vector<CameraSource> sources = {};  // two for a pair, the left one first; none of a plug-in; one otherwise
+  std::string plugin = {};                 // the plug-in's file; what stands below it says by itself
   // Of one image; 0: as it comes. One that comes otherwise is an error.
   int width = 0;
   int height = 0;
@@ -42,6 +44,7 @@ struct CameraSetup {
   double learned_at_mm = 0;  // one camera alone: how far away objects are while they are learned
 
   bool is_simulated() const { return arrangement == Arrangement::simulated; }
+  bool is_plugin() const { return arrangement == Arrangement::plugin; }
 };
 
 }  // namespace pizarra::forms

@@ -79,6 +79,11 @@ CameraSetup eyes_from_datum(const Datum& datum, const std::string& file) {
   using enum CameraSetup::Arrangement;
   if (datum.size() == 0) return {};
   CameraSetup eyes;
+  if (datum[0].is_symbol("plugin")) {
+    eyes.arrangement = plugin;
+    eyes.plugin = datum[1][0][1].text();
+    return eyes;
+  }
   eyes.arrangement = datum[0].is_symbol("pair") ? pair : datum[0].is_symbol("single") ? single : side_by_side;
   for (const Datum& source : datum[1].items()) eyes.sources.push_back(camera_source_from_datum(source, file));
   eyes.width = static_cast<int>(datum[2][0].integer());

@@ -58,7 +58,7 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const O
   const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
   const bool own_eyes = launcher::kind_of_agent(choices.kind) == "vision" && !cell->eyes.is_simulated();
-  if (own_eyes && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
+  if (own_eyes && !cell->eyes.is_plugin() && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
   if (choices.world.empty() && launcher::needs_world(choices.kind, *cell)) {
     const Failure none{
         "no-world", fmt::format("{}'s device is simulated in this cell: --world says where", choices.kind), {}, {}};

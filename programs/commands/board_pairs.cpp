@@ -107,6 +107,9 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const forms::CameraSe
   if (eyes.is_simulated()) {
     return fail("no-camera", "the cell has no cameras of its own: (camera (single ...)) or (camera (pair ...))");
   }
+  if (eyes.is_plugin()) {
+    return fail("no-camera", "a camera's plug-in tells its geometry by itself, and is not calibrated here");
+  }
   auto pairs = std::make_unique<CameraPairs>(eyes);
   const Result<void> opened = pairs->open();
   if (!opened) return fail(opened);

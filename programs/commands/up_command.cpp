@@ -96,7 +96,7 @@ class Up {
   Result<void> find_world();
   Result<void> start_console(const std::string& cell);
   Result<void> start(const std::string& name, std::vector<std::string> command);
-  Result<void> start_plugin();
+  Result<void> start_plugins();
   std::string device_address(const std::string& kind) const;
   Result<void> start_scheme_agent(const forms::CellSchemeAgent& agent);
   void on_process(const launcher::ProcessEvent& event);
@@ -124,18 +124,21 @@ Result<void> Up::start(const std::string& name, std::vector<std::string> command
 
 // Where the agent's device is, where that is not on a line of its own.
 std::string Up::device_address(const std::string& kind) const {
-  if (launcher::kind_of_agent(kind) == "robot" && launcher::has_arm_plugin(cell_))
-    return "ipc://" + directory_.file("arm-plugin.ipc");
-  return world_address_;
+  const launcher::DevicePlugin plugin = launcher::plugin_of(kind, cell_);
+  return plugin.library.empty() ? world_address_
+                                : fmt::format("ipc://{}", directory_.file(plugin.device + "-plugin.ipc"));
 }
 
-// It runs where the robot agent does.
-Result<void> Up::start_plugin() {
-  const bool here =
-      std::ranges::count(host_.agents, "robot", launcher::kind_of_agent) > 0 && launcher::has_arm_plugin(cell_);
-  if (!here) return {};
-  return start("arm-plugin", {beside_this_program("pizarra-plugin"), "arm", cell_.arm_line.places.front(), "--listen",
-                              device_address("robot")});
+// Each runs where the agent of its device does.
+Result<void> Up::start_plugins() {
+  for (const std::string kind : {"robot", "vision"}) {
+    const launcher::DevicePlugin plugin = launcher::plugin_of(kind, cell_);
+    if (plugin.library.empty() || std::ranges::count(host_.agents, kind, launcher::kind_of_agent) == 0) continue;
+    const Result<void> started = start(plugin.device + "-plugin", {beside_this_program("pizarra-plugin"), plugin.device,
+                                                                   plugin.library, "--listen", device_address(kind)});
+    if (!started) return started;
+  }
+  return {};
 }
 
 // An agent with a key of its own joins with it at the address that asks for keys, also on the board's own host.
@@ -212,8 +215,8 @@ Result<void> Up::start_all() {
     const Result<void> world = start("world", {program, "world", cell, "--listen", world_address_, "--seed", seed});
     if (!world) return world;
   }
-  const Result<void> plugin = start_plugin();
-  if (!plugin) return plugin;
+  const Result<void> plugins = start_plugins();
+  if (!plugins) return plugins;
   for (const std::string& kind : host_.agents) {
     if (const forms::CellSchemeAgent* scheme = forms::scheme_agent_called(cell_, kind)) {
       const Result<void> agent = start_scheme_agent(*scheme);

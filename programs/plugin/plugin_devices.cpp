@@ -73,21 +73,19 @@ class CameraDevice : public PluginDevice {
  private:
   Result<Message> answer(const Datum& request) override {
     if (!request.is_form("camera") || request.size() < 2) return odd_request(request);
-    if (request[1].is_symbol("open")) {
-      model_ = camera_->open();
-      return Message{list(model_.width, model_.height, model_.focal_px, model_.centre_x_px, model_.centre_y_px,
-                          model_.base_line_mm)};
-    }
+    if (request[1].is_symbol("open")) return open();
     if (!request[1].is_symbol("next") || request.size() != 4) return odd_request(request);
+    // A process that began anew has opened nothing yet.
+    if (!model_) return fail("disconnected", "the plug-in's camera is not open");
     plugin::CameraPair pair = camera_->next(request[3].is_symbol("colour"));
     const int channels = request[3].is_symbol("colour") ? 3 : 1;
     Message message{list(pair.number, executor_.now().time_since_epoch().count())};
     for (plugin::Pixels* pixels : {&pair.left, &pair.right}) {
       Image image;
-      image.width = model_.width;
-      image.height = model_.height;
+      image.width = model_->width;
+      image.height = model_->height;
       image.channels = channels;
-      const std::size_t size = static_cast<std::size_t>(model_.width) * static_cast<std::size_t>(model_.height) *
+      const std::size_t size = static_cast<std::size_t>(model_->width) * static_cast<std::size_t>(model_->height) *
                                static_cast<std::size_t>(channels);
       if (pixels->size() != size) return fail("corrupt-frame", "the plug-in's image is not as large as it said");
       image.pixels = std::move(*pixels);
@@ -96,9 +94,23 @@ class CameraDevice : public PluginDevice {
     return message;
   }
 
+  Result<Message> open() {
+    model_.reset();
+    const plugin::CameraModel model = camera_->open();
+    const auto fits = [](int pixels) { return pixels >= 64 && pixels <= 8192; };
+    const bool numbers = std::isfinite(model.focal_px) && std::isfinite(model.centre_x_px) &&
+                         std::isfinite(model.centre_y_px) && std::isfinite(model.base_line_mm);
+    if (!fits(model.width) || !fits(model.height) || !numbers || model.focal_px <= 0 || model.base_line_mm < 0) {
+      return fail("disconnected", "the plug-in's camera told a size or a geometry that no camera has");
+    }
+    model_ = model;
+    return Message{
+        list(model.width, model.height, model.focal_px, model.centre_x_px, model.centre_y_px, model.base_line_mm)};
+  }
+
   std::unique_ptr<plugin::Camera> camera_;
   Executor& executor_;
-  plugin::CameraModel model_;
+  std::optional<plugin::CameraModel> model_;  // none: not open
 };
 
 }  // namespace

@@ -2,11 +2,12 @@
 ;;
 ;; (camera-of-section NODE), NODE the section (camera ARRANGEMENT OPTION ...) of a cell file, answers
 ;;   (ARRANGEMENT ((KIND WHERE) ...) (WIDTH HEIGHT) RATE EXPOSURE TONES SKEW CALIBRATION FOCAL BASE-LINE LEARNED-AT)
-;; ARRANGEMENT being single, side-by-side or pair; KIND device, video, images, stream or pipeline; 0 and "" stand for
+;; ARRANGEMENT being single, side-by-side or pair, or plugin, whose one source is (plugin FILE); KIND device, video, images, stream or pipeline; 0 and "" stand for
 ;; what is left to the device; TONES is grey or colour.
 
 (define-module (pizarra camera)
   #:use-module (srfi srfi-1)
+  #:use-module (pizarra driver)
   #:use-module (pizarra forms)
   #:export (camera-of-section))
 
@@ -45,7 +46,7 @@
          (given (node-rest node)))
     (cond ((not arrangement)
            (complain! node 'unknown-name
-                      "the cameras are (single SOURCE), (side-by-side SOURCE) or (pair LEFT RIGHT)~a"
+                      "the cameras are (single SOURCE), (side-by-side SOURCE), (pair LEFT RIGHT) or (plugin FILE)~a"
                       (suggestion head arrangements)))
           ((not (= (length given) wanted))
            (complain! node 'malformed "(~a ...) takes ~a" arrangement
@@ -101,12 +102,11 @@
       (complain! node 'malformed
                  "two cameras need (calibration FILE), or, already rectified, (focal PX) and (base-line MM)"))))
 
-(define (camera-of-section section)
-  (let* ((node (node-within section "in the camera"))
-         (arrangement (if (pair? (node-rest node))
+(define (camera-of-sources node)
+  (let* ((arrangement (if (pair? (node-rest node))
                           (arrangement-of (first (node-rest node)))
                           (complain! node 'malformed
-                                     "the cameras are (single SOURCE), (side-by-side SOURCE) or (pair LEFT RIGHT)")))
+                                     "the cameras are (single SOURCE), (side-by-side SOURCE), (pair LEFT RIGHT) or (plugin FILE)")))
          (found (if (pair? (node-rest node)) (sections (cdr (node-rest node)) options) '())))
     (when arrangement
       (check-settings (first arrangement) (second arrangement) found)
@@ -121,3 +121,17 @@
                   (one-in found 'focal 10 100000)
                   (one-in found 'base-line 1 10000)
                   (one-in found 'learned-at 50 100000)))))
+
+;; A plug-in says by itself how large its images are and what their pixels mean.
+(define (camera-of-plugin node)
+  (let ((file (plugin-at (node-ref node 1))))
+    (when (> (length (node-items node)) 2)
+      (complain! (node-ref node 2) 'malformed "a camera's plug-in says all of itself: nothing follows it"))
+    (list 'plugin (list (list 'plugin (or file ""))) '(0 0) 0 0 'colour 0 "" 0 0 0)))
+
+(define (camera-of-section section)
+  (let* ((node (node-within section "in the camera"))
+         (rest (node-rest node)))
+    (if (and (pair? rest) (eq? (node-head (first rest)) 'plugin))
+        (camera-of-plugin node)
+        (camera-of-sources node))))

@@ -334,14 +334,6 @@
           (driver (driver-of-section driver protocols))
           (else '()))))
 
-;; The file of a plug-in, which has no folder: those that plug-ins may lie in are the machine's.
-(define (plugin-at node)
-  (let ((file (string-at node 1 "the plug-in's file")))
-    (and file
-         (if (string-index file #\/)
-             (complain! (node-ref node 1) 'malformed "a plug-in is named by its file's name alone, such as libmyarm.so")
-             file))))
-
 (define (gripper-of found)
   (let ((gripper (section-in found 'gripper)))
     (if gripper (gripper-of-section gripper) '())))

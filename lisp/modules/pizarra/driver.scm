@@ -3,11 +3,13 @@
 ;; (driver-of-section NODE PROTOCOLS), NODE the section (driver PROTOCOL PLACE ... PORT ...), answers
 ;;   (PROTOCOL (PLACE ...) (PORT ...)), or ()
 ;; PROTOCOLS being ((PROTOCOL (WHAT-PLACE-IS ...) (PORT-OTHERWISE ...)) ...).
+;; (plugin-at NODE), NODE the section (plugin "FILE"), answers the file of a plug-in, or #f. It has no folder: those that
+;; plug-ins may lie in are the machine's.
 
 (define-module (pizarra driver)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (driver-of-section))
+  #:export (driver-of-section plugin-at))
 
 (define (driver-of-section node protocols)
   (let* ((name (choice-at node 1 "the protocol" (map first protocols)))
@@ -28,3 +30,12 @@
               (list name places
                     (append (map node-datum given) (list-tail ports (min (length ports) (length given)))))
               '())))))
+
+(define (plugin-at node)
+  (let ((file (string-at node 1 "the plug-in's file")))
+    (cond ((not file) #f)
+          ((string-index file #\/)
+           (complain! (node-ref node 1) 'malformed "a plug-in is named by its file's name alone, such as libmyarm.so"))
+          ((> (length (node-items node)) 2)
+           (complain! (node-ref node 2) 'malformed "a plug-in is one file"))
+          (else file))))
