@@ -61,7 +61,7 @@ Task<void> RunningProgram::follow_rule(const forms::ProgramPart& rule) {
     const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(condition);
     if (watch) {
       const Result<void> ended = co_await follow_watch(rule, **watch, fired);
-      // The board is away, or refuses: asked again until it has it.
+      // The board is away, or refuses, or does not know what is concluded: asked again until it does.
     }
     co_await sleep(context_.executor, retry_pause);
   }
@@ -71,13 +71,20 @@ Task<Result<void>> RunningProgram::follow_watch(const forms::ProgramPart& rule, 
   while (true) {
     const Result<Change> change = co_await watch.next();
     if (!change) co_return fail(change);
+    std::optional<Failure> undeclared;
     for (const Answer& answer : change->added) {
       const bool known = fired.contains(ids_of(answer));
       if (known) continue;
       // What went wrong with it was told.
       const Result<void> done = co_await fire(rule, answer, fired);
+      const bool again = !done && rule.sort == forms::ProgramPart::Sort::conclusion;
+      if (!again || done.error().symbol != "undeclared-relation") continue;
+      fired.erase(ids_of(answer));
+      undeclared = done.error();
     }
     const Result<void> forgotten = co_await forget_gone(*change, fired);
+    // The next watch begins with all that holds, and so with what is not concluded yet.
+    if (undeclared) co_return fail(*undeclared);
   }
 }
 
@@ -93,6 +100,7 @@ Task<Result<void>> RunningProgram::fire(const forms::ProgramPart& rule, Answer a
   if (rule.sort != forms::ProgramPart::Sort::conclusion) co_return {};
   holds = performed->told;
   stage_->hold(holds);
+  co_await stage_->take_back_fault(rule.name);
   co_return {};
 }
 

@@ -3,7 +3,8 @@
 // A loaded program at work: its rules follow the board and fire, its loops go round, its operations are answered.
 //
 // A rule fires once for each answer to its condition that comes to hold, one after another; an answer that ceases to
-// hold and comes again fires again. A conclusion's facts stand while some answer holds them.
+// hold and comes again fires again. A conclusion's facts stand while some answer holds them; where nobody has declared
+// their relation yet, it is tried again until somebody has.
 //
 //   RunningProgram running(context, stage);      // begins at once
 //   Result<Datum> answer = co_await RunningProgram::answer(stage, operation);

@@ -167,11 +167,21 @@ Task<Result<Performed>> Stage::carry_through(std::shared_ptr<Stage> stage, std::
 Task<void> Stage::tell_fault(std::string part, Failure failure) {
   std::string text = failure.sentence;
   if (off_.contains(part)) text += "; it is off until the file is saved again";
+  // It stands on the board, and in the log; who fails again and again in the same way fills neither.
+  std::string& told_before = faults_[part];
+  if (std::exchange(told_before, text) == text) co_return;
   log_(fmt::format("{}: {}", part, text));
   Transaction fault;
   fault.tell(list("program-fault"_sym, Datum::symbol(context_.name), Datum::symbol(part), text), {}, lease_);
   // Of a board that does not take it, the log speaks alone.
   [[maybe_unused]] const Result<Revision> told = co_await commit(std::move(fault));
+}
+
+Task<void> Stage::take_back_fault(std::string part) {
+  if (faults_.erase(part) == 0) co_return;
+  Transaction well;
+  well.retract(list("program-fault"_sym, Datum::symbol(context_.name), Datum::symbol(part), "?"_sym));
+  [[maybe_unused]] const Result<Revision> told = co_await commit(std::move(well));
 }
 
 Task<Result<Performed>> Stage::perform(std::shared_ptr<Stage> stage, std::string part, Datum bindings,

@@ -40,6 +40,8 @@ class Stage {
   // Tells the facts that the file wants told once it is loaded, and its rules.
   Task<Result<void>> introduce();
 
+  // What was told to be wrong with a part that is well now.
+  Task<void> take_back_fault(std::string part);
   // Facts that a conclusion holds: each stands while somebody holds it.
   void hold(const std::vector<Datum>& facts);
   Task<Result<void>> let_go(std::vector<Datum> facts);
@@ -70,6 +72,7 @@ class Stage {
   Log log_;
   std::set<std::string, std::less<>> durable_;
   std::set<std::string> off_;
+  std::map<std::string, std::string> faults_;  // by part, as told last
   std::map<std::string, FactId> rule_facts_;
   std::map<Datum, int> held_;
   std::optional<Failure> broken_;

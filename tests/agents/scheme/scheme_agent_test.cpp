@@ -2,6 +2,7 @@
 
 #include "agents/scheme/scheme_agent.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -245,6 +246,26 @@ TEST_F(SchemeFile, FollowsRelationsThatAreDeclaredLater) {
   tell("(later here)");
   executor.run_for(1s);
   EXPECT_EQ(fact("(belt ?)"), "(belt here)");
+}
+
+TEST_F(SchemeFile, AConclusionIsToldOnceItsRelationIsDeclared) {
+  start("(conclude busy (barrier ?b blocked) (occupied ?b))");
+  tell("(barrier exit blocked)");
+  tell("(barrier door blocked)");
+  executor.run_for(10s);
+  EXPECT_NE(fact("(program-fault conveyor busy ?)").find("occupied"), std::string::npos);
+  // It is tried again and again, and said once for each.
+  EXPECT_LE(std::ranges::count(said, '\n'), 3) << said;
+  // What has ceased meanwhile is not told.
+  tell("(barrier door free)");
+  declare("(relation occupied ((where symbol)))");
+  executor.run_for(2s);
+  EXPECT_EQ(fact("(occupied ?)"), "(occupied exit)");
+  EXPECT_EQ(fact("(program-fault ? ? ?)"), "0 facts");
+  tell("(barrier door blocked)");
+  EXPECT_EQ(facts("(occupied ?)").size(), 2u);
+  retract("(barrier ? ?)");
+  EXPECT_EQ(fact("(occupied ?)"), "0 facts");
 }
 
 }  // namespace
