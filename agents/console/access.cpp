@@ -1,34 +1,13 @@
 #include "agents/console/access.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
-#include <stdexcept>
-#include <sys/random.h>
+
+#include "blackboard/wire/tokens.hpp"
 
 namespace pizarra::console {
 
 namespace {
-
-constexpr std::size_t secret_bytes = 32;
-
-std::string random_secret() {
-  std::array<unsigned char, secret_bytes> bytes;
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("no random numbers to be had");
-  }
-  std::string out;
-  for (const unsigned char byte : bytes) out += fmt::format("{:02x}", byte);
-  return out;
-}
-
-// In a time that does not tell how much of it is right.
-bool same_secret(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  unsigned char differing = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) differing |= static_cast<unsigned char>(a[i] ^ b[i]);
-  return differing == 0;
-}
 
 std::string_view trimmed(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
@@ -49,41 +28,59 @@ std::string_view cookie_in(std::string_view header, std::string_view name) {
 
 }  // namespace
 
-Access::Access(int port) : port_(port), token_(random_secret()), reading_token_(random_secret()) {}
+Access::Access(Door door)
+    : door_(std::move(door)), token_(wire::random_secret()), reading_token_(wire::random_secret()) {}
 
+// A browser leaves out the port that its scheme has.
 bool Access::is_own_host(std::string_view host) const {
-  return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
+  constexpr int https_port = 443;
+  return std::ranges::any_of(door_.hosts, [&](const std::string& own) {
+    return host == fmt::format("{}:{}", own, door_.port) || (door_.secure && door_.port == https_port && host == own);
+  });
 }
 
 bool Access::is_own_origin(std::string_view origin, std::string_view host) const {
-  return is_own_host(host) && origin == fmt::format("http://{}", host);
+  return is_own_host(host) && origin == fmt::format("{}://{}", door_.secure ? "https" : "http", host);
 }
 
-bool Access::may_read(std::string_view token) const { return same_secret(token, reading_token_); }
+bool Access::may_read(std::string_view token) const { return wire::is_same_secret(token, reading_token_); }
 
-std::string Access::cookie_name() const { return fmt::format("pizarra-console-{}", port_); }
+std::string Access::cookie_name() const { return fmt::format("pizarra-console-{}", door_.port); }
+
+// The key whose token it is, no key's name where it is that of the start; nothing: it is wrong.
+std::optional<std::string> Access::key_of(std::string_view token) const {
+  if (!door_.tokens.empty()) return wire::key_of_token(door_.tokens, token);
+  return wire::is_same_secret(token, token_) ? std::optional<std::string>("") : std::nullopt;
+}
 
 std::optional<std::string> Access::exchange(std::string_view token, Time now) {
-  if (!same_secret(token, token_)) return std::nullopt;
-  token_ = random_secret();
+  const std::optional<std::string> key = key_of(token);
+  if (!key) return std::nullopt;
+  token_ = wire::random_secret();
   forget_ended(now);
   if (sessions_.size() >= max_sessions) {
-    sessions_.erase(std::ranges::min_element(sessions_, {}, [](const auto& session) { return session.second; }));
+    const auto ends = [](const auto& session) { return session.second.admitted.until; };
+    sessions_.erase(std::ranges::min_element(sessions_, {}, ends));
   }
-  return sessions_.emplace(random_secret(), now + session_length).first->first;
+  const Session session{{now + session_length, *key}, std::string(door_.tokens.empty() ? "" : token)};
+  return sessions_.emplace(wire::random_secret(), session).first->first;
 }
 
-std::optional<Time> Access::admitted(std::string_view cookies, Time now) {
+std::optional<Access::Admitted> Access::admitted(std::string_view cookies, Time now) {
   forget_ended(now);
   const std::string_view shown = cookie_in(cookies, cookie_name());
-  for (const auto& [secret, until] : sessions_) {
-    if (same_secret(shown, secret)) return until;
+  for (const auto& [secret, session] : sessions_) {
+    if (!wire::is_same_secret(shown, secret)) continue;
+    const bool taken_away = !session.token.empty() && !wire::key_of_token(door_.tokens, session.token);
+    return taken_away ? std::nullopt : std::optional(session.admitted);
   }
   return std::nullopt;
 }
 
+void Access::forget(std::string_view cookies) { sessions_.erase(std::string(cookie_in(cookies, cookie_name()))); }
+
 void Access::forget_ended(Time now) {
-  std::erase_if(sessions_, [now](const auto& session) { return session.second <= now; });
+  std::erase_if(sessions_, [now](const auto& session) { return session.second.admitted.until <= now; });
 }
 
 }  // namespace pizarra::console

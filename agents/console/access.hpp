@@ -1,17 +1,19 @@
 #pragma once
 
-// Access to the console. A random token, printed where the console was started, is exchanged once for a cookie; another
-// token takes its place, for another browser. A request that a foreign page makes a browser send is refused by its Host
-// and Origin, whatever cookie comes with it.
+// Access to the console. On loopback a random token, printed where the console was started, is exchanged once for a
+// cookie; another token takes its place, for another browser. At any other address it is the token of a key, and the
+// session is that key's, until it ends or the token is taken away. A request that a foreign page makes a browser send
+// is refused by its Host and Origin, whatever cookie comes with it.
 //
-//   Access access(port);
+//   Access access({.port = port});
 //   const std::optional<std::string> cookie = access.exchange(token, now);       // nothing: a wrong token
-//   const std::optional<Time> until = access.admitted(cookie_header, now);       // nothing: no session of ours
+//   const auto session = access.admitted(cookie_header, now);                    // nothing: no session of ours
 
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "blackboard/time/clock.hpp"
 
@@ -23,9 +25,21 @@ class Access {
   // The one that ends first goes for a newcomer.
   static constexpr std::size_t max_sessions = 16;
 
-  explicit Access(int port);
+  // Where browsers come, and as what.
+  struct Door {
+    int port = 0;
+    bool secure = false;
+    std::vector<std::string> hosts{"127.0.0.1", "localhost"};
+    std::string tokens = {};  // the folder of keys' tokens; none: the token of this start
+  };
+  struct Admitted {
+    Time until;
+    std::string key;  // whose the session is; empty: the console's own
+  };
 
-  // Loopback under this port, and nothing else: a name that somebody had resolve to loopback is none of ours.
+  explicit Access(Door door);
+
+  // One of our hosts under our port, and nothing else: a name that somebody had resolve to us is none of ours.
   bool is_own_host(std::string_view host) const;
   // The page that `host` served.
   bool is_own_origin(std::string_view origin, std::string_view host) const;
@@ -33,8 +47,10 @@ class Access {
   const std::string& token() const { return token_; }
   // The cookie's value.
   std::optional<std::string> exchange(std::string_view token, Time now);
-  // Until when the session lasts to which a Cookie header belongs.
-  std::optional<Time> admitted(std::string_view cookies, Time now);
+  // The session to which a Cookie header belongs.
+  std::optional<Admitted> admitted(std::string_view cookies, Time now);
+  // It ends.
+  void forget(std::string_view cookies);
   // A viewer that only reads shows another token, again and again, for as long as the console lasts.
   const std::string& reading_token() const { return reading_token_; }
   bool may_read(std::string_view token) const;
@@ -42,12 +58,17 @@ class Access {
   std::string cookie_name() const;
 
  private:
+  struct Session {
+    Admitted admitted;
+    std::string token;  // of a key
+  };
+  std::optional<std::string> key_of(std::string_view token) const;
   void forget_ended(Time now);
 
-  int port_;
+  const Door door_;
   std::string token_;
   const std::string reading_token_;
-  std::map<std::string, Time> sessions_;
+  std::map<std::string, Session, std::less<>> sessions_;
 };
 
 }  // namespace pizarra::console

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace pizarra::console {
 
@@ -16,12 +17,12 @@ HttpAnswer plain(unsigned status, std::string sentence) {
 }
 
 // The page's content policy. A page of another origin, or a fact that is shown, can make the browser do nothing.
-std::string content_policy(int port) {
+std::string content_policy(const std::vector<std::string>& sockets) {
   return fmt::format(
       "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
-      "connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; base-uri 'none'; form-action 'none'; "
+      "connect-src 'self' {}; base-uri 'none'; form-action 'none'; "
       "frame-ancestors 'none'; require-trusted-types-for 'script'; trusted-types 'none'",
-      port);
+      fmt::join(sockets, " "));
 }
 
 bool asks_for_web_socket(const HttpRequest& request) {
@@ -40,14 +41,21 @@ HttpAnswer web_socket_answer(const HttpRequest& request) {
 Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   Result<PageFiles> page = PageFiles::read(setup.page_folder);
   if (!page) return fail(page);
-  const int port = setup.port;
+  HttpServer::Place place{.port = setup.port};
+  Access::Door door;
+  if (setup.abroad) {
+    const Abroad& abroad = *setup.abroad;
+    place = {abroad.address, setup.port, abroad.certificate, abroad.certificate_key};
+    door = {.secure = true, .hosts = abroad.hosts, .tokens = abroad.tokens};
+  }
   std::unique_ptr<Console> console(new Console(std::move(setup), std::move(*page)));
   Console* self = console.get();
-  auto server = HttpServer::listen(self->setup_.executor, port,
+  auto server = HttpServer::listen(self->setup_.executor, place,
                                    [self](const HttpRequest& request) { return self->answer(request); });
   if (!server) return fail(server);
   console->server_ = std::move(*server);
-  console->access_ = std::make_unique<Access>(console->server_->port());
+  door.port = console->server_->port();
+  console->access_ = std::make_unique<Access>(std::move(door));
   const Result<void> kept = console->keep_pictures();
   if (!kept) return fail(kept);
   return console;
@@ -63,7 +71,7 @@ Console::~Console() = default;
 
 Result<void> Console::keep_pictures() {
   if (setup_.pictures == nullptr) return {};
-  Result<std::unique_ptr<Board>> board = setup_.board(setup_.name + "-pictures");
+  Result<std::unique_ptr<Board>> board = setup_.board(setup_.name + "-pictures", "");
   if (!board) return fail(board);
   const auto trouble = [this](const Failure& failure) {
     if (setup_.trouble) setup_.trouble(failure);
@@ -75,11 +83,16 @@ Result<void> Console::keep_pictures() {
 
 // Behind the #, so that no log and no other server ever sees it.
 std::string Console::address() const {
-  return fmt::format("http://127.0.0.1:{}/#{}", server_->port(), access_->token());
+  if (setup_.abroad) return fmt::format("https://{}/", host());
+  return fmt::format("http://{}/#{}", host(), access_->token());
+}
+
+std::string Console::host() const {
+  return fmt::format("{}:{}", setup_.abroad ? setup_.abroad->hosts.front() : "127.0.0.1", server_->port());
 }
 
 std::string Console::foxglove_address() const {
-  return fmt::format("ws://127.0.0.1:{}/foxglove?token={}", server_->port(), access_->reading_token());
+  return fmt::format("{}://{}/foxglove?token={}", setup_.abroad ? "wss" : "ws", host(), access_->reading_token());
 }
 
 Task<void> Console::close() {
@@ -112,20 +125,29 @@ HttpAnswer Console::exchange(const HttpRequest& request) {
   if (!cookie) return plain(403, "this token is wrong, or has been used");
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Access::session_length).count();
   HttpAnswer answer{.status = 204};
-  answer.headers.emplace_back("Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/socket; Max-Age={}",
-                                                        access_->cookie_name(), *cookie, seconds));
-  if (setup_.next_address) setup_.next_address(address());
+  answer.headers.emplace_back(
+      "Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/socket; Max-Age={}{}", access_->cookie_name(),
+                                *cookie, seconds, setup_.abroad ? "; Secure" : ""));
+  if (setup_.next_address && !setup_.abroad) setup_.next_address(address());
   return answer;
 }
 
+// The cookie is sent to /socket alone.
+HttpAnswer Console::log_out(const HttpRequest& request) {
+  if (request.origin.empty()) return plain(403, "only the page may log out");
+  access_->forget(request.cookies);
+  return {.status = 204};
+}
+
 HttpAnswer Console::open_page(const HttpRequest& request) {
-  const std::optional<Time> until = access_->admitted(request.cookies, setup_.executor.now());
-  if (!until) return plain(403, "no session: open the address that the console printed");
+  if (request.method == "DELETE") return log_out(request);
+  const std::optional<Access::Admitted> session = access_->admitted(request.cookies, setup_.executor.now());
+  if (!session) return plain(403, "no session: open the address that the console printed");
   if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
   if (request.origin.empty()) return plain(403, "only the page may connect");
   if (sessions_.size() >= max_pages) return plain(503, "too many pages are open");
   HttpAnswer answer = web_socket_answer(request);
-  answer.upgraded = [this, until = *until](UpgradedSocket socket) { admit(std::move(socket), until); };
+  answer.upgraded = [this, session = *session](UpgradedSocket socket) { admit(std::move(socket), session); };
   return answer;
 }
 
@@ -150,7 +172,7 @@ void Console::admit_viewer(UpgradedSocket socket) {
   if (viewers_.size() >= max_viewers) return;
   const int number = next_page_++;
   const std::string name = fmt::format("{}-{}", setup_.name, number);
-  Result<std::unique_ptr<Board>> board = setup_.board(name);
+  Result<std::unique_ptr<Board>> board = setup_.board(name, "");
   if (!board) return;
   const auto ended = [this, number, alive = std::weak_ptr(alive_)] {
     if (!alive.expired()) viewers_.erase(number);
@@ -159,11 +181,13 @@ void Console::admit_viewer(UpgradedSocket socket) {
   viewers_.emplace(number, std::make_unique<FoxgloveSession>(std::move(setup), std::move(socket)));
 }
 
-void Console::admit(UpgradedSocket socket, Time until) {
+void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
   if (sessions_.size() >= max_pages) return;
   const int number = next_page_++;
-  const std::string name = fmt::format("{}-{}", setup_.name, number);
-  Result<std::unique_ptr<Board>> board = setup_.board(name);
+  // As a board calls one that comes with that key.
+  const std::string prefix = session.key.empty() ? std::string() : session.key + "/";
+  const std::string name = fmt::format("{}{}-{}", prefix, setup_.name, number);
+  Result<std::unique_ptr<Board>> board = setup_.board(name, session.key);
   // The page sees the connection end, and tries again.
   if (!board) return;
   const auto ended = [this, number, alive = std::weak_ptr(alive_)] {
@@ -171,13 +195,19 @@ void Console::admit(UpgradedSocket socket, Time until) {
     sessions_.erase(number);
     if (sessions_.empty()) emptied_.set();
   };
-  Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), until, ended, setup_.pictures};
+  Session::Setup setup{setup_.executor,   images_,       setup_.cell, name,
+                       std::move(*board), session.until, ended,       setup_.pictures};
   sessions_.emplace(number, std::make_unique<Session>(std::move(setup), std::move(socket)));
 }
 
 HttpAnswer Console::with_headers(HttpAnswer answer) const {
+  std::vector<std::string> sockets;
+  const std::vector<std::string> loopback{"127.0.0.1", "localhost"};
+  for (const std::string& each : setup_.abroad ? setup_.abroad->hosts : loopback) {
+    sockets.push_back(fmt::format("{}://{}:{}", setup_.abroad ? "wss" : "ws", each, server_->port()));
+  }
   const std::pair<std::string, std::string> headers[] = {
-      {"Content-Security-Policy", content_policy(server_->port())},
+      {"Content-Security-Policy", content_policy(sockets)},
       {"X-Content-Type-Options", "nosniff"},
       {"X-Frame-Options", "DENY"},
       {"Referrer-Policy", "no-referrer"},

@@ -1,8 +1,8 @@
 #pragma once
 
-// The console: the cell in a browser. A server on loopback gives the page to anyone who asks for it by the right name.
-// It shows the board only to a browser that has exchanged a token for a cookie (access.hpp). Each page has a board
-// session of its own (session.hpp).
+// The console: the cell in a browser. A server on loopback, or elsewhere with TLS, gives the page to anyone who asks
+// for it by the right name. It shows the board only to a browser that has exchanged a token for a cookie (access.hpp).
+// Each page has a board session of its own (session.hpp).
 //
 //   Result<std::unique_ptr<Console>> console = Console::open({.executor = executor, .streams = streams, ...});
 //   print((*console)->address());                  // http://127.0.0.1:40213/#TOKEN
@@ -34,9 +34,17 @@ class Console {
   static constexpr std::size_t max_pages = 16;
   static constexpr std::size_t max_viewers = 8;
 
-  // A session with the board under a name of its own.
-  using BoardMaker = std::function<Result<std::unique_ptr<Board>>(const std::string& name)>;
+  // A session with the board under a name of its own, as the key of that name may; no key's name: the console's own.
+  using BoardMaker = std::function<Result<std::unique_ptr<Board>>(const std::string& name, const std::string& key)>;
 
+  // For browsers of other machines: by TLS alone, with the token of a key.
+  struct Abroad {
+    std::string address;             // to listen at
+    std::vector<std::string> hosts;  // by which browsers may call it; the first is printed
+    std::string certificate;         // both as PEM
+    std::string certificate_key;
+    std::string tokens;  // the folder of keys and their tokens (blackboard/wire/tokens.hpp)
+  };
   struct Foxglove {
     std::vector<std::string> origins;  // https://app.foxglove.dev
   };
@@ -50,6 +58,7 @@ class Console {
     std::string name;         // pages are called NAME-1, NAME-2 ... on the board
     std::string page_folder;  // of what page/build.mjs made
     int port = 0;
+    std::optional<Abroad> abroad = std::nullopt;
     std::function<void(const std::string& address)> next_address = nullptr;  // the last one has been used
     std::optional<Foxglove> foxglove = std::nullopt;
     PictureStore* pictures = nullptr;                       // what the eyes see is kept there; it outlives the console
@@ -77,7 +86,9 @@ class Console {
   HttpAnswer exchange(const HttpRequest& request);
   HttpAnswer open_page(const HttpRequest& request);
   HttpAnswer open_viewer(const HttpRequest& request);
-  void admit(UpgradedSocket socket, Time until);
+  HttpAnswer log_out(const HttpRequest& request);
+  std::string host() const;
+  void admit(UpgradedSocket socket, const Access::Admitted& session);
   void admit_viewer(UpgradedSocket socket);
   HttpAnswer with_headers(HttpAnswer answer) const;
 

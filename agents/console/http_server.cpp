@@ -9,6 +9,8 @@
 #include <netinet/in.h>
 #include <optional>
 
+#include "lisp/outside_text.hpp"
+
 namespace pizarra::console {
 
 namespace {
@@ -16,6 +18,7 @@ namespace {
 constexpr unsigned max_connections = 64;
 constexpr unsigned silence_seconds = 10;
 constexpr std::size_t head_bytes = 16 << 10;
+constexpr const char* tls_versions = "SECURE128:-VERS-TLS-ALL:+VERS-TLS1.3:+VERS-TLS1.2";
 
 std::string value_of(MHD_Connection* connection, MHD_ValueKind kind, const char* name) {
   const char* value = MHD_lookup_connection_value(connection, kind, name);
@@ -101,22 +104,35 @@ struct HttpServer::Callbacks {
   static void log(void*, const char*, va_list) {}
 };
 
-Result<std::unique_ptr<HttpServer>> HttpServer::listen(Executor& executor, int port, Handler handler) {
+Result<std::unique_ptr<HttpServer>> HttpServer::listen(Executor& executor, const Place& place, Handler handler) {
   std::unique_ptr<HttpServer> server(new HttpServer(executor, std::move(handler)));
+  const auto port = static_cast<std::uint16_t>(place.port);
   sockaddr_in address{};
   address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(port);
+  if (inet_pton(AF_INET, place.address.c_str(), &address.sin_addr) != 1) {
+    return fail("cannot-listen", fmt::format("{} is no IPv4 address", text_of_bytes(place.address)));
+  }
+  const bool secure = !place.certificate.empty();
+  std::vector<MHD_OptionItem> tls;
+  if (secure) {
+    tls = {{MHD_OPTION_HTTPS_MEM_CERT, 0, const_cast<char*>(place.certificate.c_str())},
+           {MHD_OPTION_HTTPS_MEM_KEY, 0, const_cast<char*>(place.certificate_key.c_str())},
+           {MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(tls_versions)}};
+  }
+  tls.push_back({MHD_OPTION_END, 0, nullptr});
+  const unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_UPGRADE | MHD_USE_ERROR_LOG | (secure ? MHD_USE_TLS : MHD_NO_FLAG);
   errno = 0;
   server->daemon_ =
-      MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_UPGRADE | MHD_USE_ERROR_LOG, static_cast<std::uint16_t>(port), nullptr,
-                       nullptr, &Callbacks::handle, server.get(), MHD_OPTION_EXTERNAL_LOGGER, &Callbacks::log, nullptr,
-                       MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_COMPLETED, &Callbacks::completed, nullptr,
-                       MHD_OPTION_CONNECTION_LIMIT, max_connections, MHD_OPTION_CONNECTION_TIMEOUT, silence_seconds,
-                       MHD_OPTION_CONNECTION_MEMORY_LIMIT, head_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_END);
+      MHD_start_daemon(flags, port, nullptr, nullptr, &Callbacks::handle, server.get(), MHD_OPTION_EXTERNAL_LOGGER,
+                       &Callbacks::log, nullptr, MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_COMPLETED,
+                       &Callbacks::completed, nullptr, MHD_OPTION_CONNECTION_LIMIT, max_connections,
+                       MHD_OPTION_CONNECTION_TIMEOUT, silence_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT, head_bytes,
+                       MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_ARRAY, tls.data(), MHD_OPTION_END);
   if (server->daemon_ == nullptr) {
-    const std::string why = errno == 0 ? "it is refused" : std::strerror(errno);
-    return fail("cannot-listen", fmt::format("cannot listen on port {} of this host: {}", port, why));
+    const char* refused = secure ? "it is refused, or the certificate and its key are no such pair" : "it is refused";
+    const std::string why = errno == 0 ? refused : std::strerror(errno);
+    return fail("cannot-listen", fmt::format("cannot listen on port {} of {}: {}", port, place.address, why));
   }
   server->port_ = MHD_get_daemon_info(server->daemon_, MHD_DAEMON_INFO_BIND_PORT)->port;
   server->file_ = MHD_get_daemon_info(server->daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd;

@@ -1,9 +1,9 @@
 #pragma once
 
-// HTTP on loopback, and the sockets of connections that leave HTTP: libmicrohttpd on the executor, by its epoll
-// descriptor.
+// HTTP on loopback, or with TLS where it is told to, and the sockets of connections that leave HTTP: libmicrohttpd on
+// the executor, by its epoll descriptor.
 //
-//   auto server = HttpServer::listen(executor, 0, [](const HttpRequest& request) {
+//   auto server = HttpServer::listen(executor, {}, [](const HttpRequest& request) {
 //     return HttpAnswer{.status = 200, .type = "text/plain", .body = "hello"};
 //   });
 //   (*server)->port();
@@ -75,8 +75,16 @@ class HttpServer {
  public:
   using Handler = std::function<HttpAnswer(const HttpRequest&)>;
 
-  // Port 0 is any that is free. Failure: cannot-listen.
-  static Result<std::unique_ptr<HttpServer>> listen(Executor& executor, int port, Handler handler);
+  // With a certificate and its key, both as PEM, it speaks TLS and nothing else.
+  struct Place {
+    std::string address = "127.0.0.1";  // IPv4
+    int port = 0;                       // 0: any that is free
+    std::string certificate = {};
+    std::string certificate_key = {};
+  };
+
+  // Failure: cannot-listen.
+  static Result<std::unique_ptr<HttpServer>> listen(Executor& executor, const Place& place, Handler handler);
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
   ~HttpServer();

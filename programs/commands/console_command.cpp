@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "agents/console/console.hpp"
@@ -30,6 +32,11 @@ struct ConsoleChoices {
   std::string addresses;  // where they go as well
   bool foxglove = false;
   std::vector<std::string> foxglove_origins;
+  std::string listen;  // an address that other machines reach
+  std::vector<std::string> hosts;
+  std::string certificate;
+  std::string certificate_key;
+  std::string keys;      // the folder of the operators' keys and tokens
   std::string pictures;  // the folder; empty: one of its own, gone with it
   int pictures_mb = static_cast<int>(console::PictureStore::usual_bytes / 1'000'000);
 
@@ -38,6 +45,34 @@ struct ConsoleChoices {
     return console::Console::Foxglove{foxglove_origins};
   }
 };
+
+constexpr std::size_t largest_certificate = 1 << 20;
+
+Result<std::string> read_pem(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in && text.size() <= largest_certificate && text.find("-----BEGIN ") != std::string::npos) return text;
+  return fail("bad-certificate", fmt::format("{} cannot be read as PEM", text_of_bytes(path)));
+}
+
+// Nobody else's browser comes without TLS and the token of a key; nothing where the console stays on loopback.
+Result<std::optional<console::Console::Abroad>> abroad_of(const ConsoleChoices& choices) {
+  if (choices.listen.empty()) return std::nullopt;
+  console::Console::Abroad abroad{choices.listen, choices.hosts, {}, {}, choices.keys};
+  if (abroad.hosts.empty()) abroad.hosts = {choices.listen};
+  const Result<std::string> certificate = read_pem(choices.certificate);
+  if (!certificate) return fail(certificate);
+  const Result<std::string> key = read_pem(choices.certificate_key);
+  if (!key) return fail(key);
+  struct stat status {};
+  constexpr mode_t others = S_IRWXG | S_IRWXO;
+  if (stat(choices.certificate_key.c_str(), &status) == 0 && (status.st_mode & others) != 0) {
+    return fail("exposed-key", fmt::format("others may read {}: chmod 600 it", text_of_bytes(choices.certificate_key)));
+  }
+  abroad.certificate = *certificate;
+  abroad.certificate_key = *key;
+  return abroad;
+}
 
 Result<console::CellView> view_of(const forms::CellDescription& cell) {
   console::CellView view{.name = cell.name, .arms = {}, .camera = std::nullopt};
@@ -158,7 +193,7 @@ int console_of_own_cell(const ConsoleChoices& choices) {
     const Result<void> started = local.start(kind);
     if (!started) return complain(started.error(), exit_usage);
   }
-  const auto board = [&local](const std::string& name) -> Result<std::unique_ptr<Board>> {
+  const auto board = [&local](const std::string& name, const std::string&) -> Result<std::unique_ptr<Board>> {
     return local.board().view(name);
   };
   return serve(executor,
@@ -180,6 +215,13 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!keys) return complain(keys.error(), exit_usage);
   const Result<console::CellView> view = view_of_running(choices, to->run);
   if (!view) return complain(view.error(), exit_usage);
+  auto abroad = abroad_of(choices);
+  if (!abroad) return complain(abroad.error(), exit_usage);
+  if (*abroad && !keys->has_value()) {
+    const Failure open{
+        "no-keys", "a page of another machine does what its key may, so the board must ask for keys", {}, {}};
+    return complain(open, exit_usage);
+  }
   RealExecutor executor;
   const StopSignals signals(executor);
   const auto connect = [&](const std::string& name) {
@@ -190,8 +232,11 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!board) return complain(board.error(), exit_usage);
   const auto streams = streams::RemoteStreams::open(executor, **board);
   if (!streams) return complain(streams.error(), exit_unavailable);
-  const auto board_of_page = [&connect](const std::string& name) -> Result<std::unique_ptr<Board>> {
-    auto made = connect(name);
+  const auto board_of_page = [&](const std::string& name, const std::string& key) -> Result<std::unique_ptr<Board>> {
+    Result<std::optional<wire::ClientKeys>> its = *keys;
+    if (!key.empty()) its = keys_from(choices.keys + "/" + key + ".secret");
+    if (!its) return fail(its);
+    auto made = client::RemoteBoard::connect(executor, to->address, name, client::RemoteBoard::default_timeout, *its);
     if (!made) return fail(made);
     return std::unique_ptr<Board>(std::move(*made));
   };
@@ -203,12 +248,18 @@ int console_of_running_cell(const ConsoleChoices& choices) {
                 .name = {},
                 .page_folder = {},
                 .port = choices.port,
+                .abroad = *abroad,
                 .foxglove = choices.viewers()},
                choices);
 }
 
 int run_console(const ConsoleChoices& choices) {
-  if (choices.board.board.empty() && launcher::running_cells().empty()) return console_of_own_cell(choices);
+  const bool own = choices.board.board.empty() && launcher::running_cells().empty();
+  if (own && !choices.listen.empty()) {
+    return complain(Failure{"bad-option", "--listen is for a cell that runs, whose board asks for keys", {}, {}},
+                    exit_usage);
+  }
+  if (own) return console_of_own_cell(choices);
   if (!choices.seed_given) return console_of_running_cell(choices);
   return complain(Failure{"bad-option", "--seed is for a cell in this process, and one runs already", {}, {}},
                   exit_usage);
@@ -229,6 +280,18 @@ void add_console_command(CLI::App& app, int& status) {
   console->add_option("--port", choices->port, "The port on this host's loopback; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
+  CLI::Option* listen = console->add_option(
+      "--listen", choices->listen,
+      "An address of this host that other machines reach, as 0.0.0.0: by TLS alone, for who shows the token of a key");
+  const auto abroad = [&](const char* name, auto& into, const char* help) {
+    CLI::Option* option = console->add_option(name, into, help)->needs(listen);
+    return option;
+  };
+  abroad("--host", choices->hosts,
+         "A name or address by which browsers call it; may be given again; the first is said");
+  listen->needs(abroad("--certificate", choices->certificate, "The certificate of that name, a PEM file"));
+  listen->needs(abroad("--certificate-key", choices->certificate_key, "Its key, a PEM file that nobody else may read"));
+  listen->needs(abroad("--keys", choices->keys, "The folder of the operators' secrets and tokens (keys token)"));
   console->add_option("--pictures", choices->pictures,
                       "The folder in which pictures of the past are kept; default: one that goes with the console");
   console->add_option("--pictures-mb", choices->pictures_mb, "How much of them at most; 0: none are kept")

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "blackboard/wire/keys.hpp"
+#include "blackboard/wire/tokens.hpp"
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_line.hpp"
@@ -35,6 +36,17 @@ int make(const KeysChoices& choices) {
   fmt::print("{}.key  {}\n", base,
              choices.name == wire::board_key_name ? "every client needs it, beside its own secret"
                                                   : "goes to the board's folder of keys; it says what the key may do");
+  return exit_reached;
+}
+
+int make_token(const KeysChoices& choices) {
+  const Result<std::string> token = wire::make_token(choices.folder, choices.name);
+  if (!token) return complain(token.error(), token.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
+  if (choices.json) {
+    fmt::print("{{\"name\":{},\"token\":{}}}\n", json_string(choices.name), json_string(*token));
+  } else {
+    fmt::print("{}\n", *token);
+  }
   return exit_reached;
 }
 
@@ -88,7 +100,7 @@ void add_common_options(CLI::App* word, KeysChoices& choices) {
   word->add_option("--dir", choices.folder, "The folder of the keys")->capture_default_str();
   word->add_flag("--json", choices.json, "One JSON object a line");
   word->footer(help_footer(
-      word->get_name() == "new" ? "keys new vision" : "keys list",
+      word->get_name() == "list" ? "keys list" : "keys " + word->get_name() + " vision",
       "Exit status: 0 done; 2 a wrong word, option, name or file of keys; 4 a file cannot be read or written."));
 }
 
@@ -109,6 +121,11 @@ void add_keys_command(CLI::App& app, int& status) {
   permission("--override", choices->may.override_leases, "What of others' leased facts it may replace and retract");
   add_common_options(fresh, *choices);
   fresh->callback([choices, &status] { status = make(*choices); });
+  CLI::App* token = keys->add_subcommand(
+      "token", "Make the token with which the owner of a key logs in at a console; the one before is void.");
+  token->add_option("NAME", choices->name, "The key, whose secret is in the folder")->required();
+  add_common_options(token, *choices);
+  token->callback([choices, &status] { status = make_token(*choices); });
   CLI::App* all = keys->add_subcommand("list", "Show the keys of a folder and what each may do.");
   add_common_options(all, *choices);
   all->callback([choices, &status] { status = show_all(*choices); });

@@ -74,7 +74,7 @@ TEST_F(ConsoleTest, TakesNoBodyAndNoEndlessHead) {
 }
 
 TEST_F(ConsoleTest, EndsASessionWhenItsTimeIsOver) {
-  Access access(1);
+  Access access({.port = 1});
   const std::optional<std::string> secret = access.exchange(access.token(), Time(0s));
   ASSERT_TRUE(secret);
   const std::string shown = access.cookie_name() + "=" + *secret;
@@ -83,7 +83,7 @@ TEST_F(ConsoleTest, EndsASessionWhenItsTimeIsOver) {
 }
 
 TEST_F(ConsoleTest, HoldsSoManySessionsAndNoMore) {
-  Access access(1);
+  Access access({.port = 1});
   std::vector<std::string> cookies;
   for (std::size_t i = 0; i <= Access::max_sessions; ++i) {
     const Time now(Duration(static_cast<std::int64_t>(i)));

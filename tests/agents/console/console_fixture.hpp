@@ -35,7 +35,8 @@ class ConsoleTest : public testing::Test {
   // A console that is set up otherwise takes the place of the one before.
   void reopen(const std::function<void(Console::Setup&)>& change) {
     console_.reset();
-    const Console::BoardMaker maker = [this](const std::string& name) -> Result<std::unique_ptr<Board>> {
+    const Console::BoardMaker maker = [this](const std::string& name,
+                                             const std::string&) -> Result<std::unique_ptr<Board>> {
       return board_.view(name);
     };
     Console::Setup setup{executor_, streams_, maker, cell_, "console", source_dir() + "/agents/console/page/built"};

@@ -27,16 +27,21 @@ export class Connection {
   // The token behind the # is of use once, and is not left where others could read it.
   async open() {
     const token = location.hash.slice(1);
-    if (token) {
-      history.replaceState(null, '', location.pathname);
-      await fetch('/session', { method: 'POST', headers: { Authorization: `Bearer ${token}` } }).catch(() => null);
-    }
+    if (token) history.replaceState(null, '', location.pathname);
+    await this.logIn(token);
+  }
+  async logIn(token) {
+    if (token) await fetch('/session', { method: 'POST', headers: { Authorization: `Bearer ${token}` } }).catch(() => null);
     this.#connect();
+  }
+  async logOut() {
+    await fetch('/socket', { method: 'DELETE' }).catch(() => null);
+    location.reload();
   }
 
   #connect() {
     this.onState('connecting');
-    const socket = new WebSocket(`ws://${location.host}/socket`);
+    const socket = new WebSocket(`${location.protocol.replace('http', 'ws')}//${location.host}/socket`);
     socket.binaryType = 'arraybuffer';
     socket.onmessage = (event) =>
       typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#show(event.data);

@@ -8,6 +8,7 @@ import { showDrive } from './drive.js';
 import { showEyes } from './eyes.js';
 import { showFacts } from './facts.js';
 import { showHead } from './head.js';
+import { showLogIn } from './log_in.js';
 import { showImages } from './images.js';
 import { showPast } from './past.js';
 import { showScene } from './scene.js';
@@ -22,6 +23,7 @@ const connection = new Connection();
 const hands = new Hands(connection);
 
 showTabs();
+const logIn = showLogIn(connection);
 showStop(connection, hands);
 const scene = showScene(connection);
 const images = showImages(connection);
@@ -47,6 +49,6 @@ connection.onState = (state) => {
   chip.textContent = said[state];
   chip.className = `chip ${state === 'live' ? 'good' : 'bad'}`;
   document.body.dataset.state = state;
-  if (state === 'refused' && !find('refused').open) find('refused').showModal();
+  logIn(state);
 };
 connection.open();

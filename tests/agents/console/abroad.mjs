@@ -1,0 +1,125 @@
+// node abroad.mjs PIZARRA-CELL PIZARRA-KEYS SCRATCH: the console at an address that other machines reach: by TLS alone,
+// for who shows a key's token, who may do there what that key may.
+
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { request } from 'node:https';
+import { createServer } from 'node:net';
+import { join } from 'node:path';
+import { expect, launch, openPage, ownFolder, skip, source, start, taught, text } from './browser.mjs';
+
+const [cell, keys, scratch] = process.argv.slice(2);
+if (spawnSync('openssl', ['version']).status !== 0) skip('there is no openssl to make a certificate with');
+const browser = await launch(scratch);
+const pictures = join(scratch, 'console-screenshots');
+mkdirSync(pictures, { recursive: true });
+const folder = ownFolder();
+const inFolder = (name) => join(folder, name);
+const key = (...words) => execFileSync(keys, ['keys', ...words, '--dir', inFolder('keys')], { encoding: 'utf8' }).trim();
+for (const name of ['board', 'console', 'anna']) key('new', name);
+key('new', 'guest', '--tell', 'agent,contract,stop,reply', '--read', '*');
+const annas = key('token', 'anna');
+const guests = key('token', 'guest');
+const subject = ['-subj', '/CN=localhost', '-addext', 'subjectAltName=DNS:localhost'];
+const made = ['-keyout', inFolder('tls.key'), '-out', inFolder('tls.pem'), '-days', '2', '-nodes'];
+const curve = ['-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1'];
+execFileSync('openssl', ['req', '-x509', ...curve, ...subject, ...made], { stdio: 'ignore' });
+
+const free = await new Promise((resolve) => {
+  const probe = createServer().listen(0, '127.0.0.1', () => {
+    const { port } = probe.address();
+    probe.close(() => resolve(port));
+  });
+});
+const board = `tcp://127.0.0.1:${free}`;
+const described = readFileSync(join(source, 'examples/01-blocks/cell.scm'), 'utf8')
+  .replace('../../domains', join(source, 'domains'))
+  .replace('(host "localhost"', `(board "localhost" "${board}" (keys "${inFolder('keys')}"))\n  (host "localhost"`);
+writeFileSync(inFolder('cell.scm'), described);
+const up = start([cell, 'up', inFolder('cell.scm')], folder);
+await up.line;
+const asked = ['ask', '--board', board, '--key', inFolder('keys/console.secret'), '(agent ?n ?k ?h)'];
+while (spawnSync(cell, asked, { env: { ...process.env, XDG_RUNTIME_DIR: folder } }).status !== 0) {
+  await new Promise((resolve) => setTimeout(resolve, 200));
+}
+const listening = [
+  cell, 'console', inFolder('cell.scm'), '--board', board, '--key', inFolder('keys/console.secret'),
+  '--listen', '127.0.0.1', '--host', 'localhost', '--keys', inFolder('keys'),
+  '--certificate', inFolder('tls.pem'), '--certificate-key', inFolder('tls.key'),
+];
+const refused = spawnSync(listening[0], listening.slice(1, 7).concat('--listen', '0.0.0.0'), { encoding: 'utf8' });
+expect(refused.status === 2 && /certificate/.test(refused.stderr), `without a certificate and tokens it does not listen there: ${refused.stderr.trim().slice(0, 120)}`);
+const served = start(listening, folder);
+const address = await served.line;
+expect(/^https:\/\/localhost:\d+\/$/.test(address), `the address says no secret: ${address}`);
+
+const { port } = new URL(address);
+const status = (headers) =>
+  new Promise((resolve) => {
+    const call = request({ host: '127.0.0.1', port, headers, rejectUnauthorized: false }, (answer) => resolve(answer.statusCode));
+    call.on('error', (error) => resolve(error.code));
+    call.end();
+  });
+expect((await status({ Host: `localhost:${port}` })) === 200, 'the page is there for anybody who calls it by its name');
+expect((await status({ Host: `127.0.0.1:${port}` })) === 421, 'a name that is not its own is refused');
+const plain = await fetch(`http://localhost:${port}/`).then(() => 'an answer', () => 'nothing');
+expect(plain === 'nothing', 'without TLS nobody is answered');
+
+async function visit() {
+  const context = await browser.newContext({ ignoreHTTPSErrors: true, viewport: { width: 1280, height: 800 } });
+  return openPage(context, address);
+}
+async function logIn(page, token) {
+  await page.waitForSelector('#refused[open] #log-in');
+  await page.fill('#token', token);
+  await page.press('#token', 'Enter');
+}
+const page = await visit();
+await logIn(page, `anna.${'0'.repeat(64)}`);
+await page.waitForFunction(() => document.getElementById('log-in-wrong').textContent !== '');
+expect(true, 'a wrong token is refused');
+await page.screenshot({ path: join(pictures, 'log-in.png') });
+await logIn(page, annas);
+await page.waitForSelector('body[data-state=live]');
+await page.waitForSelector('#refused', { state: 'hidden' });
+const cookies = await page.context().cookies(`${address}socket`);
+expect(cookies.length === 1 && cookies[0].secure && cookies[0].httpOnly, 'the cookie is for TLS alone, and for no script');
+const frame = () => page.evaluate(() => Number(document.querySelector('#images figcaption').textContent.match(/frame (\d+)/)?.[1] ?? 0));
+await page.waitForFunction(() => /frame \d/.test(document.querySelector('#images figcaption').textContent));
+const first = await frame();
+await page.waitForFunction((old) => Number(document.querySelector('#images figcaption').textContent.match(/frame (\d+)/)[1]) > old + 30, first);
+expect(true, 'images go on coming');
+await taught(page);
+await page.fill('#goal-text', '(on circle triangle)');
+await page.press('#goal-text', 'Enter');
+await page.waitForSelector('#plan li.running');
+expect(true, 'who may everything gives a goal');
+await page.click('#tab-drive');
+await page.click('#take-arm');
+await page.waitForFunction(() => document.getElementById('arm-chip').textContent.includes('your hands'));
+
+const guest = await visit();
+await logIn(guest, guests);
+await guest.waitForSelector('body[data-state=live]');
+await guest.waitForFunction(() => document.getElementById('arm-chip').textContent.includes('anna/console'));
+expect(true, 'another sees whose hands have the arm');
+await guest.fill('#goal-text', '(on cross square)');
+await guest.press('#goal-text', 'Enter');
+await guest.waitForSelector('#goal-answer.bad');
+expect(/may not|permit/.test(await text(guest, '#goal-answer')), `the board holds a guest to its key: ${await text(guest, '#goal-answer')}`);
+await guest.keyboard.press('Escape');
+await page.waitForSelector('#stopped:not([hidden])');
+expect((await text(page, '#stopped-by')).includes('guest/console'), 'and who may only tell a stop stops the arm');
+
+await guest.click('#log-out');
+await guest.waitForSelector('#refused[open] #log-in');
+expect(true, 'who logs out is out');
+rmSync(inFolder('keys/anna.token'));
+await page.reload();
+await page.waitForSelector('#refused[open] #log-in');
+expect(true, 'a token that is taken away lets nobody in, nor its session');
+const troubles = [...page.troubles, ...guest.troubles].filter((said) => !/^asked elsewhere: wss:/.test(said));
+expect(troubles.length === 0, `nothing went wrong in the pages: ${troubles.join('; ')}`);
+expect((await served.end()) === 0 && (await up.end()) === 0, 'it ends in order');
+await browser.close();
+process.exit(0);
