@@ -5,42 +5,21 @@ Ends with 77, and says why, where matplotlib is not installed.
 
 import importlib.util
 import os
-import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 
-EXAMPLE = "examples/12-python-plot/grasp.py"
+if importlib.util.find_spec("matplotlib") is None:
+    print("skipped: python3-matplotlib is not installed")
+    sys.exit(77)
+
+from running_cell import CellTest
 
 
-class ThePlotOfAGrasp(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.environment = dict(os.environ, XDG_RUNTIME_DIR=self.folder, TMPDIR=self.folder, MPLCONFIGDIR=self.folder,
-                                PYTHONPATH=os.path.join(source, "blackboard/python"))
-
-    def start_cell(self):
-        """Its board's address, once everything is taught."""
-        cell = subprocess.Popen([program, "up", os.path.join(source, "examples/01-blocks/cell.scm")], cwd=self.folder,
-                                env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.addCleanup(cell.stdout.close)
-        self.addCleanup(cell.wait)
-        self.addCleanup(cell.send_signal, signal.SIGINT)
-        said, address = [], None
-        for line in cell.stdout:
-            said.append(line)
-            words = line.split()
-            address = next((word for word in words if word.startswith("ipc://")), address)
-            if "ready for goals" in line:
-                return address
-        self.fail("".join(said))
-
+class ThePlotOfAGrasp(CellTest):
     def plot(self, *words):
-        return subprocess.run([sys.executable, os.path.join(source, EXAMPLE), *words], cwd=self.folder,
-                              env=self.environment, capture_output=True, text=True, check=False)
+        return subprocess.run(self.example("12-python-plot/grasp.py", *words), cwd=self.folder, env=self.environment,
+                              capture_output=True, text=True, check=False)
 
     def test_a_grasp_is_plotted(self):
         picture = os.path.join(self.folder, "grasp.png")
@@ -60,9 +39,4 @@ class ThePlotOfAGrasp(unittest.TestCase):
             self.assertIn(sentence, plotted.stderr)
 
 
-if importlib.util.find_spec("matplotlib") is None:
-    print("skipped: python3-matplotlib is not installed")
-    sys.exit(77)
-program, source = sys.argv[1:3]
-del sys.argv[1:3]
 unittest.main()

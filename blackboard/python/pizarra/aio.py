@@ -47,9 +47,9 @@ class AsyncBoard:
         self._loop = asyncio.get_running_loop()
         link = self.session.link
         readable = Readable(self._loop, self._turn)
-        link.opened, link.closing = (lambda: readable.begin(link.socket)), readable.end
+        link.opened, link.closing = (lambda: readable.begin(link.file)), readable.end
         link.sent = self._look_soon
-        readable.begin(link.socket)
+        readable.begin(link.file)
         self._ticking = self._loop.create_task(self._tick())
         self._ticking.add_done_callback(self._ticked)
         return self

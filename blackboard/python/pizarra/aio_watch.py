@@ -69,7 +69,7 @@ class AsyncStream:
         self.feed = feed = StreamFeed(board.session, name)
         readable = Readable(asyncio.get_running_loop(), self._news.set)
         feed.on_announcement(self._news.set)
-        feed.opened, feed.closing = (lambda: readable.begin(feed.socket)), readable.end
+        feed.opened, feed.closing = readable.begin, readable.end
 
     def poll(self) -> Optional[Frame]:
         """The newest frame, or None where there is none yet."""

@@ -51,6 +51,12 @@ class Link:
             zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL)
         connect(self.socket, address, self._keys, _AS_A_CLIENT)
 
+    @property
+    def file(self) -> int:
+        """Which a loop can watch."""
+        number: int = self.socket.getsockopt(zmq.FD)
+        return number
+
     def sockets(self) -> List[Any]:
         return [self.socket, self._monitor]
 

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from typing import Any, Callable, Optional, TypeVar
-
-import zmq
+from typing import Callable, Optional, TypeVar
 
 from pizarra.failure import Failure
 
@@ -14,13 +12,14 @@ T = TypeVar("T")
 
 
 class Readable:
-    """Calls when a ZeroMQ socket may have something to read. That is said once for all that has come."""
+    """Calls when a ZeroMQ socket, or what its file stands for, may have something to read. That is said once for all that has come."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, call: Callable[[], object]) -> None:
         self._loop, self._call, self._file = loop, call, -1
 
-    def begin(self, socket: Any) -> None:
-        self._file = socket.getsockopt(zmq.FD)
+    def begin(self, file: int) -> None:
+        """The socket's zmq.FD, or another that tells its news once."""
+        self._file = file
         self._loop.add_reader(self._file, self._call)
         self._loop.call_soon(self._call)
 

@@ -4,13 +4,14 @@
     frame = eyes.next(timeout=5)                     # number, width, height, channels, pixels
     image = frame.array()                            # numpy: rows, columns (and blue, green, red)
 
-A stream is announced as a fact, (stream NAME KIND PLACE). Python takes it over TCP.
+A stream is announced as a fact, (stream NAME KIND PLACE). On its publisher's machine it is taken from memory that both
+share, elsewhere over TCP.
 """
 
 from __future__ import annotations
 
 import struct
-from typing import TYPE_CHECKING, Any, Callable, Optional
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
 import zmq
 
@@ -20,6 +21,7 @@ from pizarra.feed import WatchFeed
 from pizarra.keys import Keys
 from pizarra.link import connect
 from pizarra.requests import Request
+from pizarra.ring import RingGuest
 from pizarra.session import Session
 
 if TYPE_CHECKING:
@@ -46,16 +48,40 @@ class Frame:
         return numpy.frombuffer(self.pixels, dtype=numpy.uint8).reshape(shape)
 
 
+class RemoteGuest:
+    """Of a publisher anywhere, at the address that it announced."""
+
+    def __init__(self, context: Any, way: Any, stream: str) -> None:
+        address, *keys = way
+        self._topic = stream.encode() + b" "
+        self._socket = context.socket(zmq.SUB)
+        connect(self._socket, address, Keys(*keys),
+                ((zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.SUBSCRIBE, self._topic)))
+
+    @property
+    def file(self) -> int:
+        number: int = self._socket.getsockopt(zmq.FD)
+        return number
+
+    def poll(self) -> Optional[bytes]:
+        if not self._socket.poll(0):
+            return None
+        message: bytes = self._socket.recv()
+        return message[len(self._topic):]
+
+    def close(self) -> None:
+        self._socket.close(linger=0)
+
+
 class StreamFeed:
     """Follows the publisher that is announced under the name, and the next one after it."""
 
     def __init__(self, session: Session, name: str) -> None:
-        self._session = session
+        self._session, self._name = session, name
         self._watch = WatchFeed(session, [Symbol("stream"), Symbol(name), Symbol("?kind"), Symbol("?place")])
-        self._topic = name.encode() + b" "
-        self.socket: Any = None
-        # For a loop of somebody else's: the socket came, and goes.
-        self.opened: Callable[[], None] = lambda: None
+        self._guest: Optional[Union[RingGuest, RemoteGuest]] = None
+        # For a loop of somebody else's: there is a file that says when to look, and it goes.
+        self.opened: Callable[[int], None] = lambda file: None
         self.closing: Callable[[], None] = lambda: None
 
     @property
@@ -69,30 +95,35 @@ class StreamFeed:
         """The newest frame, or None where there is none yet."""
         change = self._watch.poll()
         if change and change.added:
-            self._connect(change.added[-1].facts[0].datum[3])
-        if self.socket is None or not self.socket.poll(0):
-            return None
+            self._come(change.added[-1].facts[0].datum[3])
+        message = self._guest.poll() if self._guest else None
         try:
-            return Frame(self.socket.recv()[len(self._topic):])
+            return Frame(message) if message else None
         except (ValueError, struct.error):
             return None  # not of a publisher of ours
 
-    def _connect(self, place: Any) -> None:
-        ways = [way[1:] for way in place if way[0] == Symbol("tcp") and len(way) == 5]
-        if not ways:
-            raise Failure("no-image", "the stream is to be had on its publisher's machine alone, without Python")
-        self._disconnect()
-        self.socket = self._session.context.socket(zmq.SUB)
-        address, *keys = ways[0]
-        connect(self.socket, address, Keys(*keys), ((zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.SUBSCRIBE, self._topic)))
-        self.opened()
+    def _come(self, place: Any) -> None:
+        self._leave()
+        for way, *where in place:
+            if way == Symbol("door") and len(where) == 1:
+                try:
+                    self._guest = RingGuest(str(where[0]), self._name)
+                    break
+                except OSError:
+                    continue  # on another machine, or of another user
+            if way == Symbol("tcp") and len(where) == 4:
+                self._guest = RemoteGuest(self._session.context, where, self._name)
+                break
+        if self._guest is None:
+            raise Failure("no-image", "the stream is to be had on its publisher's machine alone, by its user")
+        self.opened(self._guest.file)
 
-    def _disconnect(self) -> None:
-        if self.socket is not None:
+    def _leave(self) -> None:
+        if self._guest is not None:
             self.closing()
-            self.socket.close(linger=0)
-        self.socket = None
+            self._guest.close()
+        self._guest = None
 
     def close(self) -> None:
         self._watch.close()
-        self._disconnect()
+        self._leave()
