@@ -6,13 +6,11 @@
    (watching barrier-1) is told under a lease, so that it goes when this device does. (blocked barrier-1) is not: what
    was seen last stands until this device says otherwise. */
 
-#include <stdio.h>
 #include <string.h>
 
-#include "pizarra_device.h"
 #include "terminal.h"
 
-enum { LEASE_MS = 2000, TRY_AGAIN_MS = 500 };
+enum { TRY_AGAIN_MS = 500 };
 
 static pizarra_device device;
 static terminal line;
@@ -47,13 +45,8 @@ static void tell_beam(void) {
 }
 
 int main(int count, char **words) {
-  static const pizarra_calls calls = {&line, terminal_open, terminal_send, terminal_receive, heard};
   int typed = 0;
-  if (count != 2 || !terminal_begin(&line)) {
-    fprintf(stderr, "usage: light_barrier TOKEN\n");
-    return 2;
-  }
-  pizarra_begin(&device, &calls, "barrier-1", words[1], LEASE_MS);
+  if (!terminal_begin(&line, &device, "barrier-1", heard, count, words)) return 2;
   while (typed >= 0) {
     pizarra_run(&device, terminal_clock());
     tell_beam();

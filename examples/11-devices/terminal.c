@@ -13,9 +13,11 @@
 #include <time.h>
 #include <unistd.h>
 
+enum { LEASE_MS = 2000 };
+
 static int is_for_later(void) { return errno == EAGAIN || errno == EINTR; }
 
-int terminal_begin(terminal *line) {
+static int make_line(terminal *line) {
   struct termios settings;
   memset(line, 0, sizeof *line);
   line->file = posix_openpt(O_RDWR | O_NOCTTY);
@@ -26,6 +28,36 @@ int terminal_begin(terminal *line) {
   if (tcsetattr(line->file, TCSANOW, &settings) != 0 || fcntl(line->file, F_SETFL, O_NONBLOCK) != 0) return 0;
   printf("at %s\n", ptsname(line->file));
   return fflush(stdout) == 0;
+}
+
+static int open_line(void *line) { return ((terminal *)line)->file >= 0; }
+
+static int send_line(void *line, const char *bytes, int count) {
+  const ssize_t sent = write(((terminal *)line)->file, bytes, (size_t)count);
+  if (sent < 0) return is_for_later() ? 0 : -1;
+  return (int)sent;
+}
+
+static int receive_line(void *line, char *into, int room) {
+  const ssize_t count = read(((terminal *)line)->file, into, (size_t)room);
+  if (count < 0) return is_for_later() ? 0 : -1;
+  return (int)count;
+}
+
+int terminal_begin(terminal *line, pizarra_device *device, const char *name,
+                   void (*heard)(void *user, const pizarra_news *news), int count, char **words) {
+  static pizarra_calls calls;
+  if (count != 2 || !make_line(line)) {
+    fprintf(stderr, "usage: %s TOKEN\n", words[0]);
+    return 0;
+  }
+  calls.user = line;
+  calls.open = open_line;
+  calls.send = send_line;
+  calls.receive = receive_line;
+  calls.heard = heard;
+  pizarra_begin(device, &calls, name, words[1], LEASE_MS);
+  return 1;
 }
 
 int terminal_wait(terminal *line, int milliseconds) {
@@ -50,18 +82,4 @@ uint32_t terminal_clock(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   return (uint32_t)now.tv_sec * 1000u + (uint32_t)(now.tv_nsec / 1000000);
-}
-
-int terminal_open(void *line) { return ((terminal *)line)->file >= 0; }
-
-int terminal_send(void *line, const char *bytes, int count) {
-  const ssize_t sent = write(((terminal *)line)->file, bytes, (size_t)count);
-  if (sent < 0) return is_for_later() ? 0 : -1;
-  return (int)sent;
-}
-
-int terminal_receive(void *line, char *into, int room) {
-  const ssize_t count = read(((terminal *)line)->file, into, (size_t)room);
-  if (count < 0) return is_for_later() ? 0 : -1;
-  return (int)count;
 }

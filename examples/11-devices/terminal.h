@@ -6,22 +6,21 @@
 
 #include <stdint.h>
 
+#include "pizarra_device.h"
+
 typedef struct {
   int file;
   char typed[32];
   int typed_size;
 } terminal;
 
-/* Makes it, and prints where its other end is. Not 0 where there is one. */
-int terminal_begin(terminal *line);
+/* Makes the line, prints where its other end is, and begins the device there, whose token is the program's one word. Not
+   0 where it could. */
+int terminal_begin(terminal *line, pizarra_device *device, const char *name,
+                   void (*heard)(void *user, const pizarra_news *news), int count, char **words);
 /* Waits some milliseconds for what comes or is typed. Negative when nothing can be typed any more; not 0 when a line
    was typed, which stands in `typed`. */
 int terminal_wait(terminal *line, int milliseconds);
 uint32_t terminal_clock(void);
-
-/* For pizarra_calls; the user is the terminal. */
-int terminal_open(void *line);
-int terminal_send(void *line, const char *bytes, int count);
-int terminal_receive(void *line, char *into, int room);
 
 #endif

@@ -3,13 +3,11 @@
 
      turntable TOKEN */
 
-#include <stdio.h>
 #include <string.h>
 
-#include "pizarra_device.h"
 #include "terminal.h"
 
-enum { LEASE_MS = 2000, TRY_AGAIN_MS = 500, MS_A_DEGREE = 11, WISHES = 1 };
+enum { TRY_AGAIN_MS = 500, MS_A_DEGREE = 11, WISHES = 1 };
 
 static pizarra_device device;
 static terminal line;
@@ -67,13 +65,8 @@ static void tell_rest(void) {
 }
 
 int main(int count, char **words) {
-  static const pizarra_calls calls = {&line, terminal_open, terminal_send, terminal_receive, heard};
   int typed = 0;
-  if (count != 2 || !terminal_begin(&line)) {
-    fprintf(stderr, "usage: turntable TOKEN\n");
-    return 2;
-  }
-  pizarra_begin(&device, &calls, "table-1", words[1], LEASE_MS);
+  if (!terminal_begin(&line, &device, "table-1", heard, count, words)) return 2;
   while (typed >= 0) {
     pizarra_run(&device, terminal_clock());
     turn();

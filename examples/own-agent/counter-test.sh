@@ -1,8 +1,11 @@
 #!/bin/sh
-# Runs the agent on a board of its own: counter-test.sh PROGRAM. PIZARRA names the command where it is not on the PATH.
+# Runs the agent on a board of its own: counter-test.sh PROGRAM, or without a word counter.py beside this file. PIZARRA
+# names the command where it is not on the PATH; PYTHONPATH says where Pizarra's Python is, and PYTHON which has zmq.
 set -eu
 
-program=$1
+if [ $# -eq 0 ]; then
+  set -- "${PYTHON:-python3}" "$(dirname "$0")/counter.py"
+fi
 pizarra=${PIZARRA:-pizarra}
 folder=$(mktemp -d)
 board=ipc://$folder/b
@@ -11,7 +14,7 @@ agent= server=
 
 "$pizarra" board --listen "$board" >"$folder/board.log" 2>&1 &
 server=$!
-"$program" "$board" >"$folder/agent.log" 2>&1 &
+"$@" "$board" >"$folder/agent.log" 2>&1 &
 agent=$!
 
 # Asks until the answer comes, some 20 s long.

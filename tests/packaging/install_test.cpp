@@ -73,13 +73,14 @@ TEST(Installed, TheExampleOfAnAgentIsBuiltWithItAndPassesItsTest) {
   EXPECT_TRUE(contains(said, "100% tests passed")) << said.text;
 }
 
-TEST(Installed, TheExampleOfADriverIsBuiltWithIt) {
+TEST(Installed, TheExamplesOfDriversAreBuiltWithIt) {
   const std::string source = copied("own-driver");
   const Said said =
       shell(std::string(PIZARRA_CMAKE) + " -S " + source + " -B " + source + "/build -D CMAKE_PREFIX_PATH=" + prefix() +
             " && " + PIZARRA_CMAKE + " --build " + source + "/build 2>&1");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_TRUE(fs::exists(source + "/build/libmyarm.so"));
+  EXPECT_TRUE(fs::exists(source + "/build/libmycamera.so"));
 }
 
 TEST(New, WritesASchemeAgentThatPassesItsTest) {
