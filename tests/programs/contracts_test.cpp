@@ -1,37 +1,43 @@
 // The facts that an agent reads and posts by its (contract ...) are those that it reads and posts: compared with the
-// traffic of a whole demo.
+// traffic of a whole demo. The agent's page in docs/facts has them, and its operations.
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include "agents/launcher/local_cell.hpp"
 #include "agents/runtime/contract.hpp"
+#include "lisp/forms/domain.hpp"
 #include "lisp/reader.hpp"
+#include "programs/method/system.hpp"
 #include "tests/programs/tapped_cell.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::programs {
 namespace {
 
+using method::names_in;
+
 using Names = std::set<std::string>;
 
 // What every agent does by what it stands on: its presence and name, and requests and replies.
 const Names of_every_agent = {"agent", "bound", "context", "contract", "request", "reply", "relation-stats"};
 
-// The relations that an agent reads only where something goes wrong, or where somebody asks for it, which nobody does
-// in these cells.
-const std::map<std::string, Names> on_occasion = {{"person", {"vision-failed"}}, {"pan-tilt", {"place"}}};
+// The relations that an agent reads or posts only where something goes wrong, or where somebody asks for it, which
+// nobody does in these cells. The robot agent declares what others tell it (`commander`, `hold`, `stop`) as its own.
+using Occasions = std::map<std::string, Names>;
+const Occasions read_on_occasion = {{"person", {"vision-failed"}}, {"pan-tilt", {"place"}}};
+const Occasions told_on_occasion = {
+    {"coordinator", {"leans"}},
+    {"pan-tilt", {"head-speed", "looking-at"}},
+    {"robot", {"commander", "gripped", "hold", "robot-speed", "robot-variable", "stop"}},
+    {"vision", {"camera-drops", "found", "look-alike", "objects-damaged", "vision-failed"}}};
 
-// The names in one part of a contract.
-Names names_in(const Datum& contract, std::string_view part) {
-  Names names;
-  for (const Datum& each : contract.items()) {
-    if (!each.is_form(part)) continue;
-    for (const Datum& item : each.items().subspan(1)) {
-      names.emplace(item.is_form("relation") ? item[1].text() : item.text());
-    }
-  }
+Names with(Names names, const Occasions& occasions, const std::string& agent) {
+  const auto more = occasions.find(agent);
+  if (more != occasions.end()) names.insert(more->second.begin(), more->second.end());
   return names;
 }
 
@@ -43,20 +49,50 @@ std::string without(const Names& names, const Names& others) {
   return out;
 }
 
+std::string page(const std::string& name) {
+  std::ifstream in(source_dir() + "/docs/facts/" + name + ".md");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// Facts that several agents tell alike have pages of their own. A predicate of the domain is a relation too.
+void expect_described(const Datum& contract, const Names& predicates) {
+  const std::string own = page(std::string(contract[1].text()));
+  const std::string all = own + page("agents") + page("streams");
+  const auto lacking = [&](std::string_view part, const std::string& text) {
+    std::string names;
+    for (const std::string& name : names_in(contract, part)) {
+      const bool stands = text.contains("`(" + name + " ") || text.contains("`(" + name + ")");
+      if (!stands && !predicates.contains(name)) names += " " + name;
+    }
+    return names;
+  };
+  EXPECT_EQ(lacking("offers", own), "") << contract[1].text();
+  EXPECT_EQ(lacking("posts", all), "") << contract[1].text();
+}
+
 void expect_true_contracts(const std::string& cell_file, std::vector<Datum> goal) {
   const forms::CellDescription description = forms::read_cell_file(source_dir() + cell_file).value();
   TappedCell cell(description, launcher::world_config(description, 7).value(), 7);
   const Result<void> built = cell.build(std::move(goal));
   ASSERT_TRUE(built) << describe(built.error());
   ASSERT_GE(cell.boards().size(), 5U);
+  Names predicates;
+  const forms::Domain domain = forms::read_domain_file(description.domain_file).value();
+  for (const forms::Predicate& predicate : domain.predicates) {
+    predicates.insert(predicate.name);
+  }
   for (const auto& [agent, tap] : cell.boards()) {
     const Datum contract = cell.contract_of(agent);
     ASSERT_TRUE(contract.is_form("contract")) << agent;
     EXPECT_EQ(without(tap->read, names_in(contract, "reads")), "") << agent << " reads what its contract does not say";
-    Names read = tap->read;
-    if (on_occasion.contains(agent)) read.insert(on_occasion.at(agent).begin(), on_occasion.at(agent).end());
+    const Names read = with(tap->read, read_on_occasion, agent);
     EXPECT_EQ(without(names_in(contract, "reads"), read), "") << agent << " does not read what its contract says";
     EXPECT_EQ(without(tap->told, names_in(contract, "posts")), "") << agent << " posts what its contract does not say";
+    const Names told = with(tap->told, told_on_occasion, agent);
+    EXPECT_EQ(without(names_in(contract, "posts"), told), "") << agent << " does not post what its contract says";
+    expect_described(contract, predicates);
   }
 }
 
