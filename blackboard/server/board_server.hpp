@@ -27,11 +27,11 @@
 
 #include "blackboard/journal/past.hpp"
 #include "blackboard/memory/memory_board.hpp"
+#include "blackboard/server/costly_turns.hpp"
 #include "blackboard/server/durability.hpp"
 #include "blackboard/server/key_folder.hpp"
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/sessions.hpp"
-#include "blackboard/server/turns.hpp"
 #include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/wire.hpp"
 
@@ -123,7 +123,7 @@ class BoardServer {
   const Duration session_length_;
   std::vector<std::string> addresses_;
   std::optional<KeyFolder> keys_;
-  Turns turns_;
+  CostlyTurns turns_;
   Refusals refusals_;
   Sessions sessions_;
   const wire::SessionId life_;  // another one in every life of the server

@@ -52,7 +52,7 @@ void BoardServer::serve(wire::SessionId id, Session& session, wire::RequestId nu
 std::optional<Result<Datum>> BoardServer::perform_in_turn(wire::SessionId id, Session& session,
                                                           const Postponed::Message& waiting) {
   const bool has_turn = waiting.has_waited() || turns_.is_free(executor_.now());
-  const std::size_t before = has_turn ? 0 : limits::examined - Turns::out_of_turn;
+  const std::size_t before = has_turn ? 0 : limits::examined - CostlyTurns::out_of_turn;
   const bool may_wait = has_turn && waiting.may_wait();
   const store::Indexing indexing(may_wait ? store::Indexing::May::make_in_parts : store::Indexing::May::not_make,
                                  &board_.store().index_maker());

@@ -34,10 +34,10 @@ Weight weigh(const Transaction& transaction) {
 }
 
 Result<void> check_room(const Transaction& transaction, const Weight& weight, const std::string& teller,
-                        const Tables& tables, const Room& taken) {
+                        const Tables& tables, const Load& taken) {
   const bool few = taken.facts + transaction.steps.size() <= limits::facts;
   if (few && taken.bytes + most_bytes(transaction, weight) <= limits::board_bytes) return {};
-  Room added;
+  Load added;
   for (const Transaction::Step& step : transaction.steps) {
     const auto* tell = std::get_if<Transaction::Tell>(&step);
     if (tell == nullptr) continue;

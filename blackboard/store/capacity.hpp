@@ -10,8 +10,8 @@
 
 namespace pizarra::store {
 
-// What there is on the board already, and stays.
-struct Room {
+// The facts that stand on the board and stay.
+struct Load {
   std::size_t facts = 0;
   std::size_t bytes = 0;
 };
@@ -19,6 +19,6 @@ struct Room {
 Weight weigh(const Transaction& transaction);
 // In whatever order it goes about it, what adds nothing always has room. Its relations are declared. Failure too-large.
 Result<void> check_room(const Transaction& transaction, const Weight& weight, const std::string& teller,
-                        const Tables& tables, const Room& taken);
+                        const Tables& tables, const Load& taken);
 
 }  // namespace pizarra::store

@@ -164,7 +164,7 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
     if (!checked) return checked;
   }
   // What is taken may come back.
-  Room room{.facts = size() + held_.size() - before.settled.size(), .bytes = bytes_};
+  Load room{.facts = size() + held_.size() - before.settled.size(), .bytes = bytes_};
   for (const FactId id : before.settled) room.bytes -= footprint(held_.at(id).fact);
   return check_room(transaction, weight, teller, tables_, room);
 }
@@ -231,7 +231,7 @@ const Fact* Store::held(FactId id) const {
 
 Result<LeaseId> Store::lease(Duration length, Time now) {
   if (length <= Duration::zero() || length > longest_lease) {
-    return fail("wrong-shape", "a lease is longer than nothing and at most a year", to_datum(length.count()));
+    return fail("wrong-shape", "a lease is longer than 0 and at most a year", to_datum(length.count()));
   }
   if (leases_.size() >= limits::leases) return fail("too-large", "the board has too many leases");
   return leases_.grant(length, now);

@@ -43,37 +43,37 @@ Result<Message> done(const Result<void>& result) {
 
 }  // namespace
 
-Task<Result<std::string>> CellArm::identify() { co_return type_; }
+Task<Result<std::string>> PhysicalArm::identify() { co_return type_; }
 
-Task<Result<void>> CellArm::take_control() {
+Task<Result<void>> PhysicalArm::take_control() {
   controlled_ = true;
   co_return Result<void>();
 }
 
-Result<void> CellArm::controlled() const {
+Result<void> PhysicalArm::controlled() const {
   if (!controlled_) return fail("not-in-control", "nobody has taken control of the arm");
   return {};
 }
 
-Task<Result<void>> CellArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
+Task<Result<void>> PhysicalArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
   const Result<void> allowed = controlled();
   if (!allowed) co_return allowed;
   co_return cell_.arm().start(std::move(waypoints), speed);
 }
 
-Task<Result<void>> CellArm::stop() {
+Task<Result<void>> PhysicalArm::stop() {
   cell_.arm().brake();
   co_return Result<void>();
 }
 
-Task<Result<void>> CellArm::start_gripper(double opening_mm) {
+Task<Result<void>> PhysicalArm::start_gripper(double opening_mm) {
   const Result<void> allowed = controlled();
   if (!allowed) co_return allowed;
   cell_.gripper().command(opening_mm);
   co_return Result<void>();
 }
 
-Task<Result<arm::ArmReading>> CellArm::read() {
+Task<Result<arm::ArmReading>> PhysicalArm::read() {
   arm::ArmReading reading{.joints = cell_.arm().joints(),
                           .moving = cell_.arm().moving(),
                           .stopped = cell_.arm().stopped(),

@@ -12,9 +12,9 @@
 namespace pizarra::simulation {
 
 // The arm among the world's cubes.
-class CellArm : public arm::ArmDriver {
+class PhysicalArm : public arm::ArmDriver {
  public:
-  CellArm(Cell& cell, std::string type) : cell_(cell), type_(std::move(type)) {}
+  PhysicalArm(Cell& cell, std::string type) : cell_(cell), type_(std::move(type)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override;

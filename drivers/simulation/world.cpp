@@ -81,7 +81,7 @@ struct World::Inside {
   const WorldConfig config;
   const FrameClock clock;
   Cell cell;
-  CellArm arm;
+  PhysicalArm arm;
   std::optional<MovingArm> second_arm;
   StereoRenderer renderer;
   std::optional<HeadLine> head;

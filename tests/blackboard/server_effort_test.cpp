@@ -167,8 +167,8 @@ TEST_F(ServerEffort, ALoneClientHasAllMessagesOfItsFramesDoneInOrder) {
 }
 
 // Whatever waits of a client, the next turn is another's.
-TEST(Turns, EachClientHasOneAfterAnotherAndItsSessionsTakeThemInTurn) {
-  server::Turns turns;
+TEST(CostlyTurns, EachClientHasOneAfterAnotherAndItsSessionsTakeThemInTurn) {
+  server::CostlyTurns turns;
   for (const wire::SessionId session : {11U, 12U, 13U, 12U}) turns.wait("greedy", session);
   turns.wait("polite", 21);
   std::vector<wire::SessionId> order;
@@ -176,8 +176,8 @@ TEST(Turns, EachClientHasOneAfterAnotherAndItsSessionsTakeThemInTurn) {
   EXPECT_EQ(order, (std::vector<wire::SessionId>{11, 21, 12, 13}));
 }
 
-TEST(Turns, AfterOneOthersAreHeardForAsLongAsItTook) {
-  server::Turns turns;
+TEST(CostlyTurns, AfterOneOthersAreHeardForAsLongAsItTook) {
+  server::CostlyTurns turns;
   const Time begun(3600s);
   turns.took(1, limits::examined, begun);
   turns.heard(1);
@@ -191,10 +191,10 @@ TEST(Turns, AfterOneOthersAreHeardForAsLongAsItTook) {
   EXPECT_FALSE(turns.is_free(begun + 25ms)) << "another waits";
 }
 
-TEST(Turns, WhatLooksAtLittleNeedsNone) {
-  server::Turns turns;
+TEST(CostlyTurns, WhatLooksAtLittleNeedsNone) {
+  server::CostlyTurns turns;
   const Time begun(3600s);
-  turns.took(1, server::Turns::out_of_turn, begun);
+  turns.took(1, server::CostlyTurns::out_of_turn, begun);
   turns.heard(2);
   EXPECT_FALSE(turns.is_resting(begun));
 }

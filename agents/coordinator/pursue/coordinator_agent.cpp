@@ -1,7 +1,7 @@
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
 
 #include "agents/coordinator/perceive/role_changes.hpp"
-#include "agents/coordinator/pursue/contract.hpp"
+#include "agents/coordinator/pursue/coordinator_contract.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal.hpp"

@@ -2,7 +2,7 @@
 
 // The ground facts of a numbered task, each with a number from when it is first asked for.
 //
-//   FactTable facts(numbered);
+//   GroundFacts facts(numbered);
 //   const Result<void> fits = facts.check();
 //   const std::size_t fact = facts.number(atom, {2, 0});    // its parameters are the objects 2 and 0
 //   facts.atom(fact); facts.holds_initially(facts.atom(fact), {});
@@ -18,10 +18,10 @@ namespace pizarra::planner {
 // Of every parameter: an object.
 using Binding = std::vector<std::size_t>;
 
-class FactTable {
+class GroundFacts {
  public:
   // The task outlives the table.
-  explicit FactTable(const NumberedTask& task);
+  explicit GroundFacts(const NumberedTask& task);
   // Whether every fact can be told from every other. Failure: too-large.
   Result<void> check() const;
 

@@ -34,7 +34,7 @@ class Grounder {
   const PlanningTask& task_;
   const NumberedTask numbered_;
   const std::function<bool()>& cancelled_;
-  FactTable facts_;
+  GroundFacts facts_;
   Binding binding_;
   std::size_t bindings_tried_ = 0;
   std::vector<GroundAction> actions_;
@@ -115,8 +115,8 @@ Result<void> Grounder::bind(const OperatorTemplate& schema, std::size_t paramete
   if (!possible(schema, parameter)) return {};
   if (parameter == schema.candidates.size()) {
     if (actions_.size() >= max_actions) {
-      return fail("too-large", fmt::format("more than {} actions: fewer objects, or operators with fewer parameters, "
-                                           "would give fewer",
+      return fail("too-large", fmt::format("the task has more than {} actions: use fewer objects, or operators with "
+                                           "fewer parameters",
                                            max_actions));
     }
     add_action(schema);
@@ -127,7 +127,7 @@ Result<void> Grounder::bind(const OperatorTemplate& schema, std::size_t paramete
       return fail("too-large", "the operators can be bound in too many ways", Datum::symbol(schema.source->name));
     }
     if (bindings_tried_ % bindings_between_looks == 0 && cancelled_()) {
-      return fail("cancelled", "something else is to be planned now");
+      return fail("cancelled", "another plan is wanted now");
     }
     binding_[parameter] = object;
     const Result<void> bound = bind(schema, parameter + 1);

@@ -1,4 +1,4 @@
-#include "agents/coordinator/pursue/contract.hpp"
+#include "agents/coordinator/pursue/coordinator_contract.hpp"
 
 #include <fmt/format.h>
 

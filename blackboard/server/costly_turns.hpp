@@ -20,7 +20,7 @@
 
 namespace pizarra::server {
 
-class Turns {
+class CostlyTurns {
  public:
   // The work that a request may do out of its turn: a tenth of a millisecond.
   static constexpr std::size_t out_of_turn = 1000;
