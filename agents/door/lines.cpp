@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cerrno>
+#include <fmt/format.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -41,7 +42,7 @@ Task<Result<std::string>> Lines::next(std::optional<Time> deadline) {
     if (line) co_return std::move(*line);
     if (unread_.size() > longest) {
       pass_over_line();
-      co_return fail("too-long", "a line has 4096 bytes at most");
+      co_return fail("too-long", fmt::format("a line has {} bytes at most", longest));
     }
     if (over()) co_return fail("disconnected", "the other side has gone");
     const bool woken = co_await changed_.wait(deadline);

@@ -101,7 +101,9 @@ Result<void> Supervisor::spawn(Child& child) {
 
 Result<void> Supervisor::start(Program program) {
   assert(!program.command.empty());
-  if (children_.size() >= most_programs) return fail("too-many", "no more than 32 programs run under one supervisor");
+  if (children_.size() >= most_programs) {
+    return fail("too-many", fmt::format("no more than {} programs run under one supervisor", most_programs));
+  }
   if (access(program.command.front().c_str(), X_OK) != 0) {
     return fail("cannot-start", fmt::format("{} cannot be run", program.command.front()));
   }

@@ -23,7 +23,9 @@ bool is_plain_name(const std::string& name) {
 Result<void> check(const Path& path, const Reference* reference = nullptr) {
   const bool plain = !path.empty() && path.size() <= Naming::max_depth && std::ranges::all_of(path, is_plain_name);
   if (!plain) {
-    return fail("bad-name", "a path has 1 to 16 names of letters, digits and dashes, a letter first, 64 at most",
+    return fail("bad-name",
+                fmt::format("a path has 1 to {} names of letters, digits and dashes, a letter first, {} at most",
+                            Naming::max_depth, Naming::max_name),
                 is_string_text(path_text(path)) ? to_datum(path_text(path)) : Datum());
   }
   const bool whole = reference == nullptr || (is_plain_name(reference->kind) && is_plain_name(reference->agent));

@@ -15,7 +15,6 @@ constexpr Duration second_proof_after = 2s;
 constexpr Duration planner_pause = 1s;
 constexpr int planner_tries = 3;
 constexpr int most_attempts = 12;
-constexpr std::uint64_t lately = 10;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
 constexpr Duration look_behind = 1500ms;
@@ -73,6 +72,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   std::set<std::string> set_aside;
   bool uncovers = true;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
+  const auto lately = static_cast<std::uint64_t>(options_.grace_looks);
   while (!surroundings_.scene().sightings().recent(object, lately)) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
