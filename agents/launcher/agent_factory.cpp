@@ -259,7 +259,7 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtim
     } else if (own_cameras) {
       camera = own_cameras(context.executor, description.eyes);
     }
-    if (!camera) return fail("no-camera", "this program opens no cameras of one's own", Datum::symbol(kind));
+    if (!camera) return fail("no-camera", "this program opens no real cameras; pizarra-eyes does", Datum::symbol(kind));
     vision::VisionOptions options{.objects_directory = description.objects_directory};
     return std::make_unique<BuiltVision>(std::move(context), std::move(camera), streams, std::move(options));
   }

@@ -210,7 +210,7 @@ Result<RunState> find_run(const std::string& cell) {
                                              : fmt::format("no cell named {} runs here", cell));
   }
   if (runs.size() > 1 && runs.front().board_address != runs.back().board_address) {
-    return fail("which-cell", "several cells run here: say which with --cell NAME or --board ADDRESS");
+    return fail("which-cell", "several cells run here: choose one with --cell NAME or --board ADDRESS");
   }
   return runs.front();
 }

@@ -233,7 +233,7 @@ Task<Result<void>> ArmControl::follow(arm::Joints from, std::vector<arm::Joints>
   if (stop_requested_) co_return stopped();
   if (ended->stopped) {
     if (ended->why_stopped) co_return fail(*ended->why_stopped);
-    co_return fail("stopped", "the controller ended the motion, as one does that feels a collision", *running_);
+    co_return fail("stopped", "the controller ended the motion early, as after a collision", *running_);
   }
   for (std::size_t axis = 0; axis < target.size(); ++axis) {
     if (std::abs(ended->joints[axis] - target[axis]) <= arrived) continue;

@@ -137,8 +137,8 @@ Task<Result<std::vector<Fact>>> RobotAgent::State::known(Datum pattern) {
   }
 }
 
-// By which it is found among others of its kind. Where the board refuses them, as when its disk is full, it serves all
-// the same.
+// Clients find it among others of its kind by these properties. Where the board refuses them, as when its disk is full,
+// it serves all the same.
 Task<void> RobotAgent::State::tell_properties() {
   Transaction properties;
   properties.tell(
@@ -174,7 +174,7 @@ Task<Result<void>> RobotAgent::State::restore() {
     const Datum& outcome = fact.datum[3];
     const bool ended = outcome.is_form("ok") || outcome.is_form("fail");
     earlier.emplace(fact.datum[2],
-                    fail("stopped", "the robot agent began anew while it did this, and stopped the arm"));
+                    fail("stopped", "the robot agent was restarted during this motion, and stopped the arm"));
     if (ended) earlier->answer = result_of(outcome);
   }
   co_return {};

@@ -17,7 +17,7 @@ constexpr Duration connect_again_after = 1s;
 constexpr std::size_t envelope_bytes = 64;  // that a request has around its body
 
 std::unexpected<Failure> nonsense(const Datum& value) {
-  return fail("unreachable", "the board answered what cannot be understood", value);
+  return fail("unreachable", "the board's answer is not understood", value);
 }
 
 // Whether the request fits a frame, whatever the numbers of its session and its own.

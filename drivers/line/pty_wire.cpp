@@ -19,7 +19,7 @@ Result<std::unique_ptr<PtyWire>> PtyWire::make(Executor& executor) {
     const std::string why = system_error();
     if (slave >= 0) ::close(slave);
     if (master >= 0) ::close(master);
-    return fail("no-terminal", "no pseudo-terminal is to be had: " + why);
+    return fail("no-terminal", "no pseudo-terminal can be opened: " + why);
   }
   ::cfmakeraw(&settings);
   ::tcsetattr(slave, TCSANOW, &settings);

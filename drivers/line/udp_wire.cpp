@@ -96,7 +96,7 @@ Task<Result<void>> UdpWire::open(Time) {
     co_return fail("disconnected", sentence, to_datum(host_));
   }
   const int file = new_socket();
-  if (file < 0) co_return fail("disconnected", "no socket is to be had: " + system_error());
+  if (file < 0) co_return fail("disconnected", "no socket can be opened: " + system_error());
   // Others cannot mix in: only what comes from there is received.
   const auto* there = reinterpret_cast<const sockaddr*>(&lookup->address);
   if (::connect(file, there, sizeof lookup->address) != 0) {

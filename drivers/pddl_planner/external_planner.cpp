@@ -93,7 +93,7 @@ std::string last_words(std::string_view output) {
     output = output.substr(0, end + 1);
     const std::size_t begin = output.find_last_of('\n') + 1;
     std::string line(output.substr(begin, 120));
-    // Of what is not text, nothing is repeated.
+    // Bytes that are not text are not repeated.
     std::erase_if(line,
                   [](char c) { return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E; });
     if (!line.empty()) return fmt::format("; it said: {}", line);
@@ -176,7 +176,7 @@ Result<PlanClaim> ExternalPlanner::plan(const std::string& domain, const std::st
   const std::string problem_file = folder.file("problem.pddl");
   const std::string plan_file = folder.file("plan");
   if (folder.path().empty() || !write_file(domain_file, domain) || !write_file(problem_file, problem)) {
-    return fail("no-folder", "there is no room for the planner's files in the folder for temporary ones");
+    return fail("no-folder", "the planner's files do not fit into the folder for temporary files");
   }
   std::string command = replaced(command_, "{domain}", domain_file);
   command = replaced(replaced(command, "{problem}", problem_file), "{plan}", plan_file);

@@ -38,7 +38,7 @@ Task<Result<camera::StereoFrame>> SimulatedCamera::next(Time after, bool colour)
   if (!answer) co_return fail(answer);
   const bool whole = answer->head.size() == 2 && answer->images.size() == 2 && fits(answer->images[0], colour) &&
                      fits(answer->images[1], colour);
-  if (!whole) co_return fail("corrupt-frame", "the frame's images are not what they should be", answer->head);
+  if (!whole) co_return fail("corrupt-frame", "the frame's images have other sizes than the camera's", answer->head);
   camera::StereoFrame frame;
   frame.number = static_cast<std::uint64_t>(answer->head[0].integer());
   // No frame is from before it was asked for, whatever the world's clock says.

@@ -123,7 +123,7 @@ Result<Source> extended(Source source, Chain& chain) {
   if (extends.empty()) {
     const std::vector<Path> without = find_sections(source, "without");
     if (without.empty()) return source;
-    return fail(source.failure_at(without[0], "malformed", "only what extends a domain can be without part of it"));
+    return fail(source.failure_at(without[0], "malformed", "(without ...) needs (extends ...)"));
   }
   Result<Source> read = read_extended(source, extends[0], chain);
   if (!read) return fail(read);

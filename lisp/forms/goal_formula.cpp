@@ -59,8 +59,8 @@ Ways shortest(Ways ways) {
 }
 
 std::unexpected<Failure> too_many() {
-  return fail("too-many", fmt::format("the goal can be had in more than {} ways: fewer objects, or smaller numbers of "
-                                      "them, would give fewer",
+  return fail("too-many", fmt::format("the goal can be reached in more than {} ways: name fewer objects, or smaller "
+                                      "numbers of them",
                                       most_ways));
 }
 

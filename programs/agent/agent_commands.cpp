@@ -133,9 +133,9 @@ void add_agent_command(CLI::App& app, int& status, std::span<char*> arguments, c
   agent->add_option("--streams", choices->streams,
                     "Where other machines take its image streams: tcp://HOST:PORT, or * for any port; this machine's "
                     "own take them in any case");
-  agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
-  agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
-  agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
+  agent->add_option("--name", choices->name, "Its name on the board; default: its kind");
+  agent->add_option("--host", choices->host, "The host that it names in its presence")->capture_default_str();
+  agent->add_option("--seed", choices->seed, "The seed of its chance")->check(seed_check())->capture_default_str();
   agent->footer(help_footer("agent planner examples/01-blocks/cell.scm --board ipc:///tmp/b --world ipc:///tmp/w"));
   agent->callback([choices, &status, arguments, own_cameras] { status = run_agent(*choices, arguments, own_cameras); });
 }
@@ -145,7 +145,7 @@ void add_world_command(CLI::App& app, int& status) {
   CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
   world->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   world->add_option("--listen", choices->world, "Where it is reached: ipc://PATH")->required();
-  world->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
+  world->add_option("--seed", choices->seed, "The seed of its chance")->check(seed_check())->capture_default_str();
   world->footer(help_footer("world examples/01-blocks/cell.scm --listen ipc:///tmp/w"));
   world->callback([choices, &status] { status = run_world(*choices); });
 }

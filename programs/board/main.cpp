@@ -122,7 +122,7 @@ int serve(Options options) {
 }  // namespace pizarra::programs
 
 int main(int argc, char** argv) {
-  CLI::App app("The blackboard that agents of other processes meet at.", "pizarra-board");
+  CLI::App app("Run a blackboard for agents of other processes.", "pizarra-board");
   pizarra::programs::Options options;
   app.add_option("--listen", options.server.addresses,
                  "ipc://PATH or tcp://HOST:PORT (port * for any); may be repeated")
@@ -132,7 +132,8 @@ int main(int argc, char** argv) {
       ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); })
       ->type_name("FILE");
   app.add_option("--history", options.history,
-                 "how much of the past the journal keeps at least: revisions, or a time such as 90s, 30min, 12h, 7d")
+                 "how much of the past the journal keeps at least: a number of revisions, or a time such as 90s, "
+                 "30min, 12h, 7d")
       ->check([](const std::string& text) {
         return pizarra::programs::history_from(text)
                    ? std::string()
@@ -141,7 +142,7 @@ int main(int argc, char** argv) {
       })
       ->capture_default_str();
   app.add_option("--history-size", options.history_bytes,
-                 "how much space the past may take at most, such as 64MB or 2GB; less is kept then")
+                 "the most space that the past may take, such as 64MB or 2GB; less past is kept then")
       ->transform(CLI::AsSizeValue(false))
       ->type_name("SIZE")
       ->default_str("1GB");
@@ -157,9 +158,9 @@ int main(int argc, char** argv) {
       ->type_name("DIR");
   app.add_flag("--log-insecure", options.log_insecure, "speak to a log that is not on this machine unencrypted")
       ->needs(log);
-  app.add_option("--name", options.name, "by which the log says who leads; this machine's otherwise")->needs(log);
+  app.add_option("--name", options.name, "the name of this board in the log; default: this machine's")->needs(log);
   app.add_option("--keys", options.server.keys,
-                 "ask who comes over tcp for a key of this folder, made by `pizarra keys new`")
+                 "ask every tcp client for a key of this folder, made by `pizarra keys new`")
       ->type_name("DIR");
   app.add_flag("--insecure", options.server.insecure,
                "listen, unencrypted and to anybody, at addresses that other machines reach")

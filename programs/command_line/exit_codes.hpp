@@ -14,8 +14,9 @@ enum ExitCode : int {
 };
 
 inline constexpr const char* exit_code_help =
-    "Exit status: 0 done or reached; 1 not reached, or an expectation not met; 2 a wrong word, option, file or goal;\n"
-    "3 the goal was refused (unreachable, missing, contradictory); 4 no board, or a file or process not to be had;\n"
+    "Exit status: 0 done or reached; 1 not reached, or an expectation not met; 2 a wrong command, option, file or "
+    "goal;\n"
+    "3 the goal was refused (unreachable, missing, contradictory); 4 no board, file or process is available;\n"
     "130 interrupted.";
 
 }  // namespace pizarra::programs

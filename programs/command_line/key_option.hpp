@@ -14,7 +14,7 @@
 namespace pizarra::programs {
 
 inline void add_key_option(CLI::App* word, std::string& file) {
-  word->add_option("--key", file, "The secret key to come with, NAME.secret; the board's board.key stands beside it")
+  word->add_option("--key", file, "Your secret key, NAME.secret; the board's board.key must be beside it")
       ->envname("PIZARRA_KEY")
       ->type_name("FILE");
 }

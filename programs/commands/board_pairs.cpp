@@ -105,7 +105,7 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left
 
 Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const forms::CameraSetup& eyes) {
   if (eyes.is_simulated()) {
-    return fail("no-camera", "the cell has no cameras of its own: (camera (single ...)) or (camera (pair ...))");
+    return fail("no-camera", "the cell has no real cameras: (camera (single ...)) or (camera (pair ...))");
   }
   if (eyes.is_plugin()) {
     return fail("no-camera", "a camera's plug-in tells its geometry by itself, and is not calibrated here");

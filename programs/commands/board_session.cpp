@@ -88,8 +88,8 @@ int complain_of_board(repl::Style style, const Failure& failure) {
 }
 
 void add_board_options(CLI::App* word, BoardChoices& choices) {
-  word->add_option("--board", choices.board, "The board's address; that of the cell that runs here otherwise");
-  word->add_option("--cell", choices.cell, "Which cell that runs here, by name");
+  word->add_option("--board", choices.board, "The board's address; default: the cell that runs here");
+  word->add_option("--cell", choices.cell, "The cell of this name that runs here");
   add_key_option(word, choices.key);
 }
 

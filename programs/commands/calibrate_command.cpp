@@ -183,7 +183,7 @@ int run_calibrate(const CalibrateChoices& choices) {
 void add_calibrate_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<CalibrateChoices>();
   CLI::App* word = app.add_subcommand("calibrate",
-                                      "Find out what a pair of cameras is, or one alone, from images of a chessboard "
+                                      "Calibrate a pair of cameras, or one alone, from images of a chessboard "
                                       "(`shapes --board` prints one),\n"
                                       "and keep it in a file for a cell's (camera ...).");
   word->add_option("IMAGES", choices->images,
@@ -191,13 +191,16 @@ void add_calibrate_command(CLI::App& app, int& status) {
                    "makes a pair. Of one camera alone the one place")
       ->expected(1, 2)
       ->type_name("LEFT [RIGHT]");
-  word->add_option("--cell", choices->cell, "Instead: what the cameras of this cell see, while the board is moved")
+  word->add_option("--cell", choices->cell,
+                   "Instead: take images from the cameras of this cell while you move the board")
       ->check(CLI::ExistingFile);
-  word->add_option("--out", choices->out, "The file to write; else pair.calibration, or camera.calibration");
-  word->add_option("--columns", choices->board.columns, "Inner corners of the board, one way")
+  word->add_option("--out", choices->out, "The file to write; default: pair.calibration, or camera.calibration");
+  word->add_option("--columns", choices->board.columns, "Inner corners of the board, along one side")
       ->check(CLI::Range(3, 50))
       ->capture_default_str();
-  word->add_option("--rows", choices->board.rows, "And the other way")->check(CLI::Range(3, 50))->capture_default_str();
+  word->add_option("--rows", choices->board.rows, "Inner corners along the other side")
+      ->check(CLI::Range(3, 50))
+      ->capture_default_str();
   word->add_option("--square", choices->board.square_mm, "The edge of a square, mm")
       ->check(number_check(0.1, 1000))
       ->capture_default_str();
@@ -206,7 +209,7 @@ void add_calibrate_command(CLI::App& app, int& status) {
                    "moved; Ctrl-C takes those there are")
       ->check(CLI::Range(camera::least_views, BoardPairs::most))
       ->capture_default_str();
-  word->add_flag("--json", choices->json, "One JSON object a line");
+  word->add_flag("--json", choices->json, "Print one JSON object a line");
   word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));
   word->callback([choices, &status] { status = run_calibrate(*choices); });
 }

@@ -190,10 +190,10 @@ int check_files(const CheckChoices& choices) {
 void add_check_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<CheckChoices>();
   CLI::App* word = app.add_subcommand(
-      "check", "Check domain, cell, arm, scenario, goal, planning and agent files; every error is told.");
-  word->add_option("FILE", choices->files, "What the file is, its first form says")->required();
+      "check", "Check domain, cell, arm, scenario, goal, planning and agent files, and report every error.");
+  word->add_option("FILE", choices->files, "Files to check; the first form of a file says what it is")->required();
   word->add_option("--domain", choices->domain,
-                   "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");
+                   "The domain for goals, PDDL problems and facts; default for goals: domains/blocks.scm");
   word->footer(help_footer("check domains/blocks.scm examples/01-blocks/cell.scm"));
   word->callback([choices, &status] { status = check_files(*choices); });
 }

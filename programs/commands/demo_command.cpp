@@ -28,7 +28,7 @@ Result<forms::Scenario> story_of(const DemoChoices& choices) {
     if (!std::filesystem::exists(story)) {
       const Result<forms::CellDescription> cell_alone = forms::read_cell_file(choices.cell);
       if (!cell_alone) return fail(cell_alone);
-      return fail("no-story", fmt::format("there is no {}, so say what is wanted: --goal '(on A B)'", story));
+      return fail("no-story", fmt::format("there is no {}: give a goal with --goal '(on A B)'", story));
     }
     Result<forms::Scenario> told = forms::read_scenario_file(story);
     if (!told) return told;
@@ -143,26 +143,27 @@ void add_demo_command(CLI::App& app, int& status) {
                          "Run the simulated cell in this process: learn the objects, take a goal, plan, build it.\n"
                          "Without --goal the story beside the cell file is played, in which a hand interferes.");
   demo->add_option("CELL", choices->cell, "The cell file")->check(CLI::ExistingFile)->capture_default_str();
-  demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; no hand interferes then");
-  demo->add_option("--domain", choices->domain, "The domain file, in place of the cell's")->check(CLI::ExistingFile);
+  demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; then no hand interferes");
+  demo->add_option("--domain", choices->domain, "Use this domain file instead of the cell's")->check(CLI::ExistingFile);
   demo->add_option("--arm", choices->arm,
-                   "The arm, in place of the cell's: f3, t265, up6, another of arms/, or an arm file");
-  demo->add_option("--seed", choices->seed, "What chance begins from; the same seed gives the same run")
+                   "Use this arm instead of the cell's: f3, t265, up6, another of arms/, or an arm file");
+  demo->add_option("--seed", choices->seed, "The seed of all chance; the same seed gives the same run")
       ->check(seed_check())
       ->capture_default_str();
-  demo->add_option("--journal", choices->journal, "Write every committed transaction to this file, a line each");
-  demo->add_option("--video", choices->film, "Keep the run as a film: FILE.avi or FILE.mp4");
-  demo->add_option("--png", choices->picture, "The camera's view at the end; '' for none")->capture_default_str();
-  demo->add_flag("--realtime", choices->realtime, "As fast as this machine's clock, not faster");
-  demo->add_flag("--json", choices->json, "One JSON object a line");
-  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance");
+  demo->add_option("--journal", choices->journal, "Write every committed transaction to this file, one a line");
+  demo->add_option("--video", choices->film, "Record the run as a film: FILE.avi or FILE.mp4");
+  demo->add_option("--png", choices->picture, "Write the camera's view at the end to this file; '' writes none")
+      ->capture_default_str();
+  demo->add_flag("--realtime", choices->realtime, "Follow this machine's clock, not faster");
+  demo->add_flag("--json", choices->json, "Print one JSON object a line");
+  demo->add_flag("--random", choices->random, "Draw piles, a goal and one disturbance at random");
   demo->add_option("--seeds", choices->seeds,
-                   "With --random: this many seeds, a line each and a summary; status 0 when no seed failed")
+                   "With --random: run this many seeds, print a line each and a summary; status 0 when no seed failed")
       ->check(CLI::Range(1, 100000));
-  demo->add_option("--first-seed", choices->first_seed, "With --seeds: the first")
+  demo->add_option("--first-seed", choices->first_seed, "With --seeds: the first seed")
       ->check(seed_check())
       ->capture_default_str();
-  demo->add_option("--jobs", choices->jobs, "With --seeds: how many at once; 0: one a core")
+  demo->add_option("--jobs", choices->jobs, "With --seeds: how many run at once; 0: one a core")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
   demo->footer(help_footer("demo --goal '(on circle triangle)' --seed 7"));

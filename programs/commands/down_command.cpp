@@ -40,7 +40,7 @@ int run_down(const std::string& cell) {
 void add_down_command(CLI::App& app, int& status) {
   auto cell = std::make_shared<std::string>();
   CLI::App* down = app.add_subcommand("down", "Stop a cell that runs here.");
-  down->add_option("CELL,--cell", *cell, "Its name, or its file; the only one otherwise");
+  down->add_option("CELL,--cell", *cell, "Its name or its cell file; default: the only one");
   down->footer(help_footer("down blocks"));
   down->callback([cell, &status] { status = run_down(*cell); });
 }

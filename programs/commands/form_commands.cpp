@@ -20,21 +20,28 @@ namespace {
 struct FormWord {
   const char* name;
   const char* argument;
+  const char* argument_help;
   const char* help;
   const char* example;
   bool asks_agents = false;  // not the board alone
 };
 
 constexpr FormWord form_words[] = {
-    {"declare", "RELATION", "Declare a relation, so that its facts can be told",
+    {"declare", "RELATION", "(relation NAME ((ARGUMENT TYPE) ...) (key ARGUMENT ...)); `(durable)` may follow",
+     "Declare a relation, so that its facts can be told",
      "declare '(relation seen ((name symbol) (x number)) (key name))'"},
-    {"tell", "FACT", "Tell a fact", "tell '(on circle triangle)'"},
-    {"retract", "PATTERN", "Retract every fact that fits", "retract '(on circle ?)'"},
-    {"ask", "QUERY", "Ask what holds: (on ?x ?y), (and (on ?x ?y) (clear ?x))", "ask '(and (on ?x ?y) (clear ?x))'"},
-    {"watch", "QUERY", "Show what holds and every change, until interrupted", "watch '(on ?x ?y)'"},
-    {"goal", "GOAL", "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs",
-     "goal '(on circle triangle)'", true},
-    {"why", "PATTERN", "Ask the coordinator why it does what it does, or why the facts that fit stand", "why", true},
+    {"tell", "FACT", "(NAME VALUE ...)", "Tell a fact", "tell '(on circle triangle)'"},
+    {"retract", "PATTERN", "A fact in which ? stands for anything", "Retract every fact that matches",
+     "retract '(on circle ?)'"},
+    {"ask", "QUERY", "A pattern, or (and PATTERN ...) with (not PATTERN), (< ?x 900), (order ?x), (limit N)",
+     "Ask which facts match: (on ?x ?y), (and (on ?x ?y) (clear ?x))", "ask '(and (on ?x ?y) (clear ?x))'"},
+    {"watch", "QUERY", "A pattern, or (and PATTERN ...) with (not PATTERN) and (< ?x 900)",
+     "Show the facts that match and every change, until interrupted", "watch '(on ?x ?y)'"},
+    {"goal", "GOAL", "Facts that shall hold, quoted for the shell",
+     "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs", "goal '(on circle triangle)'",
+     true},
+    {"why", "PATTERN", "Facts; without it the coordinator says what it does and why",
+     "Ask the coordinator for its reasons, or why the facts that match are on the board", "why", true},
 };
 
 struct FormChoices {
@@ -46,7 +53,7 @@ struct FormChoices {
   std::string journal;
 };
 
-// The query with the moment it is about, for a board that keeps a journal.
+// The query, with the moment that it asks about, for a board that keeps a journal.
 Result<std::string> ask_at(const Source& typed, const std::string& at) {
   const auto now = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
   const Result<Moment> moment = moment_from_text(at, Time(now.time_since_epoch()));
@@ -97,17 +104,17 @@ void add_form_command(CLI::App& app, int& status, const FormWord& word) {
   auto choices = std::make_shared<FormChoices>();
   CLI::App* added = app.add_subcommand(word.name, word.help);
   const bool alone = std::string_view(word.name) == "why";
-  added->add_option(word.argument, choices->arguments)->required(!alone);
-  added->add_flag("--json", choices->json, "One JSON object a line");
+  added->add_option(word.argument, choices->arguments, word.argument_help)->required(!alone);
+  added->add_flag("--json", choices->json, "Print one JSON object a line");
   add_board_options(added, choices->board);
   added->footer(help_footer(word.example));
   if (std::string_view(word.name) == "ask") {
     added
         ->add_option("--at", choices->at,
-                     "What held then: a revision, 90s, 5min, 2h, 1d ago, 2026-11-21T12:30:00; of a "
-                     "board that keeps a journal")
+                     "Ask what held at a moment: a revision, 90s, 5min, 2h or 1d ago, 2026-11-21T12:30:00. The "
+                     "board must keep a journal")
         ->check(moment_check());
-    added->add_option("--journal", choices->journal, "Ask this journal in place of a board")
+    added->add_option("--journal", choices->journal, "Ask this journal instead of a board")
         ->check(CLI::ExistingFile)
         ->excludes("--board");
   }

@@ -98,11 +98,11 @@ void add_host_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<JoinChoices>();
   CLI::App* host = app.add_subcommand("host", "Prepare this machine to be a host of a cell.");
   host->require_subcommand(1);
-  CLI::App* join = host->add_subcommand("join", "Make this host's key, and a service of systemd that runs its agents.");
+  CLI::App* join = host->add_subcommand("join", "Make this host's key, and a systemd service that runs its agents.");
   join->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
-  join->add_option("--host", choices->host, "Which of the cell's hosts this is")->required();
+  join->add_option("--host", choices->host, "The name of this host in the cell file")->required();
   join->add_option("--dir", choices->folder, "The folder of the key")->capture_default_str();
-  join->add_option("--service-dir", choices->service, "The folder of the service; ~/.config/systemd/user otherwise");
+  join->add_option("--service-dir", choices->service, "The folder of the service; default: ~/.config/systemd/user");
   join->footer(help_footer("host join two-hosts.scm --host desk"));
   join->callback([choices, &status] { status = run_join(*choices); });
 }

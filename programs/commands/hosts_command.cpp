@@ -134,10 +134,10 @@ void add_hosts_command(CLI::App& app, int& status) {
   CLI::App* hosts = app.add_subcommand(
       "hosts", "Show what runs on which host of a cell, which hosts are there, their versions and clocks.");
   hosts->add_option("CELL", choices->cell,
-                    "The cell file, or the name of a cell that runs here; the only one otherwise");
-  hosts->add_option("--board", choices->board.board, "The board's address; that of the cell otherwise");
+                    "The cell file, or the name of a cell that runs here; default: the only one");
+  hosts->add_option("--board", choices->board.board, "The board's address; default: the cell's");
   add_key_option(hosts, choices->board.key);
-  hosts->add_flag("--json", choices->json, "One JSON object a line");
+  hosts->add_flag("--json", choices->json, "Print one JSON object a line");
   hosts->footer(help_footer("hosts two-hosts.scm"));
   hosts->callback([choices, &status] { status = run_hosts(*choices); });
 }

@@ -189,17 +189,20 @@ int run_look(const LookChoices& choices) {
 
 void add_look_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<LookChoices>();
-  CLI::App* look = app.add_subcommand("look", "Show what a running cell's cameras see, or which image streams it has.");
-  look->add_option("STREAM", choices->stream,
-                   "A stream by its name or kind: colour, grey, left, right, annotated; none: list them");
-  look->add_option("--png", choices->png, "Write the frame here; of several, the last")->type_name("FILE.png");
-  look->add_option("--frames", choices->frames, "How many, a line each")
+  CLI::App* look =
+      app.add_subcommand("look", "Show the images of a running cell's cameras, or list its image streams.");
+  look->add_option(
+      "STREAM", choices->stream,
+      "A stream by its name or kind: colour, grey, left, right, annotated; without it the streams are listed");
+  look->add_option("--png", choices->png, "Write the frame to this file; of several frames the last")
+      ->type_name("FILE.png");
+  look->add_option("--frames", choices->frames, "How many frames, one line each")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  look->add_option("--timeout", choices->timeout_s, "How long to wait for each, in seconds")
+  look->add_option("--timeout", choices->timeout_s, "How long to wait for each frame, in seconds")
       ->check(number_check(0, 3600))
       ->capture_default_str();
-  look->add_flag("--json", choices->json, "One JSON object a line");
+  look->add_flag("--json", choices->json, "Print one JSON object a line");
   add_board_options(look, choices->board);
   look->footer(help_footer("look colour --png eyes.png"));
   look->callback([choices, &status] { status = run_look(*choices); });

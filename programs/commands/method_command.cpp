@@ -182,14 +182,19 @@ void add_method_command(CLI::App& app, int& status) {
   CLI::App* method = app.add_subcommand(
       "method", "Divide, Wrap, Connect: indices, patterns and faults of a cell, as written or as it runs.");
   method->add_option("CELL", choices->file, "A cell file, or a description of components")->check(CLI::ExistingFile);
-  method->add_flag("--live", choices->live, "Look at a running board");
-  method->add_option("--for", choices->duration, "How long, with --live")->check(duration_fault)->capture_default_str();
-  method->add_option("--journal", choices->journal, "A journal that demo --journal wrote")->check(CLI::ExistingFile);
-  method->add_option("--components", choices->components, "What other kinds of agents are: (component KIND PART ...)")
+  method->add_flag("--live", choices->live, "Look at a running board instead of a file");
+  method->add_option("--for", choices->duration, "With --live: how long to look")
+      ->check(duration_fault)
+      ->capture_default_str();
+  method->add_option("--journal", choices->journal, "Look at this journal, written by demo --journal")
       ->check(CLI::ExistingFile);
-  method->add_flag("--json", choices->json, "One JSON object");
+  method
+      ->add_option("--components", choices->components,
+                   "A file that describes other kinds of agents: (component KIND PART ...)")
+      ->check(CLI::ExistingFile);
+  method->add_flag("--json", choices->json, "Print one JSON object");
   CLI::Option* svg = method->add_option("--svg", choices->svg,
-                                        "Write the connections as a picture, to a file or else to standard output");
+                                        "Write the connections as a picture to this file; default: standard output");
   svg->expected(0, 1)->type_name("FILE");
   add_board_options(method, choices->board);
   method->footer(help_footer("method --live --for 60s"));

@@ -143,16 +143,16 @@ int write_new_agent(const NewChoices& choices) {
 
 void add_new_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<NewChoices>();
-  CLI::App* word = app.add_subcommand("new", "Write an agent of your own.");
+  CLI::App* word = app.add_subcommand("new", "Start an agent of your own, with a test.");
   word->require_subcommand(1);
   CLI::App* agent = word->add_subcommand(
       "agent",
       "Write an agent with a test, ready to run, into a folder of its name: a Scheme file, which needs no "
       "compiler and is replaced while it runs, or Python, or C++.");
-  agent->add_option("NAME", choices->name, "Its name: letters, digits and dashes, a letter first")->required();
+  agent->add_option("NAME", choices->name, "The agent's name: letters, digits and dashes, a letter first")->required();
   CLI::Option* python = agent->add_flag("--python", choices->python, "Write it in Python");
   agent->add_flag("--cpp", choices->cpp, "Write it in C++, to be built with an installed Pizarra")->excludes(python);
-  agent->add_option("--in", choices->folder, "The folder that its folder is made in; here otherwise");
+  agent->add_option("--in", choices->folder, "Make the agent's folder in this folder; default: here");
   agent->footer(help_footer("new agent my-lamp"));
   agent->callback([choices, &status] { status = write_new_agent(*choices); });
 }

@@ -118,7 +118,7 @@ int run_ps(bool json) {
 void add_ps_command(CLI::App& app, int& status) {
   auto json = std::make_shared<bool>(false);
   CLI::App* ps = app.add_subcommand("ps", "Show the processes and agents of the cells that run here.");
-  ps->add_flag("--json", *json, "One JSON object a line");
+  ps->add_flag("--json", *json, "Print one JSON object a line");
   ps->footer(help_footer("ps --json"));
   ps->callback([json, &status] { status = run_ps(*json); });
 }

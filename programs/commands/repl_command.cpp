@@ -84,15 +84,15 @@ void add_repl_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<ReplChoices>();
   choices->cell_file = shipped_file("examples/01-blocks/cell.scm");
   CLI::App* repl = app.add_subcommand(
-      "repl", "A prompt on the cell that runs here, or, when none does, on the demo cell in this process.");
-  repl->add_option("CELL", choices->cell_file, "The cell file of the cell in this process")
+      "repl", "Open a prompt on the cell that runs here. Where none runs, the demo cell starts in this process.");
+  repl->add_option("CELL", choices->cell_file, "The cell file to run in this process")
       ->check(CLI::ExistingFile)
       ->capture_default_str();
-  repl->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
-  repl->add_option("--agents", choices->agents, "Run just these agents on a board in this process: vision,robot")
+  repl->add_option("--eval", choices->forms, "Evaluate this form and end; may be repeated");
+  repl->add_option("--agents", choices->agents, "Run only these agents, on a board in this process: vision,robot")
       ->delimiter(',')
       ->check(launcher::kind_fault);
-  repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
+  repl->add_option("--seed", choices->seed, "The seed of all chance")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
   repl->footer(help_footer("repl --eval '(goal (on circle triangle))'"));
   repl->callback([choices, repl, &status] {

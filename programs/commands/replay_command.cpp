@@ -217,8 +217,9 @@ int run_replay(const ReplayChoices& choices) {
 
 void add_replay_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<ReplayChoices>();
-  CLI::App* replay = app.add_subcommand("replay", "A journal as a board: ask it, watch it, step and play it on.");
-  replay->add_option("FILE", choices->journal, "What `board --journal`, `up` or `demo --journal` has kept")
+  CLI::App* replay =
+      app.add_subcommand("replay", "Open a journal as a board: ask it, watch it, step through it and play it on.");
+  replay->add_option("FILE", choices->journal, "A journal of `board --journal`, `up` or `demo --journal`")
       ->required()
       ->check(CLI::ExistingFile);
   replay
@@ -226,12 +227,12 @@ void add_replay_command(CLI::App& app, int& status) {
                    "Begin at this moment: a revision, 90s, 5min, 2h, 1d before the end, "
                    "2026-11-21T12:30:00, or @SECONDS of its clock; the end otherwise")
       ->check(moment_check());
-  replay->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
+  replay->add_option("--eval", choices->forms, "Evaluate this form and end; may be repeated");
   replay
       ->add_option("--mcap", choices->mcap,
                    "Write the journal, from --at or else its beginning, as an MCAP file for Foxglove, and end")
       ->excludes("--eval");
-  replay->add_flag("--json", choices->json, "One JSON object a line");
+  replay->add_flag("--json", choices->json, "Print one JSON object a line");
   replay->footer(help_footer("replay run.txt --at @60 --eval '(ask (on ?x ?y))'"));
   replay->callback([choices, &status] { status = run_replay(*choices); });
 }

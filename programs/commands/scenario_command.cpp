@@ -57,10 +57,10 @@ void add_scenario_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<ScenarioChoices>();
   CLI::App* word = app.add_subcommand("scenario", "Play scenario files in virtual time and check how they end.");
   word->add_option("FILE", choices->files, "Scenario files")->required()->check(CLI::ExistingFile);
-  word->add_option("--seed", choices->seed, "In place of the scenario's own seed")->check(seed_check());
-  word->add_option("--journal", choices->journal, "Write every committed transaction of the last one to this file");
-  word->add_flag("--quiet", choices->quiet, "Only how each ended");
-  word->add_flag("--json", choices->json, "One JSON object a line");
+  word->add_option("--seed", choices->seed, "Use this seed instead of the scenario's")->check(seed_check());
+  word->add_option("--journal", choices->journal, "Write every committed transaction of the last story to this file");
+  word->add_flag("--quiet", choices->quiet, "Print only how each story ended");
+  word->add_flag("--json", choices->json, "Print one JSON object a line");
   word->footer(help_footer("scenario tests/scenarios/01-undisturbed.scm"));
   word->callback([choices, &status] {
     const StopSignals signals;

@@ -44,7 +44,9 @@ void add_shapes_command(CLI::App& app, int& status) {
       "shapes",
       "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, as faces\n"
       "for cubes, the board of `calibrate`, or tags.");
-  shapes->add_option("--print", choices->file, "Write the page here")->required()->type_name("FILE.pdf|FILE.png");
+  shapes->add_option("--print", choices->file, "Write the page to this file")
+      ->required()
+      ->type_name("FILE.pdf|FILE.png");
   CLI::Option* const board =
       shapes->add_flag("--board", choices->board, "Instead: the chessboard that `calibrate` looks for");
   CLI::Option* const tags =

@@ -18,7 +18,7 @@ Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const st
   if (asked.empty() && cell.hosts.size() == 1) return cell.hosts.front();
   std::string known;
   for (const forms::CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
-  return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
+  return fail("unknown-host", fmt::format("name this host with --host: the cell has {}", known));
 }
 
 }  // namespace pizarra::programs

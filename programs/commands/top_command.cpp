@@ -168,14 +168,14 @@ int run_top(const TopChoices& choices) {
 
 void add_top_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<TopChoices>();
-  CLI::App* top = app.add_subcommand(
-      "top",
-      "Show who is on a board, what they tell and wait for, and how long a fact is under way, until interrupted.");
-  top->add_flag("--once", choices->once, "Look once and end");
-  top->add_option("--interval", choices->interval_s, "How long between two looks, in seconds")
+  CLI::App* top = app.add_subcommand("top",
+                                     "Show the clients of a board, the facts they tell and wait for, and how long a "
+                                     "fact is under way, until interrupted.");
+  top->add_flag("--once", choices->once, "Print one look and end");
+  top->add_option("--interval", choices->interval_s, "The time between two looks, in seconds")
       ->check(number_check(0.1, 3600))
       ->capture_default_str();
-  top->add_flag("--json", choices->json, "One JSON object a look");
+  top->add_flag("--json", choices->json, "Print one JSON object a look");
   add_board_options(top, choices->board);
   top->footer(help_footer("top --once"));
   top->callback([choices, &status] { status = run_top(*choices); });

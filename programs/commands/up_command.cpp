@@ -57,9 +57,9 @@ Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& 
                                           host.name));
   }
   if (choices.keys.empty() || (owns_board && !cell.board_address.empty())) return {};
-  return fail("bad-option", owns_board ? "--keys says who may come to the cell's board from other machines, and the "
-                                         "cell file gives it no address that they reach"
-                                       : "--keys says who may come to the cell's board, and this host does not run it");
+  return fail("bad-option",
+              owns_board ? "--keys is for a board that other machines reach, and the cell file names no such address"
+                         : "--keys is for the host of the cell's board, and this host does not run it");
 }
 
 // With these a board ends that will not do better next time: wrong arguments, address or journal; and an agent: a cell
@@ -324,7 +324,7 @@ int Up::run() {
   executor_.run_until([this] { return supervisor_.stopped(); });
   directory_.remove_state();
   if (!board_failure_.empty()) {
-    return complain(Failure{"no-board", "the board cannot be had: " + board_failure_, {}, {}}, exit_unavailable);
+    return complain(Failure{"no-board", "the board cannot be started: " + board_failure_, {}, {}}, exit_unavailable);
   }
   return exit_reached;
 }
@@ -354,13 +354,12 @@ void add_up_command(CLI::App& app, int& status) {
   CLI::App* up = app.add_subcommand(
       "up", "Run the agents that a cell file gives to this host, as processes around a board; Ctrl-C stops them all.");
   up->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
-  up->add_option("--host", choices->host, "Which of the cell's hosts this is");
-  up->add_option("--board", choices->board, "A board that runs already, in place of the cell's own");
-  up->add_option("--keys", choices->keys,
-                 "The folder of the keys that may come to this host's board; the cell's otherwise");
+  up->add_option("--host", choices->host, "The name of this host in the cell file");
+  up->add_option("--board", choices->board, "Use this board, which runs already, instead of starting the cell's");
+  up->add_option("--keys", choices->keys, "The folder of the keys that this host's board lets in; default: the cell's");
   add_key_option(up, choices->key);
   up->add_option("--world", choices->world,
-                 "Where the simulated world is, ipc://PATH, in place of the run's folder: for hosts that share a file")
+                 "The simulated world's address, ipc://PATH; default: in the run's folder. For hosts that share a file")
       ->envname("PIZARRA_WORLD");
   CLI::Option* log = up->add_option("--log", choices->log,
                                     "Keep what is durable in an etcd cluster, etcd://A,B,C/CELL, so that another board "
@@ -368,14 +367,14 @@ void add_up_command(CLI::App& app, int& status) {
   up->add_option("--log-certificates", choices->certificates,
                  "The folder of ca.crt, client.crt and client.key for that cluster")
       ->needs(log);
-  up->add_flag("--log-insecure", choices->log_insecure, "Speak to that cluster unencrypted")->needs(log);
-  up->add_option("--standby", choices->standby, "Run a board on this host too, at this one of the cell's addresses")
+  up->add_flag("--log-insecure", choices->log_insecure, "Connect to that cluster without encryption")->needs(log);
+  up->add_option("--standby", choices->standby, "Also run a board on this host, at this address of the cell")
       ->needs(log);
-  up->add_option("--seed", choices->seed, "What chance begins from in the simulated world")
+  up->add_option("--seed", choices->seed, "The seed of the simulated world")
       ->check(seed_check())
       ->capture_default_str();
-  up->add_flag("--console", choices->console, "Show the cell in a browser, too: the address is said when it is there");
-  up->add_flag("--json", choices->json, "One JSON object a line");
+  up->add_flag("--console", choices->console, "Also show the cell in a browser; the address is printed");
+  up->add_flag("--json", choices->json, "Print one JSON object a line");
   up->footer(help_footer("up examples/01-blocks/cell.scm"));
   up->callback([choices, &status] { status = run_up(*choices); });
 }

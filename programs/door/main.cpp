@@ -91,8 +91,8 @@ void add_door_command(CLI::App& app, int& status) {
                    "secret in NAME.secret, and NAME.key says what it may do")
       ->type_name("DIR")
       ->capture_default_str();
-  word->add_option("--board", choices->board, "Where the board listens; that of the cell that runs here otherwise");
-  word->add_option("--cell", choices->cell, "Which of the running cells, where several run here");
+  word->add_option("--board", choices->board, "The board's address; default: the cell that runs here");
+  word->add_option("--cell", choices->cell, "The running cell of this name, where several run here");
   word->footer(help_footer("door --keys keys --serial /dev/ttyUSB0:9600"));
   word->callback([choices, &status] { status = serve(*choices); });
 }

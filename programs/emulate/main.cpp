@@ -46,35 +46,35 @@ void add_emulate_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<EmulateChoices>();
   CLI::App* emulating = app.add_subcommand(
       "emulate",
-      "A device's controller without the device, for drivers to be tried on: it speaks the device's own protocol,\n"
+      "Run a device's controller without the device, to try drivers on. It speaks the device's own protocol,\n"
       "keeps state, moves in time, and refuses what the device refuses. Until Ctrl-C.");
   emulating
       ->add_option(
           "device", choices->device,
-          "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), up6-nx100 "
+          "The device: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), up6-nx100 "
           "(Ethernet Server, or a serial line), up6-motoros (MotoROS), up6-motoros-fs100 (in the other byte order), "
           "ur5e (RTDE, URScript, dashboard), f3 (ROS-Industrial simple_message) or f3-track (with its track); or "
           "gripper (Modbus TCP)")
       ->required()
       ->check(CLI::IsMember(device_names()));
-  CLI::Option* pty =
-      emulating->add_flag("--pty", choices->pty,
-                          "At a pseudo-terminal, opened like a serial line; f3 at two, motion and state, as a C500C's");
-  CLI::Option* tcp =
-      add_port(emulating, "--tcp", choices->port,
-               "At this TCP port, and those after it where it has several; 0 takes any that are free; otherwise the "
-               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 50240 and 50241 of up6-motoros, 30004, 30002, "
-               "29999, 30001 and 30003 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper");
+  CLI::Option* pty = emulating->add_flag(
+      "--pty", choices->pty, "Open a pseudo-terminal, like a serial line; f3 has two, motion and state, like a C500C");
+  CLI::Option* tcp = add_port(
+      emulating, "--tcp", choices->port,
+      "Listen at this TCP port, and at those after it where the device has several; 0: any free ones. Default: the "
+      "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 50240 and 50241 of up6-motoros, 30004, 30002, "
+      "29999, 30001 and 30003 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper");
   CLI::Option* udp =
-      add_port(emulating, "--udp", choices->port, "The same of up6, which is at UDP ports: 10040 and 10041");
+      add_port(emulating, "--udp", choices->port, "The same for up6, which has two UDP ports: 10040 and 10041");
   tcp->excludes(pty)->excludes(udp);
   udp->excludes(pty);
-  emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")
+  emulating
+      ->add_option("--address", choices->address, "The address on which its port listens; default: only this machine")
       ->capture_default_str()
       ->excludes(pty);
   emulating
       ->add_option("--world", choices->world,
-                   "The arm moved is the simulated world's that listens there, ipc://PATH, as `world` and `up` "
+                   "Move the arm of the simulated world at this address, ipc://PATH, as `world` and `up` "
                    "have one")
       ->check([](const std::string& text) {
         return text.starts_with("ipc://") ? std::string() : "a simulated world is at ipc://PATH";
@@ -83,13 +83,13 @@ void add_emulate_command(CLI::App& app, int& status) {
       ->add_option("--programs", choices->programs,
                    "The folder of a ur5e's stored programs, files of URScript that the dashboard loads and plays")
       ->check(CLI::ExistingDirectory);
-  emulating->add_flag("--json", choices->json, "One JSON object a line");
+  emulating->add_flag("--json", choices->json, "Print one JSON object a line");
   emulating->footer(help_footer(
       "emulate ptu46-17.5 --tcp 4000",
-      "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`; of\n"
+      "You stand beside the device and type, one line each: `power off`, `power on`, `status`; for\n"
       "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`;\n"
-      "of a gripper also `fault CODE` and `refuse CODE`.\n"
-      "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
+      "for a gripper also `fault CODE` and `refuse CODE`.\n"
+      "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port is free."));
   emulating->callback([choices, tcp, udp, &status] {
     const bool by_udp = choices->device == udp_device;
     const CLI::Option* other = by_udp ? tcp : udp;

@@ -98,7 +98,7 @@ int show_all(const KeysChoices& choices) {
 
 void add_common_options(CLI::App* word, KeysChoices& choices) {
   word->add_option("--dir", choices.folder, "The folder of the keys")->capture_default_str();
-  word->add_flag("--json", choices.json, "One JSON object a line");
+  word->add_flag("--json", choices.json, "Print one JSON object a line");
   word->footer(help_footer(
       word->get_name() == "list" ? "keys list" : "keys " + word->get_name() + " vision",
       "Exit status: 0 done; 2 a wrong word, option, name or file of keys; 4 a file cannot be read or written."));
@@ -111,11 +111,12 @@ void add_keys_command(CLI::App& app, int& status) {
   keys->require_subcommand(1);
   CLI::App* fresh = keys->add_subcommand(
       "new", "Make a key: NAME.secret for its owner, NAME.key for the board. The board's own is called board.");
-  fresh->add_option("NAME", choices->name, "Who it is for: an agent, a host, a person")->required();
+  fresh->add_option("NAME", choices->name, "The owner's name: an agent, a host or a person")->required();
   const auto permission = [&](const char* option, std::vector<std::string>& listed, const char* help) {
     fresh->add_option(option, listed, help)->delimiter(',')->type_name("RELATION,...");
   };
-  permission("--tell", choices->may.tell, "What it may tell and retract: names, beginnings with a star, or *");
+  permission("--tell", choices->may.tell,
+             "Relations that it may tell and retract: names, beginnings with a star, or *");
   permission("--take", choices->may.take, "What it may take");
   permission("--read", choices->may.read, "What it may ask for and watch; everything of all, where nothing is named");
   permission("--override", choices->may.override_leases, "What of others' leased facts it may replace and retract");

@@ -38,7 +38,7 @@ Result<void> read_part(const Source& source, const Datum& part, const Path& path
     for (std::size_t i = 1; i < part.size(); ++i) {
       if (std::ranges::find(does, part[i].text()) == does.end()) {
         return fail(wrong(source, below(path, i),
-                          "what a wrapper does is transformation, interpretation, distribution, collection or "
+                          "a wrapper does transformation, interpretation, distribution, collection or "
                           "processing"));
       }
       component.does.emplace(part[i].text());
@@ -132,7 +132,7 @@ Result<System> read_system(const std::string& path) {
       if (!connection) return fail(connection);
       system.connections.push_back(std::move(*connection));
     } else {
-      return fail(wrong(*source, {0, i}, "in a system stand components, and after them connections"));
+      return fail(wrong(*source, {0, i}, "a system has its components first, then its connections"));
     }
   }
   return system;

@@ -207,27 +207,30 @@ void add_plan_command(CLI::App& app, int& status) {
       ->required();
   word->add_option("PROBLEM", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
       ->required();
-  CLI::Option* optimal = word->add_flag("--optimal", choices->optimal, "As few parallel steps as can be");
+  CLI::Option* optimal =
+      word->add_flag("--optimal", choices->optimal, "The fewest parallel steps; the default up to that size");
   CLI::Option* fast = word->add_flag("--fast", choices->fast,
                                      fmt::format("A plan soon, then shorter ones; the default for more than {} actions",
                                                  planner::most_actions_for_optimal))
                           ->excludes(optimal);
-  CLI::Option* seed = word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
-  word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
+  CLI::Option* seed = word->add_option("--seed", choices->seed, "The seed of all chance; 1")->check(seed_check());
+  word->add_option("--time", choices->limit_s, "End after this many seconds; --fast ends after 10 by itself")
       ->check(seconds_check())
       ->type_name("S");
-  word->add_option("--memory", choices->memory_mb, "End when planning takes more than so much; 2048")
+  word->add_option("--memory", choices->memory_mb, "End when planning takes more memory than this; 2048")
       ->check(CLI::Range(1, 1 << 20))
       ->type_name("MB");
-  word->add_option("--planner", choices->planner,
-                   "Have this command plan: {domain} and {problem} stand for PDDL files, {plan} for its answer")
+  word->add_option(
+          "--planner", choices->planner,
+          "Let this command plan: {domain} and {problem} are replaced by PDDL files, {plan} by the file for its answer")
       ->check(command_check())
       ->type_name("COMMAND")
       ->excludes(optimal)
       ->excludes(fast)
       ->excludes(seed);
-  CLI::Option* pddl = word->add_flag("--pddl", choices->pddl, "Only actions, one (NAME OBJECT ...) a line, in order");
-  word->add_flag("--json", choices->json, "One JSON object")->excludes(pddl);
+  CLI::Option* pddl =
+      word->add_flag("--pddl", choices->pddl, "Print only the actions, one (NAME OBJECT ...) a line, in order");
+  word->add_flag("--json", choices->json, "Print one JSON object")->excludes(pddl);
   word->footer(help_footer(
       "plan domain.pddl problem.pddl --time 30",
       "Exit status: 0 a plan; 1 none found in the time and memory given; 2 wrong options or files; 3 proved that "

@@ -33,7 +33,7 @@ Result<void> check_safe(const fs::path& file) {
     const bool above = part != file && part != folder;
     if (others_may_write(found, above)) {
       return fail("unsafe-plugin",
-                  fmt::format("{} belongs to another, or others may write to it: a plug-in from there is not loaded",
+                  fmt::format("{} belongs to another user, or others may write to it: no plug-in is loaded from there",
                               text_of_bytes(part.string())),
                   Datum::string(file.string()));
     }
@@ -88,7 +88,7 @@ Result<PluginLibrary> PluginLibrary::load(const std::string& name, const std::ve
 Result<void*> PluginLibrary::symbol(const char* name) const {
   void* const found = dlsym(handle_.get(), name);
   if (found != nullptr) return found;
-  return fail("bad-plugin", fmt::format("{} has no {}: it is no such plug-in", text_of_bytes(file_), name));
+  return fail("bad-plugin", fmt::format("{} has no {}: it is not a plug-in of this kind", text_of_bytes(file_), name));
 }
 
 }  // namespace pizarra::programs

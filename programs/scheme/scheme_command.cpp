@@ -112,21 +112,20 @@ void add_scheme_command(CLI::App& app, int& status) {
   word->add_option("FILE", choices->file, "The agent's file; it is loaded again whenever it is saved")
       ->required()
       ->check(CLI::ExistingFile);
-  word->add_option("--try", choices->story,
-                   "Try it on this story in place of a board, and say what was not as expected")
+  word->add_option("--try", choices->story, "Try it on this story instead of a board, and report every difference")
       ->check(CLI::ExistingFile);
-  word->add_option("--name", choices->name, "Its name on the board; the file's otherwise");
-  word->add_option("--board", choices->board, "Where the board listens; that of the cell that runs here otherwise");
-  word->add_option("--cell", choices->cell, "Which of the running cells, where several run here");
+  word->add_option("--name", choices->name, "Its name on the board; default: the file's");
+  word->add_option("--board", choices->board, "The board's address; default: the cell that runs here");
+  word->add_option("--cell", choices->cell, "The running cell of this name, where several run here");
   add_key_option(word, choices->key);
-  word->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
-  word->add_option("--time", choices->time_ms, "Milliseconds that loading and each run may take")
+  word->add_option("--host", choices->host, "The host that it names in its presence")->capture_default_str();
+  word->add_option("--time", choices->time_ms, "The most time that loading and each run may take, in milliseconds")
       ->check(number_check(10, 60000))
       ->capture_default_str();
-  word->add_option("--memory", choices->memory_mb, "MB that a run may take, and the agent keep")
+  word->add_option("--memory", choices->memory_mb, "The most memory that a run may take and the agent may keep, in MB")
       ->check(number_check(8, 4096))
       ->capture_default_str();
-  word->add_option("--rate", choices->messages_per_s, "Facts told and questions asked a second, at most")
+  word->add_option("--rate", choices->messages_per_s, "The most facts and questions a second")
       ->check(number_check(1, 100000))
       ->capture_default_str();
   word->footer(help_footer("scheme examples/10-conveyor/conveyor.scm"));

@@ -208,7 +208,7 @@ Task<Result<Datum>> PlannerAgent::State::plan_for(std::int64_t number) {
   co_await tell_state("planning", Datum::list(facts->goals));
   std::function<void(const std::function<bool()>&)> work = work_of(mine);
   co_await context.executor.offload(std::move(work), search_cost);
-  if (search != mine) co_return fail("cancelled", "something else is to be planned now");
+  if (search != mine) co_return fail("cancelled", "another plan is wanted now");
   search.reset();
   if (!mine->result) {
     const Failure failure = as_asked(mine->result.error());

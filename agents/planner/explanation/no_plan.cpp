@@ -22,7 +22,7 @@ std::string in_words(const std::vector<Datum>& facts) {
 
 Failure explain(const Problem& problem, const Outcome& outcome) {
   assert(outcome.kind != Outcome::Kind::plan);
-  if (outcome.kind == Outcome::Kind::cancelled) return {"cancelled", "something else is to be planned now", {}, {}};
+  if (outcome.kind == Outcome::Kind::cancelled) return {"cancelled", "another plan is wanted now", {}, {}};
   if (outcome.kind == Outcome::Kind::gave_up) {
     return {"gave-up", fmt::format("no plan was found within {}; there may be one", outcome.spent), {}, {}};
   }

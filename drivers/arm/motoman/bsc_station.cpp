@@ -55,7 +55,7 @@ Task<Result<void>> BscStation::bid() {
       }
     }
   }
-  co_return fail("disconnected", "nobody answers at the other end of the line");
+  co_return fail("disconnected", "no answer comes from the other end of the line");
 }
 
 Task<Result<void>> BscStation::hand_over(std::string block, Kind expected) {

@@ -50,7 +50,7 @@ Task<Result<void>> EthernetLine::begin_session(Time deadline) {
   const Result<std::string> answer = co_await lines_.next(deadline);
   if (!answer) co_return fail("disconnected", device_ + " does not greet: " + answer.error().sentence);
   if (!all_is_well(*answer)) {
-    co_return fail("disconnected", fmt::format("{} lets nobody in: {}", device_, line::printable(*answer)));
+    co_return fail("disconnected", fmt::format("{} refuses the connection: {}", device_, line::printable(*answer)));
   }
   session_ = true;
   co_return Result<void>();

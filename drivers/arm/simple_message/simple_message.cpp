@@ -23,7 +23,7 @@ std::unexpected<Failure> wrong_size(const char* what, std::size_t octets) {
 Result<void> finite(const std::array<float, simple::axes>& joints) {
   for (std::size_t axis = 0; axis < joints.size(); ++axis) {
     if (std::isfinite(joints[axis])) continue;
-    return fail("bad-reply", fmt::format("axis {} is given what is no number", axis + 1), to_datum(axis + 1));
+    return fail("bad-reply", fmt::format("the value for axis {} is not a number", axis + 1), to_datum(axis + 1));
   }
   return {};
 }

@@ -39,9 +39,9 @@ Result<State> read_state(std::string_view payload) {
   if (!read.whole()) return fail("bad-reply", fmt::format("the arm told its state in {} octets", payload.size()));
   for (std::size_t axis = 0; axis < state.joints_rad.size(); ++axis) {
     if (std::isfinite(state.joints_rad[axis])) continue;
-    return fail("bad-reply", fmt::format("the arm says of axis {} what is no number", axis + 1), to_datum(axis + 1));
+    return fail("bad-reply", fmt::format("the arm's value of axis {} is not a number", axis + 1), to_datum(axis + 1));
   }
-  if (!std::isfinite(state.opening_mm)) return fail("bad-reply", "the arm says of its gripper what is no number");
+  if (!std::isfinite(state.opening_mm)) return fail("bad-reply", "the arm's value of its gripper is not a number");
   return state;
 }
 

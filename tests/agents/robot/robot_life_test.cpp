@@ -106,7 +106,7 @@ TEST_F(Robot, RequestOfAnAgentThatDiedIsAnsweredOnceAndNothingGoesOn) {
     life.reset();
     begin();
     executor.run_for(5s);
-    EXPECT_TRUE(reply(cut_off).starts_with("(fail stopped \"the robot agent began anew")) << reply(cut_off);
+    EXPECT_TRUE(reply(cut_off).starts_with("(fail stopped \"the robot agent was restarted")) << reply(cut_off);
     const arm::Joints stands = arm.at();
     executor.run_for(10s);
     EXPECT_EQ(arm.at(), stands) << operation;
