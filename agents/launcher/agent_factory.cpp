@@ -261,6 +261,7 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtim
     }
     if (!camera) return fail("no-camera", "this program opens no real cameras; pizarra-eyes does", Datum::symbol(kind));
     vision::VisionOptions options{.objects_directory = description.objects_directory};
+    for (const auto& [family, side_mm] : description.tags) options.tags.push_back({family, side_mm});
     return std::make_unique<BuiltVision>(std::move(context), std::move(camera), streams, std::move(options));
   }
   if (kind == "pan-tilt") {

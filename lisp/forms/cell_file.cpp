@@ -135,6 +135,12 @@ std::vector<CellSchemeAgent> scheme_agents_from_datum(const Datum& agents, const
   return out;
 }
 
+std::vector<CellTags> tags_from_datum(const Datum& tags) {
+  std::vector<CellTags> out;
+  for (const Datum& each : tags.items()) out.push_back({std::string(each[0].text()), each[1].number()});
+  return out;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -162,6 +168,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.slave = slave_from_datum(datum[18], file);
   cell.arm_rate_hz = datum[20].number();
   cell.scheme_agents = scheme_agents_from_datum(datum[21], file);
+  cell.tags = tags_from_datum(datum[22]);
   return cell;
 }
 

@@ -26,6 +26,8 @@
 //     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
 //                                                              ; the cell file; left out: on the board alone
 //     (camera (pair (device 0) (device 2)) (calibration "pair.calibration"))   ; camera_setup.hpp
+//     (tags (apriltag-36h11 40) (aruco-4x4-50 22.5))           ; families of tags that the eyes tell of without having
+//                                                              ; been shown them, and the sides of their squares, mm
 //     (agent conveyor (scheme "conveyor.scm"))                 ; an agent of one's own (docs/scheme-agents.md); with
 //                                                              ; (time 1000) (memory 64) (rate 1000) (key "FILE")
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
@@ -126,6 +128,13 @@ struct CellSchemeAgent {
   std::string key;  // the file of the secret with which it comes to the board, empty: its host's
 };
 
+// A family of tags as the eyes call it, and how large its dark squares are.
+struct CellTags {
+  std::string family;
+  double side_mm = 0;
+  bool operator==(const CellTags&) const = default;
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -149,6 +158,7 @@ struct CellDescription {
   std::optional<CellSlave> slave;
   PanTiltLine pan_tilt;
   CameraSetup eyes;               // of the vision agent
+  std::vector<CellTags> tags;     // that it tells of unasked
   std::string objects_directory;  // of the object database, empty: there is none
   std::string domain_file;        // a path that can be opened
   std::string board_host;

@@ -10,7 +10,10 @@ namespace pizarra::vision {
 
 void VisionFacts::begin_anew() {
   // What was told under another presence went with it.
-  if (lost()) told_tracks_.clear();
+  if (lost()) {
+    told_tracks_.clear();
+    no_tags_told_ = false;
+  }
   told_under_ = service_->presence();
 }
 
@@ -79,6 +82,14 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
   co_await transact(std::move(transaction));
 }
 
+Task<void> VisionFacts::tell_tags(std::uint64_t frame, Time captured, std::vector<FoundMark> seen) {
+  if (seen.empty() && no_tags_told_) co_return;
+  no_tags_told_ = seen.empty();
+  std::vector<Datum> facts;
+  facts.push_back(tags_fact(frame, captured, seen));
+  co_await tell(std::move(facts));
+}
+
 Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& objects) {
   const Datum any =
       told_by(context_.name, list("found"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
@@ -111,6 +122,13 @@ Task<void> VisionFacts::unsay() {
   Transaction transaction;
   retract_all(transaction, "look"_sym, 3);
   retract_all(transaction, "tracked"_sym, 4);
+  co_await transact(std::move(transaction));
+}
+
+Task<void> VisionFacts::unsay_tags() {
+  no_tags_told_ = false;
+  Transaction transaction;
+  retract_all(transaction, "tags-seen"_sym, 3);
   co_await transact(std::move(transaction));
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "agents/runtime/service.hpp"
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
 namespace pizarra::vision {
@@ -40,8 +41,11 @@ class VisionFacts {
   // `found` facts get the new names of their two objects: the one found, and the one that it is most like otherwise. A
   // fact of which either object is forgotten is retracted.
   Task<void> follow_found(Renames renames, const LearnedObjects& objects);
-  // Retracts what was told of earlier frames.
+  // The tags that a frame shows, which was captured then. That there are none is told once.
+  Task<void> tell_tags(std::uint64_t frame, Time captured, std::vector<FoundMark> seen);
+  // Retracts what was told of earlier frames: of tracking, and of tags.
   Task<void> unsay();
+  Task<void> unsay_tags();
 
   // As it is.
   Task<void> transact(Transaction transaction);
@@ -56,6 +60,7 @@ class VisionFacts {
   LeaseId told_under_ = 0;
   std::map<std::string, std::string> told_tracks_;  // the state of each tracked object as it was told last
   std::vector<Datum> told_held_;
+  bool no_tags_told_ = false;  // by what was told of tags last
 };
 
 }  // namespace pizarra::vision

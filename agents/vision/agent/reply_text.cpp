@@ -11,6 +11,17 @@ namespace {
 
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
+// Where it is.
+std::vector<Datum> parts_of(const FoundMark& found) {
+  const SeenPair& pair = found.pair;
+  const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
+  const SeenRange range = found.range.value_or(SeenRange());
+  const Datum places = places_datum({pair.left.centre, right, range.mm, range.spread_mm});
+  std::vector<Datum> out(places.items().begin(), places.items().end());
+  if (found.pose) out.push_back(pose_datum(*found.pose));
+  return out;
+}
+
 }  // namespace
 
 std::string learn_reply(const std::string& name, bool ok) {
@@ -77,17 +88,20 @@ Datum found_fact(std::uint64_t frame, const FoundMark& found) {
   for (const cv::Point2d& place : found.elsewhere | std::views::take(most_others)) {
     elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
   }
-  const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
-  const SeenRange range = found.range.value_or(SeenRange());
-  Datum places = places_datum({pair.left.centre, right, range.mm, range.spread_mm});
-  if (found.pose) {
-    std::vector<Datum> with_pose(places.items().begin(), places.items().end());
-    with_pose.push_back(pose_datum(*found.pose));
-    places = Datum::list(std::move(with_pose));
-  }
   return list("found"_sym, found.name, frame, rounded(found.confidence, 1000),
               likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
-              Datum::list(std::move(elsewhere)), std::move(places));
+              Datum::list(std::move(elsewhere)), Datum::list(parts_of(found)));
+}
+
+Datum tags_fact(std::uint64_t frame, Time captured, std::span<const FoundMark> seen) {
+  std::vector<Datum> tags;
+  for (const FoundMark& found : seen | std::views::take(most_tags_told)) {
+    const Tag& tag = *found.pair.left.tag;
+    std::vector<Datum> one{Datum::symbol(tag.family), to_datum(tag.number), to_datum(rounded(found.confidence, 1000))};
+    std::ranges::move(parts_of(found), std::back_inserter(one));
+    tags.push_back(Datum::list(std::move(one)));
+  }
+  return list("tags-seen"_sym, frame, captured.time_since_epoch().count(), Datum::list(std::move(tags)));
 }
 
 Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {

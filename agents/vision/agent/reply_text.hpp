@@ -35,6 +35,11 @@ Datum pose_datum(const MarkPose& pose);
 // where it may be, eight at most.
 Datum found_fact(std::uint64_t frame, const FoundMark& found);
 
+// (tags-seen FRAME CAPTURED ((FAMILY NUMBER CONFIDENCE PART ...) ...)): the tags that a frame shows, with the parts of
+// places_datum() and the pose; CAPTURED in microseconds since 1970. Of too many the largest.
+inline constexpr std::size_t most_tags_told = 128;
+Datum tags_fact(std::uint64_t frame, Time captured, std::span<const FoundMark> seen);
+
 // One look: (look FRAME TEXT (("a" seen CONFIDENCE PART ...) ("b" bridged CONFIDENCE PART ...) ("c" lost) ...)). TEXT
 // is track_reply(). Each PART begins with its name: those of places_datum(); (face DEGREES), how far its face looks to
 // the right of the camera; and (second NAME MARGIN), what it is most like otherwise and by how much less. Of one that

@@ -49,6 +49,7 @@ Task<Result<void>> VisionAgent::State::run() {
       state.again = Job();
       state.silence = Job();
       state.showing = Job();
+      state.reading = Job();
       state.service.reset();
       state.feed.abandon();
     }
@@ -65,6 +66,7 @@ Task<Result<void>> VisionAgent::State::run() {
   if (!recalled) co_return recalled;
   co_await tell_state();
   co_await tell_objects();
+  if (!tags.empty()) feed.start();
   again = context.executor.spawn(tell_state_again());
   silence = context.executor.spawn(tell_silence());
   runtime::RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };

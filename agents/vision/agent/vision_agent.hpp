@@ -17,8 +17,10 @@
 //   Job job = executor.spawn(...vision.run()...);
 
 #include <memory>
+#include <vector>
 
 #include "agents/runtime/agent.hpp"
+#include "agents/vision/sight/tags_in_view.hpp"
 #include "blackboard/stream.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
@@ -27,6 +29,8 @@ namespace pizarra::vision {
 struct VisionOptions {
   // The folder of the object database; empty: what was learned is kept on the board alone.
   std::string objects_directory;
+  // Tags that are told as they come into view, although nobody asked. The camera is open all the time then.
+  std::vector<SizedFamily> tags = {};
 };
 
 class VisionAgent : public runtime::Agent {

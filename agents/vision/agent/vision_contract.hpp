@@ -32,6 +32,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
                       (key eyes name))
     (relation found ((eyes symbol) (name string) (frame integer) (confidence number) (second string) (margin number)
                      (elsewhere list) (places list)) (key eyes name))
+    (relation tags-seen ((eyes symbol) (frame integer) (captured integer) (tags list)) (key eyes))
     (relation vision-failed ((eyes symbol) (frame integer) (text string) (symbol symbol) (sentence string)) (key eyes))
     (relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)
                        (m0 number) (m1 number) (m2 number)) (key eyes name num) (durable))

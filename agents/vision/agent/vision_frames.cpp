@@ -38,6 +38,7 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
     tracking_is_next = false;
     turns_changed.wake_all();
   }
+  begin_reading_tags(frame);
   publish(frame);
   // A frame that was taken for finds is shown by the find, with what it found.
   if (finding_for.empty()) begin_showing(frame, sightings);
@@ -49,7 +50,7 @@ Task<void> VisionAgent::State::tell_silence() {
   FramePace pace;
   Time last = context.executor.now();
   while (true) {
-    const Duration patience = tracker.empty() ? rest_check : pace.patience();
+    const Duration patience = tracker.empty() && tags.empty() ? rest_check : pace.patience();
     const Result<camera::StereoFrame> frame = co_await feed.next(last, patience);
     if (frame) {
       last = frame->captured;
@@ -59,7 +60,10 @@ Task<void> VisionAgent::State::tell_silence() {
     if (feed.state() != CameraFeed::State::open) pace.rest();
     co_await sleep(context.executor, grace);
     const bool silent = feed.state() == CameraFeed::State::open && feed.latest() <= last;
-    if (silent) co_await tell_missed();
+    if (!silent) continue;
+    co_await tell_missed();
+    const std::vector<FoundMark> none;
+    if (!tags.empty()) co_await facts.tell_tags(feed.frame_number(), feed.latest(), none);
   }
 }
 

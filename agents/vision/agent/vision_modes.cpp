@@ -78,7 +78,7 @@ Task<void> VisionAgent::State::end_learning() {
 }
 
 Task<void> VisionAgent::State::rest_or_go_on() {
-  const bool busy = !learning_for.empty() || !finding_for.empty() || !tracker.empty();
+  const bool busy = !learning_for.empty() || !finding_for.empty() || !tracker.empty() || !tags.empty();
   if (!busy && !holders.connected()) feed.stop();
   co_await tell_state();
 }

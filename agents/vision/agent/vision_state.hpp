@@ -2,7 +2,7 @@
 
 // The state of the vision agent. vision_agent.cpp runs it; vision_operations.cpp has its operations, vision_objects.cpp
 // what is learned; vision_turns.cpp says who may use it when, vision_modes.cpp what goes on for whom; vision_frames.cpp
-// what becomes of a frame, vision_state_telling.cpp what is told.
+// what becomes of a frame, vision_tags.cpp the tags in it; vision_state_telling.cpp what is told.
 
 #include <map>
 #include <optional>
@@ -133,6 +133,10 @@ struct VisionAgent::State {
 
   // Frames.
   Task<void> on_frame(camera::StereoFrame frame);
+  // The tags that it shows are told, unless those of a frame before are still being read: however long that takes, one
+  // look is in hand, away from this thread.
+  void begin_reading_tags(const camera::StereoFrame& frame);
+  Task<void> read_tags(camera::StereoFrame frame);
   // While something is tracked and no frame comes, that nothing is seen.
   Task<void> tell_silence();
   Task<void> tell_missed();
@@ -153,6 +157,7 @@ struct VisionAgent::State {
   const LearnedObjects& objects = memory.objects();
   MarkFinder finder{objects};
   MarkTracker tracker{objects};
+  const TagsInView tags{options.tags};
   Time tracking_asked = {};                    // for the object that was added last
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
@@ -172,6 +177,7 @@ struct VisionAgent::State {
   Job again;
   Job silence;
   Job showing;
+  Job reading;
 };
 
 // Grey images of a frame; they share its pixels where these are grey already.

@@ -88,6 +88,8 @@ Task<void> VisionAgent::State::camera_changed() {
   tracking_is_next = false;
   turns_changed.wake_all();
   co_await facts.unsay();
+  reading = Job();
+  co_await facts.unsay_tags();
 }
 
 }  // namespace pizarra::vision

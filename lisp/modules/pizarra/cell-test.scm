@@ -12,10 +12,10 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () ())))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 ()))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () ()))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))

@@ -4,7 +4,7 @@
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
 ;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
-;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...)))
+;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...)))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
@@ -12,7 +12,7 @@
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
 ;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or ();
 ;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own; RATE how
-;; often a second the arm tells its state; the last the agents that are Scheme files.
+;; often a second the arm tells its state; then the agents that are Scheme files, and the tags that the eyes look for.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -20,6 +20,7 @@
   #:use-module (pizarra camera)
   #:use-module (pizarra driver)
   #:use-module (pizarra gripper)
+  #:use-module (pizarra tags)
   #:export (interpret cubes-of))
 
 (define marks '(circle triangle square cross))
@@ -372,7 +373,7 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera pan-tilt objects domain board agent host)
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera tags pan-tilt objects domain board agent host)
                           '(agent host)))
          (world (section-in found 'world))
          (things (if world
@@ -426,7 +427,8 @@
           (if slave (slave-of (node-within slave "in the second arm") arms) '())
           (gripper-of arm-parts)
           (rate-of arm-parts)
-          agents)))
+          agents
+          (tags-of found))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

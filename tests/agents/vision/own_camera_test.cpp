@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "agents/runtime/service.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
+#include "agents/vision/marks/tag_detection.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/camera/any_source.hpp"
 #include "drivers/camera/video_camera.hpp"
+#include "lisp/forms/cell_file.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/vision/photograph.hpp"
@@ -23,6 +26,11 @@ namespace {
 constexpr int shots = 3;
 
 Datum form(std::string_view written) { return read_one(written).value(); }
+
+Task<void> live(VisionAgent& vision) {
+  const Result<void> ended = co_await vision.run();
+  EXPECT_TRUE(ended.has_value());
+}
 
 class OwnCamera : public testing::TestWithParam<cv::Size> {
  protected:
@@ -43,10 +51,6 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     agent.reset();
     camera.reset();
     std::filesystem::remove_all(folder);
-  }
-  static Task<void> live(VisionAgent& vision) {
-    const Result<void> ended = co_await vision.run();
-    EXPECT_TRUE(ended.has_value());
   }
   Task<void> begin() {
     const Result<void> present = co_await service.start();
@@ -248,6 +252,51 @@ TEST_P(OwnCamera, AClickOnThePaperIsRefusedWithItsReason) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, OwnCamera, testing::Values(cv::Size(640, 480), cv::Size(1280, 960)),
                          [](const auto& size) { return fmt::format("Width{}", size.param.width); });
+
+// A cell file that names tags and image files: nobody asks the eyes for anything.
+TEST(OwnCameraOfACell, TellsTheTagsOfItsImageFiles) {
+  constexpr int side_px = 96;
+  constexpr double focal_px = 500;
+  constexpr double side_mm = 50;
+  const std::string folder = scratch_folder() + "tags-of-a-cell";
+  std::filesystem::create_directories(folder);
+  cv::Mat1b image(240, 320, std::uint8_t{200});
+  cv::Mat1b print;
+  cv::resize(print_of(*family_called("apriltag-36h11"), 17), print, {side_px, side_px}, 0, 0, cv::INTER_NEAREST);
+  image(cv::Rect(102, 62, side_px, side_px)).setTo(30, print == 0);
+  ASSERT_TRUE(cv::imwrite(folder + "/1.png", image));
+  const Result<forms::CellDescription> cell =
+      forms::read_cell(fmt::format("(cell c (camera (single (images \"{}\")) (focal {})) (tags (apriltag-36h11 {})))",
+                                   folder, focal_px, side_mm),
+                       "c");
+  ASSERT_TRUE(cell) << describe(cell.error());
+  RealExecutor executor;
+  memory::MemoryBoard board(executor);
+  const std::unique_ptr<Board> view = board.view("vision");
+  camera::VideoCamera camera(executor, cell->eyes, camera::make_any_source);
+  VisionAgent agent({"vision", "here", executor, *view, Random(1)}, camera, nullptr,
+                    {.objects_directory = "", .tags = {{cell->tags.front().family, cell->tags.front().side_mm}}});
+  Job life = executor.spawn(live(agent));
+  const Query query = query_from_datum(form("(tags-seen vision ?frame ?captured ?tags)")).value();
+  std::optional<Datum> tags;
+  const Time deadline = executor.now() + 60s;
+  executor.call_at(deadline, [] {});
+  executor.run_until([&] {
+    const Result<Answers> answers = board.ask(query);
+    if (answers && !answers->answers.empty()) tags = *answers->answers[0].bindings.find("?tags");
+    return tags || executor.now() >= deadline;
+  });
+  life = Job();
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(tags);
+  ASSERT_EQ(tags->size(), 1U) << write(*tags);
+  const Datum& tag = (*tags)[0];
+  EXPECT_EQ(tag[1].integer(), 17);
+  const Datum& pose = tag[tag.size() - 1];
+  ASSERT_TRUE(pose.is_form("pose")) << write(tag);
+  EXPECT_NEAR(pose[1].number(), (149.5 - 159.5) * side_mm / side_px, 0.5);
+  EXPECT_NEAR(pose[3].number(), focal_px * side_mm / side_px, 3);
+}
 
 }  // namespace
 }  // namespace pizarra::vision

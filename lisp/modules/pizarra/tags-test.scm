@@ -1,0 +1,25 @@
+(use-modules (pizarra cell) (pizarra checks))
+
+;; The tags of a cell file, or how many complaints it has and the first one.
+(define (tags . sections)
+  (let ((outcome (interpret (list (append '(cell c) sections)))))
+    (if (eq? (car outcome) 'ok)
+        (list-ref (cadr outcome) 22)
+        (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))))))
+
+(check "a cell that names no tags looks for none" (tags) '())
+(check "a family goes with the side of its tags" (tags '(tags (apriltag-36h11 40))) '((apriltag-36h11 40)))
+(check "there may be several families" (tags '(tags (aruco-4x4-50 22.5) (apriltag-36h11 40)))
+       '((apriltag-36h11 40) (aruco-4x4-50 22.5)))
+(check "no family at all is a mistake" (tags '(tags)) '(1 malformed (0 2)))
+(check "a family that is not known is refused" (tags '(tags (apriltag-36h12 40))) '(1 unknown-section (0 2 1)))
+(check "a family has tags of one size" (tags '(tags (apriltag-36h11 40) (apriltag-36h11 60))) '(1 repeated (0 2 2)))
+(check "a side is needed" (tags '(tags (apriltag-36h11))) '(1 malformed (0 2 1)))
+(check "a side is a length" (tags '(tags (apriltag-36h11 0))) '(1 out-of-range (0 2 1 1)))
+(check "a side has one number" (tags '(tags (apriltag-36h11 40 60))) '(1 malformed (0 2 1)))
+(check "looking for more families would take too long"
+       (tags '(tags (apriltag-36h11 40) (apriltag-25h9 40) (apriltag-16h5 40) (aruco-4x4-50 40) (aruco-5x5-50 40)))
+       '(1 too-many (0 2 5)))
+(check "tags may be said once" (tags '(tags (apriltag-36h11 40)) '(tags (aruco-4x4-50 40))) '(1 repeated (0 3)))
+
+(finish-checks)
