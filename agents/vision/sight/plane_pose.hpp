@@ -7,10 +7,8 @@
 //   pose->place_mm, pose->turn, pose->covariance
 //   const double covered = covered_rather_than_tilted(*pose, 6);   // 0 to 1
 //
-// Six numbers, by Gauss-Newton steps on how far the edges are off along their normals, from both poses that a look
-// without perspective allows (D. Oberkampf, D. F. DeMenthon, L. S. Davis, Iterative pose estimation using coplanar
-// feature points, 1996). The covariance is the inverse of the normal matrix (JCGM 100:2008, 6.2), with how far the
-// edges themselves scatter.
+// Six numbers, by how far the edges are off along their normals (plane_solve.hpp), with how far the edges themselves
+// scatter.
 
 #include <Eigen/Core>
 #include <optional>

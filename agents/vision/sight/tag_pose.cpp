@@ -1,9 +1,11 @@
 #include "agents/vision/sight/tag_pose.hpp"
 
 #include <Eigen/Dense>
-#include <opencv2/calib3d.hpp>
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "agents/vision/sight/plane_solve.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -13,64 +15,46 @@ constexpr double corner_spread_px = 0.15;
 // Farther from where the pose puts them no corners of a square are, as a part of its side.
 constexpr double most_off_share = 0.05;
 
-// As OpenCV wants a square's corners: x right, y up, the middle at 0.
-std::vector<cv::Point3d> square_of(double side_mm) {
-  const double half = side_mm / 2;
-  return {{-half, half, 0}, {half, half, 0}, {half, -half, 0}, {-half, -half, 0}};
-}
-
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-// By that of each corner: half the inverse of the normal matrix of a small turn and step about the camera's axes.
-Matrix6 covariance_of(const std::vector<cv::Point3d>& square, const cv::Matx33d& turned, const cv::Vec3d& middle,
-                      double focal_px) {
-  Matrix6 normal = Matrix6::Zero();
-  for (const cv::Point3d& corner : square) {
-    const cv::Vec3d arm = turned * cv::Vec3d(corner.x, corner.y, corner.z);
-    const cv::Vec3d at = arm + middle;
-    Eigen::Matrix<double, 2, 3> by_place;
-    by_place << 1, 0, -at[0] / at[2], 0, 1, -at[1] / at[2];
-    by_place *= focal_px / at[2];
-    Eigen::Matrix3d by_turn;
-    by_turn << 0, arm[2], -arm[1], -arm[2], 0, arm[0], arm[1], -arm[0], 0;
-    Eigen::Matrix<double, 2, 6> slopes;
-    slopes << by_place, by_place * by_turn;
-    normal += slopes.transpose() * slopes;
+// Each corner along x and along y; the plane's x right and y down, its zero the middle of the square.
+std::vector<PlanePoint> points_of(const camera::StereoModel& model, const std::array<cv::Point2f, 4>& corners,
+                                  const std::array<cv::Point2f, 4>& square) {
+  std::vector<PlanePoint> out;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d plane(square[i].x, square[i].y);
+    const Eigen::Vector2d seen((corners[i].x - model.centre_x_px) / model.focal_px,
+                               (corners[i].y - model.centre_y_px) / model.focal_px);
+    out.push_back({plane, seen, {model.focal_px, 0}});
+    out.push_back({plane, seen, {0, model.focal_px}});
   }
-  return corner_spread_px * corner_spread_px * normal.inverse();
+  return out;
 }
 
 }  // namespace
 
 std::optional<TagPose> tag_pose(const camera::StereoModel& model, const std::array<cv::Point2f, 4>& corners,
                                 double side_mm) {
-  const std::vector<cv::Point3d> square = square_of(side_mm);
-  const std::vector<cv::Point2d> seen(corners.begin(), corners.end());
-  const cv::Matx33d camera(model.focal_px, 0, model.centre_x_px, 0, model.focal_px, model.centre_y_px, 0, 0, 1);
-  std::vector<cv::Mat> turns;
-  std::vector<cv::Mat> places;
-  // The likelier pose first.
-  if (cv::solvePnPGeneric(square, seen, camera, cv::noArray(), turns, places, false, cv::SOLVEPNP_IPPE_SQUARE) == 0) {
-    return std::nullopt;
-  }
-  cv::Vec3d turn(turns.front());
-  cv::Vec3d middle(places.front());
-  cv::solvePnPRefineLM(square, seen, camera, cv::noArray(), turn, middle);
-  std::vector<cv::Point2d> expected;
-  cv::projectPoints(square, turn, middle, camera, cv::noArray(), expected);
+  const auto half = static_cast<float>(side_mm / 2);
+  const std::array<cv::Point2f, 4> square = {{{-half, -half}, {half, -half}, {half, half}, {-half, half}}};
+  const std::vector<PlanePoint> points = points_of(model, corners, square);
+  const cv::Matx33d look = cv::getPerspectiveTransform(square.data(), corners.data());
+  const cv::Point2d centre(look(0, 2), look(1, 2));
+  const cv::Matx22d slope(look(0, 0) - look(2, 0) * centre.x, look(0, 1) - look(2, 1) * centre.x,
+                          look(1, 0) - look(2, 0) * centre.y, look(1, 1) - look(2, 1) * centre.y);
+  const std::vector<SolvedPlane> both =
+      solve_plane(points, plane_guesses(model, centre, slope), 1 / (corner_spread_px * corner_spread_px));
+  if (both.empty()) return std::nullopt;
+  const PlaneGuess& pose = both.front().pose;
   const double side_px = cv::arcLength(std::vector<cv::Point2f>(corners.begin(), corners.end()), true) / 4;
-  const double off_px = cv::norm(expected, seen, cv::NORM_INF);
-  if (!(middle[2] > 0) || !(off_px < most_off_share * side_px)) return std::nullopt;
+  const bool fits = std::ranges::all_of(
+      points, [&](const PlanePoint& point) { return std::abs(off_px(point, pose)) < most_off_share * side_px; });
+  if (!fits) return std::nullopt;
+  const cv::Vec3d middle(pose.place.x(), pose.place.y(), pose.place.z());
   const cv::Vec3d from_base = middle - cv::Vec3d(model.base_line_mm / 2, 0, 0);
   const double range = cv::norm(from_base);
-  cv::Matx33d turned;
-  cv::Rodrigues(turn, turned);
-  const Matrix6 covariance = covariance_of(square, turned, middle, model.focal_px);
+  const Eigen::Matrix<double, 6, 6> covariance = both.front().normal.inverse();
   const Eigen::Vector3d sight = Eigen::Vector3d(from_base[0], from_base[1], from_base[2]) / range;
   const double variance = sight.dot(covariance.topLeftCorner<3, 3>() * sight);
-  // From up and towards the camera to down and away.
-  const cv::Matx33d read(1, 0, 0, 0, -1, 0, 0, 0, -1);
-  return TagPose{middle, turned * read, range, std::sqrt(variance), covariance};
+  return TagPose{middle, matx_of(pose.turn), range, std::sqrt(variance), covariance};
 }
 
 }  // namespace pizarra::vision

@@ -5,9 +5,7 @@
 //   const std::optional<TagPose> pose = tag_pose(model, corners, 44);
 //   pose->middle_mm, pose->turn, pose->range_spread_mm
 //
-// Of a plane's two poses that look nearly alike the likelier one (T. Collins, A. Bartoli, Infinitesimal plane-based
-// pose estimation, International Journal of Computer Vision 109, 2014), then Gauss-Newton steps on where its corners
-// are seen. How far that is off follows from how far corners are, to first order (JCGM 100:2008, 6.2).
+// The likelier one of both poses that look nearly alike (plane_solve.hpp), with how far corners may be off.
 
 #include <Eigen/Core>
 #include <array>

@@ -1,0 +1,52 @@
+#pragma once
+
+// Where a plane is in space, by points of it that one image shows: Gauss-Newton steps on six numbers, from both tilts
+// that a look without perspective allows.
+//
+//   const std::vector<PlaneGuess> both = plane_guesses(model, middle, px_a_mm);
+//   const std::vector<SolvedPlane> poses = solve_plane(points, both, weight);       // the likelier one first
+//
+// (D. Oberkampf, D. F. DeMenthon, L. S. Davis, Iterative pose estimation using coplanar feature points, 1996.) The
+// inverse of the normal matrix is the covariance (JCGM 100:2008, 6.2).
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+#include <span>
+#include <vector>
+
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra::vision {
+
+// A point of the plane, as far as the image says along one direction where it is.
+struct PlanePoint {
+  Eigen::Vector2d plane;   // mm
+  Eigen::Vector2d seen;    // slopes off the camera's axis
+  Eigen::Vector2d normal;  // the direction, as long as the focal length: what it is off along it is px
+};
+
+struct PlaneGuess {
+  Eigen::Matrix3d turn;   // the plane's axes, as the camera's
+  Eigen::Vector3d place;  // of its zero, mm
+};
+
+struct SolvedPlane {
+  PlaneGuess pose;
+  Eigen::Matrix<double, 6, 6> normal;  // of the place, mm, then of a small turn about the camera's axes, rad
+  double misfit;                       // half of the squared deviations
+};
+
+// Along the line of sight the plane's axes are as long as they look, and what they lack to a unit is depth, towards
+// either side. `slope`: px a mm at `middle`. None where that is no plane's.
+std::vector<PlaneGuess> plane_guesses(const camera::StereoModel& model, cv::Point2d middle, const cv::Matx22d& slope);
+
+// `weight`: the inverse variance of a point, px.
+std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::span<const PlaneGuess> guesses,
+                                     double weight);
+
+// How far the image has it from where the pose puts it, px.
+double off_px(const PlanePoint& point, const PlaneGuess& pose);
+
+cv::Matx33d matx_of(const Eigen::Matrix3d& turn);
+
+}  // namespace pizarra::vision
