@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "agents/vision/marks/tag_reading.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -41,6 +43,7 @@ TagDetection detect_tags(const cv::Mat& grey, const TagFamily& family, double le
   TagDetection out;
   cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(family.dictionary), out.found, out.numbers,
                            parameters, out.others);
+  read_again(grey, family, out);
   return out;
 }
 

@@ -80,22 +80,48 @@ cv::Point2d mapped(const cv::Matx33d& by, cv::Point2d p) {
   return {to[0] / to[2], to[1] / to[2]};
 }
 
-}  // namespace
+struct Fitted {
+  Print print;
+  cv::Matx33d to_image;
+  Unknowns found;
 
-double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
-                     const cv::aruco::Dictionary& dictionary, int number) {
+  // How far a corner is off, in the print.
+  cv::Point2d off(int corner) const { return cv::Point2d(found[2 + 2 * corner], found[3 + 2 * corner]) / found[1]; }
+};
+
+Fitted fitted(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, const cv::aruco::Dictionary& dictionary,
+              int number) {
   cv::Mat drawn;
   dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, drawn);
-  const Print print(drawn);
+  Print print(drawn);
   const cv::Matx33d to_image = cv::getPerspectiveTransform(print.corners().data(), corners.data());
   cv::Mat seen;
   cv::warpPerspective(grey, seen, to_image, drawn.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
                       cv::BORDER_REPLICATE);
   const Unknowns found = fit(print, blurred(seen));
+  return {std::move(print), to_image, found};
+}
+
+}  // namespace
+
+double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
+                     const cv::aruco::Dictionary& dictionary, int number) {
+  const Fitted fit = fitted(grey, corners, dictionary, number);
   cv::Point2d moved;
-  for (int i = 2; i < unknowns; i += 2) moved += cv::Point2d(found[i], found[i + 1]) / (4 * found[1]);
-  const cv::Point2d middle(print.side / 2.0 - 0.5, print.side / 2.0 - 0.5);
-  return cv::norm(mapped(to_image, middle) - mapped(to_image, middle - moved));
+  for (int i = 0; i < 4; ++i) moved += fit.off(i) / 4;
+  const cv::Point2d middle(fit.print.side / 2.0 - 0.5, fit.print.side / 2.0 - 0.5);
+  return cv::norm(mapped(fit.to_image, middle) - mapped(fit.to_image, middle - moved));
+}
+
+std::vector<cv::Point2f> fitted_corners(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
+                                        const cv::aruco::Dictionary& dictionary, int number) {
+  const Fitted fit = fitted(grey, corners, dictionary, number);
+  std::vector<cv::Point2f> out;
+  for (int i = 0; i < 4; ++i) {
+    const cv::Point2d corner(fit.print.corners()[static_cast<std::size_t>(i)]);
+    out.emplace_back(mapped(fit.to_image, corner - fit.off(i)));
+  }
+  return out;
 }
 
 }  // namespace pizarra::vision

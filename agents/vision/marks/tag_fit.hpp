@@ -7,6 +7,7 @@
 
 #include <opencv2/aruco.hpp>
 #include <opencv2/core.hpp>
+#include <vector>
 
 namespace pizarra::vision {
 
@@ -14,5 +15,9 @@ namespace pizarra::vision {
 // order: as it is to some 15 %, up to half a cell. The corners begin with the tag's own upper left one, clockwise.
 double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
                      const cv::aruco::Dictionary& dictionary, int number);
+
+// The corners where the edges of its cells put them, to first order.
+std::vector<cv::Point2f> fitted_corners(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
+                                        const cv::aruco::Dictionary& dictionary, int number);
 
 }  // namespace pizarra::vision

@@ -2,6 +2,7 @@
 
 #include "agents/vision/marks/all_tags.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -70,6 +71,51 @@ TEST(AllTags, WhatTwoFamiliesReadIsToldOnce) {
   for (const TagFamily& each : tag_families()) every.push_back(&each);
   EXPECT_EQ(names_of(all_tags(image, every)), std::vector<std::string>{"aruco-4x4-50-7"})
       << "the larger dictionary begins with the smaller";
+}
+
+// Somewhere between pixels, turned, as a lens shows it.
+cv::Mat1b seen_somewhere(const Tag& tag, double side_px, Random& random) {
+  constexpr int finer = 6;
+  const cv::Mat1b dark = dark_cells(tag);
+  const double cell = side_px / dark.cols;
+  const double turn = random.uniform(0, 6.28);
+  const cv::Point2d middle(80 + random.uniform(-2, 2), 60 + random.uniform(-2, 2));
+  cv::Mat1f fine(120 * finer, 160 * finer);
+  for (int y = 0; y < fine.rows; ++y) {
+    for (int x = 0; x < fine.cols; ++x) {
+      const cv::Point2d at = cv::Point2d((x + 0.5) / finer - 0.5, (y + 0.5) / finer - 0.5) - middle;
+      const cv::Point2d on(at.x * std::cos(turn) + at.y * std::sin(turn),
+                           at.y * std::cos(turn) - at.x * std::sin(turn));
+      const cv::Point cells(cvFloor(on.x / cell + dark.cols / 2.0), cvFloor(on.y / cell + dark.rows / 2.0));
+      const bool is_dark = cv::Rect({0, 0}, dark.size()).contains(cells) && dark(cells) != 0;
+      fine(y, x) = is_dark ? 30.F : 190.F;
+    }
+  }
+  cv::Mat1f image;
+  cv::resize(fine, image, {160, 120}, 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(image, image, {}, 0.7);
+  for (float& level : image) level += static_cast<float>(random.uniform(-3, 3));
+  cv::Mat1b out;
+  image.convertTo(out, CV_8U);
+  return out;
+}
+
+// As a tag of 40 mm looks a metre away, its cells three pixels wide.
+TEST(AllTags, AreReadFarAway) {
+  constexpr int looks = 60;
+  constexpr double side_px = 24;
+  const TagFamily* const one[] = {&family("36h11")};
+  Random random(4);
+  int read = 0;
+  for (int i = 0; i < looks; ++i) {
+    const Tag tag{"apriltag-36h11", 7 * i};
+    const std::vector<SeenMark> seen = all_tags(seen_somewhere(tag, side_px, random), one);
+    ASSERT_LE(seen.size(), 1U);
+    if (seen.empty()) continue;
+    EXPECT_EQ(seen[0].tag, tag) << "no other number is read";
+    ++read;
+  }
+  EXPECT_GE(read, looks * 29 / 30);
 }
 
 TEST(TagText, ATagIsAFamilyAndANumber) {

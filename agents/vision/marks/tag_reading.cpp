@@ -1,0 +1,151 @@
+#include "agents/vision/marks/tag_reading.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "agents/vision/marks/tag_fit.hpp"
+#include "agents/vision/marks/tag_mark.hpp"
+
+namespace pizarra::vision {
+namespace {
+
+constexpr double least_cell_px = 2;
+// Corners are refined within a cell of theirs: what is farther away are other cells' corners.
+constexpr int least_within_px = 2;
+constexpr int most_within_px = 5;
+const cv::TermCriteria refined_until(cv::TermCriteria::MAX_ITER | cv::TermCriteria::EPS, 30, 0.1);
+// As many cells may be mended as OpenCV's detector mends.
+constexpr double mended_share = 0.6;
+// Of the border's cells so many may look light.
+constexpr double most_light_share = 0.1;
+// So often the print is fitted.
+constexpr int most_fits = 2;
+
+// The levels of a tag's cells, of its border and of what is around that, one pixel a cell.
+cv::Mat1f levels_of(const cv::Mat1b& grey, const TagCorners& corners, int cells) {
+  constexpr int cell_px = 4;
+  const float begin = cell_px - 0.5F;
+  const float end = begin + static_cast<float>(cells * cell_px);
+  const TagCorners square = {{begin, begin}, {end, begin}, {end, end}, {begin, end}};
+  const int side = (cells + 2) * cell_px;
+  cv::Mat1b flat;
+  cv::warpPerspective(grey, flat, cv::getPerspectiveTransform(square, corners), {side, side},
+                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+  cv::Mat1f out(cells + 2, cells + 2);
+  for (int y = 0; y < out.rows; ++y) {
+    for (int x = 0; x < out.cols; ++x) {
+      // Its middle, to which its neighbours are not blurred.
+      const cv::Rect middle(x * cell_px + 1, y * cell_px + 1, cell_px - 2, cell_px - 2);
+      out(y, x) = static_cast<float>(cv::mean(flat(middle))[0]);
+    }
+  }
+  return out;
+}
+
+// All cells so many cells from the edge.
+template <class Visit>
+void visit_ring(const cv::Mat1f& levels, int from_edge, const Visit& visit) {
+  const int last = levels.cols - 1 - from_edge;
+  for (int i = from_edge; i < last; ++i) {
+    visit(cv::Point(i, from_edge));
+    visit(cv::Point(last, i));
+    visit(cv::Point(levels.cols - 1 - i, last));
+    visit(cv::Point(from_edge, levels.cols - 1 - i));
+  }
+}
+
+cv::Vec3d row_at(cv::Point cell) { return {1, static_cast<double>(cell.x), static_cast<double>(cell.y)}; }
+
+// Of the levels of a ring.
+cv::Vec3d light_plane(const cv::Mat1f& levels, int from_edge) {
+  cv::Matx33d normal = cv::Matx33d::zeros();
+  cv::Vec3d right;
+  visit_ring(levels, from_edge, [&](cv::Point cell) {
+    const cv::Vec3d row = row_at(cell);
+    normal += row * row.t();
+    right += row * static_cast<double>(levels(cell));
+  });
+  return normal.solve(right, cv::DECOMP_CHOLESKY);
+}
+
+struct Reading {
+  int number = 0;
+  TagCorners corners = {};
+  double likeness = 0;
+};
+
+// As the corners are; nothing where the border is not dark, or the cells spell no number.
+std::optional<Reading> read_at(const cv::Mat1b& grey, TagCorners corners, cv::aruco::Dictionary& dictionary) {
+  const int across = dictionary.markerSize;
+  const cv::Mat1f levels = levels_of(grey, corners, across + 2);
+  const cv::Vec3d between = (light_plane(levels, 0) + light_plane(levels, 1)) / 2;
+  const auto is_light = [&](cv::Point cell) { return levels(cell) > between.dot(row_at(cell)); };
+  int light = 0;
+  visit_ring(levels, 1, [&](cv::Point cell) { light += is_light(cell) ? 1 : 0; });
+  if (light > most_light_share * 4 * (across + 1)) return std::nullopt;
+  cv::Mat1b cells(across, across);
+  for (int y = 0; y < across; ++y) {
+    for (int x = 0; x < across; ++x) cells(y, x) = is_light({x + 2, y + 2}) ? 1 : 0;
+  }
+  Reading out;
+  int quarter_turns = 0;
+  if (!dictionary.identify(cells, out.number, quarter_turns, mended_share)) return std::nullopt;
+  std::ranges::rotate(corners, corners.begin() + (4 - quarter_turns) % 4);
+  out.corners = std::move(corners);
+  return out;
+}
+
+bool is_within(const TagCorners& corners, const cv::Mat1b& grey) {
+  const cv::Rect2f image(0, 0, static_cast<float>(grey.cols), static_cast<float>(grey.rows));
+  return std::ranges::all_of(corners, [&](const cv::Point2f& p) { return image.contains(p); });
+}
+
+// The corners that make it likest, of those that were read and of those that its print is fitted to.
+void fit(const cv::Mat1b& grey, const cv::aruco::Dictionary& dictionary, Reading read, std::optional<Reading>& best) {
+  for (int fits = 0;; ++fits) {
+    if (!is_within(read.corners, grey)) return;
+    if (has_a_border(grey, read.corners)) {
+      read.likeness = tag_likeness(grey, read.corners, dictionary, read.number);
+      if (read.likeness > (best ? best->likeness : least_tag_likeness)) best = read;
+    }
+    if (fits == most_fits) return;
+    read.corners = fitted_corners(grey, read.corners, dictionary, read.number);
+  }
+}
+
+std::optional<Reading> best_reading(const cv::Mat1b& grey, const TagCorners& square,
+                                    cv::aruco::Dictionary& dictionary) {
+  const double cell_px = side_px(square) / (dictionary.markerSize + 2);
+  if (cell_px < least_cell_px) return std::nullopt;
+  const int within = std::clamp(cvRound(cell_px), least_within_px, most_within_px);
+  TagCorners refined = square;
+  cv::cornerSubPix(grey, refined, {within, within}, {-1, -1}, refined_until);
+  std::optional<Reading> best;
+  for (const TagCorners& corners : {square, refined}) {
+    std::optional<Reading> read = read_at(grey, corners, dictionary);
+    if (read) fit(grey, dictionary, std::move(*read), best);
+  }
+  return best;
+}
+
+bool is_found(const TagDetection& detection, const TagCorners& corners) {
+  const cv::Point2f middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+  return std::ranges::any_of(detection.found,
+                             [&](const TagCorners& other) { return cv::pointPolygonTest(other, middle, false) >= 0; });
+}
+
+}  // namespace
+
+void read_again(const cv::Mat1b& grey, const TagFamily& family, TagDetection& detection) {
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
+  std::erase_if(detection.others, [&](const TagCorners& square) {
+    std::optional<Reading> read = best_reading(grey, square, *dictionary);
+    if (!read || is_found(detection, read->corners)) return false;
+    detection.found.push_back(std::move(read->corners));
+    detection.numbers.push_back(read->number);
+    return true;
+  });
+}
+
+}  // namespace pizarra::vision
