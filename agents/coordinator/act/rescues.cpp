@@ -5,18 +5,15 @@
 
 namespace pizarra::coordinator {
 
-Task<Result<bool>> Rescues::holds() {
-  const Result<double> closed = co_await arm_.grip(0);
-  if (!closed) co_return fail(closed);
-  co_return *closed > domain_.cube_mm() - TaskRunner::closed_mm;
+bool Rescues::is_held(double closed_mm) const {
+  return std::abs(closed_mm - domain_.cube_mm()) <= TaskRunner::closed_mm;
 }
 
 Task<Result<void>> Rescues::lay_down(std::string object) {
-  const double opening = scene_.opening_mm().value_or(0);
-  if (std::abs(opening - domain_.cube_mm()) > TaskRunner::closed_mm) co_return Result<void>();
-  const Result<bool> held = co_await holds();
-  if (!held) co_return fail(held);
-  if (!*held) co_return Result<void>();
+  if (!is_held(scene_.opening_mm().value_or(0))) co_return Result<void>();
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  if (!is_held(*closed)) co_return Result<void>();
   co_await story_.tell("servo", "laying down what the gripper holds", Datum::symbol(object));
   // The object is not known, so its mark does not say how it is held: the gripper alone is aimed.
   const Datum spot = list("free-spot"_sym, "held"_sym);
@@ -47,9 +44,9 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
 Task<Result<void>> Rescues::loosen(Datum operation) {
   if (operation.size() < 2) co_return Result<void>();
   const std::string object(operation[1].text());
-  const Result<bool> held = co_await holds();
-  if (!held) co_return fail(held);
-  if (*held) {
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  if (is_held(*closed)) {
     const Result<void> laid = co_await lay_down(object);
     const bool onto_nothing = operation.size() < 3;
     if (!laid || onto_nothing) co_return laid;
@@ -59,7 +56,10 @@ Task<Result<void>> Rescues::loosen(Datum operation) {
   }
   const std::string sentence = fmt::format("{} cannot be grasped as it lies: pushing it", object);
   co_await story_.tell("servo", sentence, operation[1]);
-  const std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, operation[1]), list("raise"_sym)};
+  std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, operation[1]), list("raise"_sym)};
+  // Fingers that jam across a cube's edges let it go first. Others stay closed: beside them there may be no room.
+  const bool jammed = *closed > domain_.cube_mm();
+  if (jammed) push.insert(push.begin(), list("release"_sym));
   const Result<void> pushed = co_await runner_.improvise(push);
   co_return pushed;
 }

@@ -26,8 +26,9 @@ class Rescues {
   Task<Result<void>> loosen(Datum operation);
 
  private:
-  // Whether something as wide as a cube is between the fingers, which close on it: they may also have met on an edge.
-  Task<Result<bool>> holds();
+  // Whether fingers that closed so far have something as wide as a cube between them. Where they meet on an edge they
+  // close further; across a cube's edges they jam wider.
+  bool is_held(double closed_mm) const;
 
   const TaskDomain& domain_;
   const Scene& scene_;

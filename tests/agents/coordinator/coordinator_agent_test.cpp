@@ -60,6 +60,13 @@ TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersMeetOnAnEdge) {
   EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
 }
 
+TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersJamWiderThanACube) {
+  cell.lowest_mm = 60;
+  cell.jam_mm = 85;
+  want("(goal (holding circle))");
+  EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+}
+
 TEST_F(Coordinator, RefusesWhatThePlannerProvesImpossible) {
   want("(goal (on circle triangle) (on triangle circle))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 30s));
