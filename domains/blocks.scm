@@ -58,8 +58,8 @@
       (< (abs (- ?z ?gz)) (if (was (holding ?o)) 48 44)))
 
     (rule (holding ?o)                  ; lost from sight for a moment, but still something is between the fingers
-      (was (holding ?o))
       (unseen ?o)
+      (was (holding ?o))
       (gripper ?opening)
       (< (abs (- ?opening cube)) 9))
 

@@ -27,7 +27,7 @@ constexpr const char* base =
     "    (effects (held <ob>) (odd <ob>) (del (lying <ob>))))\n"
     "  (operator LAY (params (<ob> OBJECT)) (preconds (held <ob>)) (effects (lying <ob>) (del odd <ob>)))\n"
     "  (perception (sees OBJECT) (constant cube 60) (fact (spot a 1 2)) (fact (spot b 3 4))\n"
-    "    (rule (held ?o) (seen ?o)) (rule (held ?o) (was (held ?o)) (unseen ?o)) (rule (lying ?o) (seen ?o)))\n"
+    "    (rule (held ?o) (seen ?o)) (rule (held ?o) (unseen ?o) (was (held ?o))) (rule (lying ?o) (seen ?o)))\n"
     "  (micro-tasks (GRASP (<ob>) (close)) (LIFT (<ob>) (GRASP <ob>)) (LAY (<ob>) (release))))\n";
 
 // The domain that `sections` make of the base.
@@ -98,7 +98,7 @@ TEST(DomainExtension, LeavesOutANameAndWhatOperatorsDoToIt) {
   EXPECT_EQ(domain->operators[1].deletes, std::vector<Datum>());
   EXPECT_EQ(write(domain->perception),
             "(perception (sees OBJECT) (constant cube 60) (rule (held ?o) (seen ?o)) "
-            "(rule (held ?o) (was (held ?o)) (unseen ?o)) (rule (lying ?o) (seen ?o)))");
+            "(rule (held ?o) (unseen ?o) (was (held ?o))) (rule (lying ?o) (seen ?o)))");
 }
 
 TEST(DomainExtension, LeavesOutAnOperatorWithItsMicroTask) {

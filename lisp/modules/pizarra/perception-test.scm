@@ -28,6 +28,13 @@
        '((unbound-variable (0 3 1 2 1))))
 (check "a variable of a not is not bound after it" (refused '(rule (low ?z) (not (seen ?z ? ? ?))))
        '((unbound-variable (0 3 1 1 1))))
+(check "a variable that was belongs to no condition before"
+       (refused '(rule (low ?o) (was (near ?o ?)) (seen ?o ? ? ?)))
+       '((unbound-variable (0 3 1 2 1 1))))
+(check "was of what has a value, of anything, and of a value that only its not knows"
+       (car (interpret (domain '(rule (low ?o) (seen ?o ? ? ?) (was (near ? ?o)) (not (seen ?p ? ? ?) (was (low ?p)))))
+                       predicates))
+       'ok)
 (check "an unknown constant" (refused '(rule (low ?z) (seen ? ? ? ?z) (< ?z cube)))
        '((unknown-constant (0 3 1 3 2))))
 (check "a wrong arity" (refused '(rule (on ?z) (seen ? ? ? ?z))) '((wrong-arity (0 3 1 1))))

@@ -13,7 +13,7 @@
 ;;;   (seen ?a ?x ?y ?z)          some fact fits; `?` fits anything, a ?variable keeps its value within the rule
 ;;;   (< E E) <= > >= = /=        numbers compare; = and /= compare names too
 ;;;   (not CONDITION ...)         the conditions have no common answer; variables first met inside stand for anything
-;;;   (was FACT)                  it was believed before: for hysteresis
+;;;   (was FACT)                  it was believed before: for hysteresis; its variables have their values already
 ;;;
 ;;; An expression E is a number, a constant, a ?variable, (+ E ...), (- E E), (* E ...), (abs E), (min E ...),
 ;;; (max E ...), or (if CONDITION E E).
@@ -142,10 +142,20 @@
                 (append problems (check-condition (car inner) (cons index path) bound constants context))))))
    ((eq? (car condition) 'was)
     (if (and (= (length condition) 2) (pattern? (cadr condition)))
-        '()
+        (check-known (cdadr condition) (cons 1 path) bound context)
         (wrong "was is (was FACT)")))
    ((pattern? condition) '())
    (else (wrong "a pattern holds names, numbers, strings and ?variables only"))))
+
+;; A belief of before gives no values: a variable that has none would stand for anything, and take another one later.
+(define (check-known arguments path bound context)
+  (append-map (lambda (x index)
+                (if (and (rule-variable? x) (not (eq? x '?)) (not (memq x bound)))
+                    (list (problem 'unbound-variable
+                                   (string-append "no condition before gives " (symbol->string x) " a value")
+                                   (cons index path) context))
+                    '()))
+              arguments (iota (length arguments) 1)))
 
 (define (check-expression x path bound constants context names?)
   (define (wrong symbol sentence) (list (problem symbol sentence path context)))

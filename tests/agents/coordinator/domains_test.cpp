@@ -106,6 +106,13 @@ TEST(BlocksDomain, GoesOnHoldingWhatIsLostFromSightForAMoment) {
   EXPECT_FALSE(perceived(task, measured).contains(d("(holding a)")));
 }
 
+TEST(BlocksDomain, HoldsNothingElseThatIsLostFromSightWhileACubeIsHeld) {
+  EXPECT_EQ(perceived(domain("blocks.scm"),
+                      "((gripper 60.0) (grip 450 100 300) (seen a 452 102 298) (seen b 480 -120 30) (unseen b))",
+                      "((holding a) (on-table b) (bare a) (bare b) (clear b))"),
+            facts("((holding a) (bare a) (on-table b) (bare b) (clear b))"));
+}
+
 TEST(BlocksDomain, DoesNotFlickerAtABound) {
   const TaskDomain task = domain("blocks.scm");
   constexpr std::string_view measured = "((seen a 480 0 30) (seen b 480 32.5 90))";
