@@ -180,7 +180,7 @@ Task<void> Pursuit::try_otherwise(GroundOperation operation, Failure why) {
   const bool hidden = why.symbol == "lost-sight" && why.subject.is_symbol();
   if (hidden) {
     const std::string missing(why.subject.text());
-    std::set<std::string> none;
+    SetAside none;
     co_await clear_view(missing, none);
     co_return;
   }

@@ -67,6 +67,11 @@ class Pursuit {
     int plans = 0;
   };
 
+  // In search of one object: `done` once it was moved, or could not be moved twice.
+  struct SetAside {
+    std::set<std::string> done, failed;
+  };
+
   // All of its stages, and for ever where it is to be kept.
   Task<Result<void>> pursue(Goal goal);
   Task<Result<void>> pursue_stages(Goal goal, Wish wish);
@@ -94,8 +99,8 @@ class Pursuit {
   Task<void> try_otherwise(GroundOperation operation, Failure why);
   Task<Result<void>> look_for(std::vector<std::string> objects);
   Task<Result<void>> look_once_for(std::string object, Time deadline);
-  // Whether something was set aside that may have hidden the missing object; none of `but`, to which that is added.
-  Task<Result<bool>> clear_view(std::string missing, std::set<std::string>& but);
+  // Whether it was tried to set something aside that may hide the missing object.
+  Task<Result<bool>> clear_view(std::string missing, SetAside& set_aside);
   Task<void> await_steady(std::vector<std::string> objects);
   // Whether a new plan was made: false where the one in hand serves again.
   Task<Result<bool>> plan_anew(Goal goal, std::vector<std::string> objects);

@@ -32,6 +32,9 @@ std::size_t stage_of(const std::vector<Fact>& states, std::int64_t number) {
   return 0;
 }
 
+// A rescue that fails otherwise has been tried.
+bool ends_search(const Failure& failure) { return failure.symbol == "interrupted" || is_hold_up(failure); }
+
 bool is_verdict(const Failure& failure) {
   return failure.symbol == "no-plan" || failure.symbol == "gave-up" || failure.symbol == "absent";
 }
@@ -69,7 +72,7 @@ Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
 // Where it does not show by itself, what may hide it is set aside, one thing after another.
 Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
-  std::set<std::string> set_aside;
+  SetAside set_aside;
   bool uncovers = true;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   const auto lately = static_cast<std::uint64_t>(options_.grace_looks);
@@ -92,7 +95,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
     if (uncovers && context_.executor.now() > doubtful) {
       const Result<bool> cleared = co_await clear_view(object, set_aside);
       if (!cleared) co_return fail(cleared);
-      uncovers = *cleared && set_aside.size() < most_set_aside;
+      uncovers = *cleared && set_aside.done.size() < most_set_aside;
       doubtful = context_.executor.now() + look_behind;
       deadline = context_.executor.now() + options_.missing_patience;
     }
@@ -103,16 +106,21 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 }
 
 // Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
-// reason to give up looking.
-Task<Result<bool>> Pursuit::clear_view(std::string missing, std::set<std::string>& but) {
+// reason to give up looking; one that somebody's stop kept from being made is to be made yet.
+Task<Result<bool>> Pursuit::clear_view(std::string missing, SetAside& set_aside) {
   Result<void> done = co_await rescues_.lay_down(missing);
-  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, but);
+  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done);
   const bool may_hide = done && before && *before != missing;
   if (may_hide) {
-    but.insert(*before);
     done = co_await rescues_.set_aside(*before);
+    const bool in_vain = !done && !set_aside.failed.insert(*before).second;
+    if (done || in_vain) set_aside.done.insert(*before);
   }
-  if (!done && done.error().symbol == "interrupted") co_return fail(done);
+  if (done) co_return may_hide;
+  if (ends_search(done.error())) co_return fail(done);
+  const std::string sentence = "the rescue failed: " + done.error().sentence;
+  const Datum why = failure_to_datum(done.error());
+  co_await story_.tell("servo", sentence, why);
   co_return may_hide;
 }
 
@@ -149,7 +157,9 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     // A cube that is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is
     // seen.
     const bool may_hold = proved && !objects.empty();
-    if (may_hold) co_await rescues_.lay_down(objects.front());
+    Result<void> laid;
+    if (may_hold) laid = co_await rescues_.lay_down(objects.front());
+    if (!laid && ends_search(laid.error())) co_return fail(laid);
     if (!proved) ++failed;
     if (failed == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;

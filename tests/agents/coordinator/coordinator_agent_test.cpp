@@ -67,6 +67,23 @@ TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersJamWiderThanACub
   EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
 }
 
+TEST_F(Coordinator, LaysDownWhatItHoldsOutOfSightOnceNobodyStopsItAnyMore) {
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.hidden.insert("circle");
+  ASSERT_TRUE(cell.run_until("(believed (arm-empty))", 60s));
+  cell.refusal = "halted";
+  want("(goal (on circle square))");
+  ASSERT_TRUE(
+      cell.run_until("(event ? agent \"held up: the test has the robot refuse; the goal goes on when that is "
+                     "over\" ?)",
+                     30s));
+  cell.refusal.clear();
+  ASSERT_TRUE(cell.run_until("(event ? servo \"laying down what the gripper holds\" ?)", 60s));
+  cell.hidden.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
 TEST_F(Coordinator, RefusesWhatThePlannerProvesImpossible) {
   want("(goal (on circle triangle) (on triangle circle))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 30s));
@@ -383,6 +400,23 @@ TEST(CrowdedCell, SetsAsideWhatStandsBeforeThePlaceWhereAMissingCubeWasSeenLast)
   ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
   cell.hidden.clear();
   ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
+TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereTheArmWasStoppedTheFirstTime) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+  cell.refusal = "stopped";
+  ASSERT_TRUE(cell.run_until("(event ? servo \"the rescue failed: the test has the robot refuse\" ?)", 30s));
+  cell.refusal.clear();
+  ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
+  cell.hidden.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }
 
 TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {

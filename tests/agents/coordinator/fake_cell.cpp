@@ -219,6 +219,7 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   const Eigen::Vector3d believed = grip + pose_error_mm;
   if (name == "monitor") co_return list(believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
   co_await sleep(executor_, 300ms);
+  if (!refusal.empty()) co_return fail(refusal, "the test has the robot refuse", operation);
   const bool positive = operation.size() > 1 && (operation[1].is_symbol("right") || operation[1].is_symbol("up"));
   const double amount = (positive ? 1 : -1) * operation[operation.size() - 1].number();
   const Eigen::Vector3d out = Eigen::Vector3d(grip.x(), grip.y(), 0).normalized();

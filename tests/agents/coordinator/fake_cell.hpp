@@ -63,6 +63,7 @@ class FakeCell {
   std::string held;      // between the fingers
   double lowest_mm = 0;  // what is in the way stops the arm on its way further down,
   double jam_mm = 0;     // and the fingers there at this opening
+  std::string refusal;   // the symbol with which the robot refuses to move, such as halted
   int motions = 0;
   Disk disk = Disk::sound;  // of the board's journal, for what the coordinator tells
 
