@@ -73,17 +73,13 @@ Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
 Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
   SetAside set_aside;
-  bool uncovers = true;
+  bool looked_behind = false;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   const auto lately = static_cast<std::uint64_t>(options_.grace_looks);
   while (!surroundings_.scene().sightings().recent(object, lately)) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
-    // Found in one image alone, it has no place, and that is as good as not seen.
-    if (context_.executor.now() > deadline) {
-      co_return fail("missing-object", fmt::format("{} is not seen", object), Datum::symbol(object));
-    }
     // The arm itself may hide it, if it stands low before it.
     const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
     const bool low = grip && grip->z() < options_.travel_height_mm - 10;
@@ -92,12 +88,18 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
       const Result<void> raised = co_await runner_.raise();
       if (!raised) co_return raised;
     }
-    if (uncovers && context_.executor.now() > doubtful) {
+    if (set_aside.done.size() < most_set_aside && context_.executor.now() > doubtful) {
       const Result<bool> cleared = co_await clear_view(object, set_aside);
       if (!cleared) co_return fail(cleared);
-      uncovers = *cleared && set_aside.done.size() < most_set_aside;
       doubtful = context_.executor.now() + look_behind;
-      deadline = context_.executor.now() + options_.missing_patience;
+      const bool goes_on = *cleared || !looked_behind;
+      if (goes_on) deadline = context_.executor.now() + options_.missing_patience;
+      looked_behind = true;
+    }
+    // Found in one image alone, it has no place, and that is as good as not seen. While the eyes or the board were away
+    // nobody looked, so that the time alone is no proof.
+    if (context_.executor.now() > deadline) {
+      co_return fail("missing-object", fmt::format("{} is not seen", object), Datum::symbol(object));
     }
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;

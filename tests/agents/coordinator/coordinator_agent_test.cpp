@@ -419,6 +419,21 @@ TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereTheArmWasStoppedTheFirstTime) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }
 
+TEST(CrowdedCell, LooksBehindWhatStandsBeforeAMissingCubeThoughTheEyesWereAwayForLong) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  cell.run_for(2s);
+  cell.stop_vision();
+  cell.run_for(8s);
+  cell.start_vision();
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+}
+
 TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {
   FakeCell cell("numbered-places.scm", {{"circle", {450, -200, 30}}, {"square", {450, -100, 30}}});
   cell.start_coordinator();
