@@ -177,7 +177,7 @@ void Console::admit_viewer(UpgradedSocket socket) {
   const auto ended = [this, number, alive = std::weak_ptr(alive_)] {
     if (!alive.expired()) viewers_.erase(number);
   };
-  FoxgloveSession::Setup setup{setup_.executor, setup_.cell.name, std::move(*board), ended};
+  FoxgloveSession::Setup setup{setup_.executor, setup_.cell.name, std::move(*board), images_, ended};
   viewers_.emplace(number, std::make_unique<FoxgloveSession>(std::move(setup), std::move(socket)));
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
+#include <nettle/base64.h>
 #include <numbers>
 
 #include "lisp/json.hpp"
@@ -28,6 +29,15 @@ constexpr std::string_view log_schema =
 
 constexpr std::string_view fact_schema =
     R"({"title":"pizarra.Fact","type":"object","properties":{"id":{"type":"integer"},"relation":{"type":"string"},"text":{"type":"string"},"teller":{"type":"string"},"because":{"type":"array","items":{"type":"integer"}},"gone":{"type":"boolean"}}})";
+
+constexpr std::string_view image_schema =
+    R"({"title":"foxglove.CompressedImage","type":"object","properties":{"timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},"frame_id":{"type":"string"},"data":{"type":"string","contentEncoding":"base64"},"format":{"type":"string"}}})";
+
+constexpr std::string_view plain_kinds[] = {"colour", "left"};
+constexpr std::string_view annotated_kinds[] = {"annotated"};
+constexpr FoxgloveImages image_channels[] = {
+    {{"/camera", "foxglove.CompressedImage", image_schema}, plain_kinds},
+    {{"/annotated", "foxglove.CompressedImage", image_schema}, annotated_kinds}};
 
 constexpr FoxgloveChannel channels[] = {{"/tf", "foxglove.FrameTransform", transform_schema},
                                         {"/scene", "foxglove.SceneUpdate", scene_schema},
@@ -128,6 +138,15 @@ std::string fact_json(const Fact& fact, bool gone) {
 }  // namespace
 
 std::span<const FoxgloveChannel> foxglove_channels() { return channels; }
+std::span<const FoxgloveImages> foxglove_images() { return image_channels; }
+
+std::string foxglove_image(Time captured, std::string_view jpeg) {
+  std::string text(BASE64_ENCODE_RAW_LENGTH(jpeg.size()), '\0');
+  base64_encode_raw(text.data(), jpeg.size(), reinterpret_cast<const std::uint8_t*>(jpeg.data()));
+  return fmt::format(R"({{"timestamp":{},"frame_id":"camera","data":"{}","format":"jpeg"}})", time_json(captured),
+                     text);
+}
+
 std::span<const std::string_view> foxglove_patterns() { return patterns; }
 
 std::span<const std::string_view> foxglove_patterns(std::size_t channel) {

@@ -7,6 +7,7 @@
 //   /scene    foxglove.SceneUpdate      the objects where they are believed to be, from place
 //   /story    foxglove.Log              from event
 //   /facts    pizarra.Fact              every fact that is followed, told or gone, as its text
+//   /camera, /annotated   foxglove.CompressedImage   what the eyes see and what they make of it, live alone
 //
 //   for (const FoxgloveMessage& message : foxglove_messages(fact)) write(message.channel, fact.when, message.json);
 
@@ -27,6 +28,15 @@ struct FoxgloveChannel {
 
 // In the order of their numbers.
 std::span<const FoxgloveChannel> foxglove_channels();
+
+// The channels of images, which are no facts: their numbers follow those. Each shows the stream of the first kind that
+// is there.
+struct FoxgloveImages {
+  FoxgloveChannel channel;
+  std::span<const std::string_view> kinds;
+};
+std::span<const FoxgloveImages> foxglove_images();
+std::string foxglove_image(Time captured, std::string_view jpeg);
 
 struct FoxgloveMessage {
   std::size_t channel;

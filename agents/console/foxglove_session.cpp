@@ -18,9 +18,11 @@ namespace {
 using nlohmann::json;
 
 std::string advertisement() {
+  std::vector<FoxgloveChannel> offered(foxglove_channels().begin(), foxglove_channels().end());
+  for (const FoxgloveImages& images : foxglove_images()) offered.push_back(images.channel);
   std::string items;
   std::size_t number = 0;
-  for (const FoxgloveChannel& channel : foxglove_channels()) {
+  for (const FoxgloveChannel& channel : offered) {
     items += fmt::format(
         R"({}{{"id":{},"topic":{},"encoding":"json","schemaName":{},"schema":{},"schemaEncoding":"jsonschema"}})",
         number == 0 ? "" : ",", number, json_string(channel.topic), json_string(channel.schema_name),
@@ -106,11 +108,16 @@ void FoxgloveSession::hear(std::string_view message) {
 
 void FoxgloveSession::subscribe(std::optional<std::uint32_t> subscription, std::optional<std::uint32_t> channel) {
   if (!subscription) return refuse("a subscription needs an id: a whole number of 32 bits");
-  if (!channel || *channel >= foxglove_channels().size()) return refuse("there is no such channel");
+  const std::size_t of_facts = foxglove_channels().size();
+  if (!channel || *channel >= of_facts + foxglove_images().size()) return refuse("there is no such channel");
   const Numbers numbers{*subscription, *channel};
   if (subscriptions_.contains(numbers.subscription)) return refuse("there is a subscription of this id already");
   if (subscriptions_.size() >= max_subscriptions) return refuse("there are too many subscriptions");
   std::vector<Job>& jobs = subscriptions_[numbers.subscription];
+  if (numbers.channel >= of_facts) {
+    jobs.push_back(setup_.executor.spawn(follow_images(numbers)));
+    return;
+  }
   for (const std::string_view pattern : foxglove_patterns(numbers.channel)) {
     jobs.push_back(setup_.executor.spawn(follow(numbers, query_for(read_one(pattern).value()))));
   }
@@ -132,6 +139,41 @@ Task<void> FoxgloveSession::follow(Numbers numbers, Query query) {
     co_await room();
     tell(numbers, *change, standing);
   }
+}
+
+// A look follows its stream from one publisher to the next; a better kind takes its place.
+Task<void> FoxgloveSession::follow_images(Numbers numbers) {
+  Query streams = query_for(list("stream"_sym, "?name"_sym, "?kind"_sym, "?place"_sym));
+  const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(*setup_.board, std::move(streams));
+  if (!watch) {
+    refuse(watch.error().sentence);
+    co_return;
+  }
+  const std::span<const std::string_view> kinds = foxglove_images()[numbers.channel - foxglove_channels().size()].kinds;
+  auto best = kinds.end();
+  std::unique_ptr<ImageFeeds::Look> looking;
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) {
+      refuse(change.error().sentence);
+      co_return;
+    }
+    for (const Answer& answer : change->added) {
+      const Datum& fact = answer.facts.front().datum;
+      const auto kind = std::find(kinds.begin(), best, fact[2].text());
+      if (kind == best) continue;
+      best = kind;
+      looking = look(numbers, std::string(fact[1].text()));
+    }
+  }
+}
+
+std::unique_ptr<ImageFeeds::Look> FoxgloveSession::look(const Numbers& numbers, const std::string& stream) {
+  return setup_.images.look(stream, [this, numbers](const std::shared_ptr<const ImageFeeds::Picture>& picture) {
+    const bool taken_in = socket_->waiting() < WebSocket::low_mark;
+    if (taken_in && !picture->jpeg.empty())
+      send(numbers, picture->captured, foxglove_image(picture->captured, picture->jpeg));
+  });
 }
 
 Task<void> FoxgloveSession::room() {

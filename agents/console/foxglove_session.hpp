@@ -4,10 +4,10 @@
 // (foxglove_channels.hpp), subscribes to some, and gets what holds and every change. It reads, and can do nothing else:
 // whatever else it asks for is refused in words.
 //
-//   FoxgloveSession viewer({executor, "blocks", std::move(board), [] { ... }}, std::move(socket));
+//   FoxgloveSession viewer({executor, "blocks", std::move(board), images, [] { ... }}, std::move(socket));
 //
 // A viewer has 32 subscriptions at most. One that takes nothing has its changes wait on the board, which tells it all
-// that holds when too much does; after 30 s it is let go.
+// that holds when too much does; after 30 s it is let go. Images that it does not take in time are left out.
 
 #include <functional>
 #include <map>
@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agents/console/image_feed.hpp"
 #include "agents/console/web_socket.hpp"
 #include "blackboard/board.hpp"
 #include "blackboard/time/latch.hpp"
@@ -34,6 +35,7 @@ class FoxgloveSession {
     Executor& executor;
     std::string cell;
     std::unique_ptr<Board> board;
+    ImageFeeds& images;           // outlives the viewer
     std::function<void()> ended;  // this may be destroyed
   };
 
@@ -56,6 +58,8 @@ class FoxgloveSession {
   void send(const Numbers& numbers, Time when, std::string_view json);
   void tell(const Numbers& numbers, const Change& change, Standing& standing);
   Task<void> follow(Numbers numbers, Query query);
+  Task<void> follow_images(Numbers numbers);
+  std::unique_ptr<ImageFeeds::Look> look(const Numbers& numbers, const std::string& stream);
   Task<void> room();
 
   Setup setup_;

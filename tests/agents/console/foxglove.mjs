@@ -38,9 +38,10 @@ const schemas = advertised.map(({ topic, schemaName, encoding, schemaEncoding, s
 });
 expect(
   schemas.sort().join(', ') ===
-    '/facts pizarra.Fact jsonschema json, /scene foxglove.SceneUpdate jsonschema json, ' +
+    '/annotated foxglove.CompressedImage jsonschema json, /camera foxglove.CompressedImage jsonschema json, ' +
+      '/facts pizarra.Fact jsonschema json, /scene foxglove.SceneUpdate jsonschema json, ' +
       '/story foxglove.Log jsonschema json, /tf foxglove.FrameTransform jsonschema json',
-  'its channels are those of an MCAP file',
+  'its channels are those of an MCAP file, and the images',
 );
 
 // What is heard of each topic, and who waits for more of it.
@@ -114,4 +115,26 @@ viewer.close();
 await closed;
 expect((await served.end()) === 0, 'it ends in order');
 await told.end();
+
+// The images of a cell that lives.
+const live = start([cell, 'console', '--foxglove'], ownFolder());
+const eyes = new FoxgloveClient({ ws: connect(await live.said(/for Foxglove: (ws:\S+)/)) });
+const images = await new Promise((resolve) => eyes.on('advertise', resolve));
+const seen = new Map();
+const enough = new Promise((resolve) =>
+  eyes.on('message', ({ subscriptionId, timestamp, data }) => {
+    const image = JSON.parse(new TextDecoder().decode(data));
+    seen.get(subscriptionId).push({ at: timestamp, format: image.format, jpeg: Buffer.from(image.data, 'base64') });
+    if ([...seen.values()].every((of) => of.length >= 5)) resolve();
+  }),
+);
+for (const topic of ['/camera', '/annotated'])
+  seen.set(eyes.subscribe(images.find((channel) => channel.topic === topic).id), []);
+await enough;
+const isPicture = ({ format, jpeg }) => format === 'jpeg' && jpeg.readUInt16BE(0) === 0xffd8 && jpeg.length > 2000;
+for (const of of seen.values()) {
+  expect(of.every(isPicture) && of.every(({ at }, i) => i === 0 || at > of[i - 1].at), 'images come, one after another');
+}
+eyes.close();
+expect((await live.end()) === 0, 'it ends in order');
 process.exit(0);
