@@ -59,6 +59,8 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"command", {number, name}, &Session::command},
                                           {"take-over", {number, name}, &Session::take_over},
                                           {"let-go", {number, name}, &Session::let_go},
+                                          {"ask-for", {number, name}, &Session::ask_for},
+                                          {"ask-no-more", {number, name}, &Session::ask_no_more},
                                           {"stamp", {number}, &Session::stamp},
                                           {"jog", {number, name, name, number}, &Session::jog},
                                           {"hold-on", {number}, &Session::hold_on},
@@ -119,6 +121,7 @@ Task<void> Session::open() {
     socket_->close(1011, "the board refuses this page");
     co_return;
   }
+  co_await declare_wishes();
   say(hello_text(setup_.cell, setup_.name));
   beating_ = setup_.executor.spawn(keep_beating());
 }

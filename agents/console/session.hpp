@@ -14,6 +14,7 @@
 //                               second the state it ended in, or its refusal
 //   (stop N "REASON")           a stop fact; needs nothing but the right to tell it
 //   (clear-stops N)             takes every stop back; who does so has an arm in hand
+//   (ask-for N ROBOT), (ask-no-more N ROBOT)                     others are told: (commander-wanted ROBOT US)
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
 //   (stamp N)                   the page has the stamp N (pulse.hpp)
 //   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release), its answer says how it ended
@@ -125,6 +126,8 @@ class Session {
   void command(const Datum& form);
   void take_over(const Datum& form);
   void let_go(const Datum& form);
+  void ask_for(const Datum& form);
+  void ask_no_more(const Datum& form);
   void stamp(const Datum& form);
   void jog(const Datum& form);
   void hold_on(const Datum& form);
@@ -160,6 +163,7 @@ class Session {
   Task<void> pursue(Number number, std::string text);
   Task<void> say_end_of_goal(Number number, Datum goal, std::string text);
   Task<bool> being_taught();
+  Task<void> declare_wishes();
   Task<void> tell_stop(Number number, std::string reason);
   Task<void> change_board(Number number, Transaction transaction, Failure otherwise);
 

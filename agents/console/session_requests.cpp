@@ -26,6 +26,10 @@ Relation stop_relation() {
       .value();
 }
 
+Datum wish(const Datum& robot, const std::string& client) {
+  return list("commander-wanted"_sym, robot, Datum::symbol(client));
+}
+
 // The facts that a person typed: alone, or within the `goal` that a prompt wants around them.
 Result<Datum> goal_form(const std::string& text) {
   const ReadLimits limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
@@ -179,6 +183,25 @@ void Session::let_go(const Datum& form) {
   Transaction transaction;
   transaction.retract(commander_of(form[2], Datum::symbol(setup_.name)));
   begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), {}));
+}
+
+void Session::ask_for(const Datum& form) {
+  Transaction transaction;
+  transaction.tell(wish(form[2], setup_.name), {}, service_.presence());
+  begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), {}));
+}
+
+void Session::ask_no_more(const Datum& form) {
+  Transaction transaction;
+  transaction.retract(wish(form[2], setup_.name));
+  begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), {}));
+}
+
+// Before anybody follows them. A page that may not tell any is refused when it does.
+Task<void> Session::declare_wishes() {
+  const char* const wishes = "(relation commander-wanted ((robot symbol) (client symbol)) (key robot client))";
+  const std::vector<Relation> relations(1, relation_from_datum(read_one(wishes).value()).value());
+  [[maybe_unused]] const Result<void> declared = co_await context_.board.declare(relations);
 }
 
 // `otherwise`: what is said where a precondition does not hold.

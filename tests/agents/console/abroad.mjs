@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { request } from 'node:https';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
-import { expect, launch, openPage, ownFolder, skip, source, start, taught, text } from './browser.mjs';
+import { expect, expectAccessible, launch, openPage, ownFolder, skip, source, start, taught, text } from './browser.mjs';
 
 const [cell, keys, scratch] = process.argv.slice(2);
 if (spawnSync('openssl', ['version']).status !== 0) skip('there is no openssl to make a certificate with');
@@ -79,6 +79,7 @@ await logIn(page, `anna.${'0'.repeat(64)}`);
 await page.waitForFunction(() => document.getElementById('log-in-wrong').textContent !== '');
 expect(true, 'a wrong token is refused');
 await page.screenshot({ path: join(pictures, 'log-in.png') });
+await expectAccessible(page, scratch, 'the log-in');
 await logIn(page, annas);
 await page.waitForSelector('body[data-state=live]');
 await page.waitForSelector('#refused', { state: 'hidden' });

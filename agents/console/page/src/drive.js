@@ -81,12 +81,16 @@ function takeButton(hands, controls) {
   const note = element('span', { class: 'quiet' });
   const take = element('button', { type: 'button', id: 'take-arm', class: 'strong' }, 'Take the arm in hand');
   take.addEventListener('click', () => hands.toggle().catch((failure) => (note.textContent = failureText(failure))));
+  const ask = element('button', { type: 'button', id: 'ask-for-arm', hidden: true }, 'Ask for it');
+  ask.addEventListener('click', () => hands.toggleWish().catch((failure) => (note.textContent = failureText(failure))));
   hands.onChange((mine, holder) => {
+    ask.hidden = mine || holder === '';
+    ask.textContent = hands.asking ? 'Ask no more' : 'Ask for it';
     take.textContent = mine ? 'Let the arm go' : holder ? `Take over from ${holder}` : 'Take the arm in hand';
     note.textContent = mine
       ? 'Only you move the arm now.'
       : holder
-        ? ''
+        ? hands.asking ? `${holder} is asked for it.` : ''
         : 'Anybody may move the arm: a goal, a prompt.';
     for (const control of controls) {
       control.disabled = !mine;
@@ -94,7 +98,7 @@ function takeButton(hands, controls) {
       control.title = mine ? control.dataset.title.trim() : 'Take the arm in hand first';
     }
   });
-  return element('div', { class: 'row' }, take, note);
+  return element('div', { class: 'row' }, take, ask, note);
 }
 
 export function showDrive(connection, hands) {

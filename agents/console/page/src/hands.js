@@ -1,4 +1,4 @@
-// In whose hands the arm is: the commander fact, which its agent obeys.
+// In whose hands the arm is: the commander fact, which its agent obeys; and who asks for it.
 
 import { confirmed } from './confirm.js';
 import { find } from './dom.js';
@@ -9,6 +9,10 @@ export class Hands {
   #connection;
   #listeners = [];
   #holders = [];
+  #wishes = [];
+  #before = ''; // who had it
+  #taking = false;
+  change = null; // of hands, until it is read: { from, to }
   me = '';
   robot = 'robot';
 
@@ -16,6 +20,11 @@ export class Hands {
     this.#connection = connection;
     connection.followAlways('(commander ?robot ?client)', (answers) => {
       this.#holders = answers.map(fact);
+      this.#note();
+      this.changed();
+    });
+    connection.followAlways('(commander-wanted ?robot ?client)', (answers) => {
+      this.#wishes = answers.map(fact);
       this.changed();
     });
   }
@@ -26,6 +35,24 @@ export class Hands {
   }
   get mine() {
     return this.me !== '' && this.holder === this.me;
+  }
+  // Who asks for it, and whether this page does.
+  get askers() {
+    const here = this.#wishes.filter((wish) => text(wish[1]) === this.robot).map((wish) => text(wish[2]));
+    return here.filter((client) => client !== this.me);
+  }
+  get asking() {
+    return this.#wishes.some((wish) => text(wish[1]) === this.robot && text(wish[2]) === this.me);
+  }
+
+  // From one's hands into another's: both are told.
+  #note() {
+    const from = this.#before;
+    const to = this.holder;
+    this.#before = to;
+    if (from === to) return;
+    if (to === this.me) this.change = from ? { from, to } : null;
+    else if (to && from === this.me) this.change = { from, to };
   }
 
   onChange(listener) {
@@ -38,6 +65,17 @@ export class Hands {
     chip.textContent = this.mine ? 'arm: in your hands' : `arm: ${this.holder}`;
     chip.className = this.mine ? 'chip good' : 'chip warn';
     for (const listener of this.#listeners) listener(this.mine, this.holder);
+    this.#followWish();
+  }
+
+  // Who asked takes it as soon as it is free, and asks no more.
+  async #followWish() {
+    if (!this.asking || this.#taking || !(this.mine || this.holder === '')) return;
+    this.#taking = true;
+    const verb = this.mine ? 'ask-no-more' : 'command';
+    await this.#connection.hold(verb, this.robot).catch(() => {}); // another was quicker
+    this.#taking = false;
+    if (this.mine) this.#followWish();
   }
 
   // Takes it, lets it go, or takes it over from another who is asked about first.
@@ -46,5 +84,8 @@ export class Hands {
     if (this.holder === '') return this.#connection.hold('command', this.robot);
     const sure = await confirmed(`${this.holder} has the arm in hand. Take it over? Its motion ends.`);
     return sure ? this.#connection.hold('take-over', this.robot) : undefined;
+  }
+  toggleWish() {
+    return this.#connection.hold(this.asking ? 'ask-no-more' : 'ask-for', this.robot);
   }
 }
