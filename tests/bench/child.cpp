@@ -105,6 +105,11 @@ Child::~Child() {
 
 void Child::signal(int number) const { kill(process_, number); }
 
+bool Child::ended() const {
+  siginfo_t news{};
+  return waitid(P_PID, static_cast<id_t>(process_), &news, WEXITED | WNOHANG | WNOWAIT) == 0 && news.si_pid == process_;
+}
+
 double Child::memory_mb(const std::string& name) const {
   std::ifstream status("/proc/" + std::to_string(process_) + "/status");
   for (std::string line; std::getline(status, line);) {

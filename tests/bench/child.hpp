@@ -45,6 +45,8 @@ class Child {
 
   Pipe& pipe() { return pipe_; }
   void signal(int number) const;
+  // Whether it has ended by itself.
+  bool ended() const;
   // A line of its /proc/PID/status, as VmRSS or VmHWM.
   double memory_mb(const std::string& name) const;
   // How long its threads that still are have waited for a core, though they had something to do.

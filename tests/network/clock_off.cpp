@@ -1,20 +1,32 @@
-// A library to be loaded before a program, which then sees a wall clock that is off by so many seconds as the variable
-// CLOCK_OFF of its environment says. Timers and the steady clock stay as they are.
+// A library to be loaded before a program, which then sees a wall clock that is off by so many seconds as the file says
+// that the variable CLOCK_OFF_FILE of its environment names: a long, which may change at any time. Timers and the
+// steady clock stay as they are.
 //
 // It asks the kernel itself and takes no memory: a program's own allocator may ask for the time before anything is
 // ready, which Debian's libfaketime does not survive.
 
 #include <cstdlib>
 #include <ctime>
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>
 
 namespace {
 
+const volatile long* file() {
+  const char* const path = std::getenv("CLOCK_OFF_FILE");
+  const int opened = path == nullptr ? -1 : open(path, O_RDONLY | O_CLOEXEC);
+  if (opened < 0) return nullptr;
+  void* const seen = mmap(nullptr, sizeof(long), PROT_READ, MAP_SHARED, opened, 0);
+  close(opened);
+  return seen == MAP_FAILED ? nullptr : static_cast<const volatile long*>(seen);
+}
+
 long offset() {
-  static const char* const text = std::getenv("CLOCK_OFF");
-  return text == nullptr ? 0 : std::atol(text);
+  static const volatile long* const seconds = file();
+  return seconds == nullptr ? 0 : *seconds;
 }
 
 }  // namespace

@@ -127,12 +127,22 @@ std::vector<std::string> Network::on(const std::string& name, const std::vector<
   std::vector<std::string> words = {
       "/sbin/ip", "netns", "exec", host.name_space, "/usr/bin/unshare", "--mount", "--uts", "/bin/sh", "-c",
       enter,      "sh",    name,   host.folder,     shared_folder()};
-  if (host.clock_off.count() != 0) {
-    words.insert(words.end(), {fmt::format("LD_PRELOAD={}", PIZARRA_CLOCK_OFF),
-                               fmt::format("CLOCK_OFF={}", host.clock_off.count())});
+  if (!host.clock_off.empty()) {
+    words.insert(words.end(), {fmt::format("LD_PRELOAD={}", PIZARRA_CLOCK_OFF), "CLOCK_OFF_FILE=" + host.clock_off});
   }
   words.insert(words.end(), command.begin(), command.end());
   return words;
+}
+
+// Written in place: whoever has started sees it in its memory.
+void Network::put_clock_off(const std::string& name, std::chrono::seconds offset) {
+  Host& host = hosts_.at(name);
+  host.clock_off = host.folder + "clock-off";
+  const long seconds = offset.count();
+  const int file = open(host.clock_off.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  const bool written = file >= 0 && pwrite(file, &seconds, sizeof seconds, 0) == sizeof seconds;
+  close(file);
+  if (!written) throw std::runtime_error("cannot write " + host.clock_off);
 }
 
 void Network::enter(const std::string& host) const {

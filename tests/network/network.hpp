@@ -43,8 +43,8 @@ class Network {
   std::vector<std::string> on(const std::string& host, const std::vector<std::string>& command) const;
   // Has the calling thread, and those that it starts from now on, be on that host's network.
   void enter(const std::string& host) const;
-  // For processes that are started there from now on.
-  void put_clock_off(const std::string& host, std::chrono::seconds offset) { hosts_.at(host).clock_off = offset; }
+  // For processes that are started there once it was called; called again, their clocks jump.
+  void put_clock_off(const std::string& host, std::chrono::seconds offset);
   // `both`, `out` or `in` with conditions behind it; with veth none but `cut`, both ways.
   void link(const std::string& host, const std::string& conditions);
   void cut_power(const std::string& host);
@@ -55,7 +55,7 @@ class Network {
     std::string name_space;
     std::string address;
     std::string folder;
-    std::chrono::seconds clock_off{0};
+    std::string clock_off = {};  // the file that says by how much; empty: it is right
   };
   void lay_wires();
   void start_links();

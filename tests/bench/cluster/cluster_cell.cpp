@@ -2,9 +2,8 @@
 
 #include <arpa/inet.h>
 #include <array>
-#include <csignal>
-#include <cstdio>
 #include <fmt/format.h>
+#include <optional>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -15,27 +14,55 @@ namespace {
 
 constexpr int board_port = 7943;
 
-std::string output_of(const std::string& command) {
-  std::string output;
-  std::FILE* const pipe = popen((command + " 2>/dev/null").c_str(), "r");
-  std::array<char, 512> bytes{};
-  while (pipe != nullptr && std::fgets(bytes.data(), bytes.size(), pipe) != nullptr) output += bytes.data();
-  if (pipe != nullptr) pclose(pipe);
-  return output;
-}
+constexpr int client_port = 2379;
+constexpr int patience_ms = 150;
 
-bool listens(const std::string& address) {
+// A connection, if there is one soon; the caller closes it.
+std::optional<int> connect_to(const std::string& address, int port) {
   sockaddr_in name{};
   name.sin_family = AF_INET;
-  name.sin_port = htons(board_port);
+  name.sin_port = htons(static_cast<std::uint16_t>(port));
   inet_pton(AF_INET, address.c_str(), &name.sin_addr);
   const int file = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   connect(file, reinterpret_cast<const sockaddr*>(&name), sizeof name);
   pollfd connecting{file, POLLOUT, 0};
-  constexpr int patience_ms = 100;
-  const bool came = poll(&connecting, 1, patience_ms) == 1 && (connecting.revents & (POLLERR | POLLHUP)) == 0;
+  if (poll(&connecting, 1, patience_ms) == 1 && (connecting.revents & (POLLERR | POLLHUP)) == 0) return file;
   close(file);
-  return came;
+  return std::nullopt;
+}
+
+bool listens(const std::string& address) {
+  const std::optional<int> file = connect_to(address, board_port);
+  if (file) close(*file);
+  return file.has_value();
+}
+
+// What a member says of itself, as JSON; empty where it says nothing.
+std::string status_of_member(const std::string& address) {
+  const std::optional<int> file = connect_to(address, client_port);
+  if (!file) return "";
+  const std::string question =
+      "POST /v3/maintenance/status HTTP/1.0\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}";
+  std::string said;
+  if (send(*file, question.data(), question.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(question.size())) {
+    pollfd reading{*file, POLLIN, 0};
+    std::array<char, 4096> bytes{};
+    while (poll(&reading, 1, patience_ms) == 1) {
+      const ssize_t size = read(*file, bytes.data(), bytes.size());
+      if (size <= 0) break;
+      said.append(bytes.data(), static_cast<std::size_t>(size));
+    }
+  }
+  close(*file);
+  return said;
+}
+
+// The number, as a string, that a member gives under that name; empty where it gives none.
+std::string number_in(const std::string& json, const std::string& name) {
+  const std::string key = "\"" + name + "\":\"";
+  const std::size_t begun = json.find(key);
+  if (begun == std::string::npos) return "";
+  return json.substr(begun + key.size(), json.find('"', begun + key.size()) - begun - key.size());
 }
 
 }  // namespace
@@ -45,12 +72,11 @@ std::string ClusterCell::unavailable() {
   return network::Network::unavailable();
 }
 
-ClusterCell::ClusterCell() : network_("bench", {"pc0", "pc1", "pc2"}, network::Network::Wires::veth) {
+ClusterCell::ClusterCell(network::Network::Wires wires, std::string third_disk)
+    : third_disk_(std::move(third_disk)), network_("bench", {host(0), host(1), host(2), beside}, wires) {
   for (std::size_t number = 0; number < members; ++number) start_member(number);
   for (std::size_t number = 0; number < most_boards; ++number) start_board(number);
 }
-
-void ClusterCell::enter_the_third_host() const { network_.enter(host(2)); }
 
 std::string ClusterCell::log() const {
   return fmt::format("etcd://{},{},{}/bench", network_.address(host(0)), network_.address(host(1)),
@@ -69,9 +95,10 @@ void ClusterCell::start_member(std::size_t number) {
     cluster += fmt::format("{}m{}=http://{}:2380", i == 0 ? "" : ",", i, network_.address(host(i)));
   }
   const std::string own = network_.address(host(number));
+  const std::string disk = number == 2 && !third_disk_.empty() ? third_disk_ : folder_.path();
   const std::vector<std::string> words = {*find_program("etcd"),
                                           fmt::format("--name=m{}", number),
-                                          fmt::format("--data-dir={}/m{}", folder_.path(), number),
+                                          fmt::format("--data-dir={}/m{}", disk, number),
                                           "--initial-cluster=" + cluster,
                                           fmt::format("--listen-peer-urls=http://{}:2380", own),
                                           fmt::format("--initial-advertise-peer-urls=http://{}:2380", own),
@@ -126,10 +153,9 @@ std::size_t ClusterCell::leading_board() const {
 
 std::size_t ClusterCell::leading_member() const {
   for (const auto& [number, member] : members_) {
-    const std::string endpoint = network_.address(host(number)) + ":2379";
-    const std::string said = output_of("ETCDCTL_API=3 etcdctl --endpoints=" + endpoint + " endpoint status");
-    // ENDPOINT, ID, VERSION, SIZE, LEADER, ...
-    if (said.find("B, true,") != std::string::npos) return number;
+    const std::string status = status_of_member(network_.address(host(number)));
+    const std::string leader = number_in(status, "leader");
+    if (!leader.empty() && leader == number_in(status, "member_id")) return number;
   }
   return members;
 }

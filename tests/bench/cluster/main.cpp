@@ -143,8 +143,8 @@ int run(const Choices& choices) {
     fmt::print("skipped: {}\n", why);
     return 0;
   }
-  ClusterCell cell;
-  cell.enter_the_third_host();
+  ClusterCell cell(network::Network::Wires::veth);
+  cell.enter(2);
   RealExecutor executor;
   Figures figures("cluster", choices.json ? Figures::Style::json : Figures::Style::plain);
   Takeovers takeovers(executor, cell);
@@ -154,20 +154,18 @@ int run(const Choices& choices) {
       0.5, 1);
   say_takeovers(
       figures, takeovers, "its host killed", [&] { cell.kill_host(cell.leading_board()); }, choices.rounds, 1.5, 3);
-  if (find_program("etcdctl")) {
-    const auto kill_member = [&] {
-      const std::size_t leads = cell.leading_member();
-      if (leads < ClusterCell::members) cell.kill_member(leads);
-    };
-    say_takeovers(figures, takeovers, "etcd's leader killed", kill_member, choices.rounds, 1.5, 3);
-    say_takeovers(
-        figures, takeovers, "etcd's leader and the leading board killed",
-        [&] {
-          kill_member();
-          cell.kill_board(cell.leading_board());
-        },
-        choices.rounds, 1.5, 3);
-  }
+  const auto kill_member = [&] {
+    const std::size_t leads = cell.leading_member();
+    if (leads < ClusterCell::members) cell.kill_member(leads);
+  };
+  say_takeovers(figures, takeovers, "etcd's leader killed", kill_member, choices.rounds, 1.5, 3);
+  say_takeovers(
+      figures, takeovers, "etcd's leader and the leading board killed",
+      [&] {
+        kill_member();
+        cell.kill_board(cell.leading_board());
+      },
+      choices.rounds, 1.5, 3);
   return figures.finish();
 }
 

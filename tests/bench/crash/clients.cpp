@@ -1,11 +1,9 @@
 #include "tests/bench/crash/clients.hpp"
 
 #include <map>
-#include <unistd.h>
 
-#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "lisp/reader.hpp"
+#include "tests/bench/crash/client_tools.hpp"
 
 namespace pizarra::bench {
 
@@ -18,20 +16,7 @@ constexpr int more_than_is_remembered = 600;  // of a session's replies, 256
 constexpr Duration longest_flood = 2s;
 constexpr Duration between_floods = 1s;
 
-void report(int reports, const Report& what) {
-  // The one who listens has gone: so do we.
-  if (write(reports, &what, sizeof what) != sizeof what) _exit(0);
-}
-
 Task<void> pause(Executor& executor, Duration length) { co_await sleep(executor, length); }
-
-Task<void> declare(Board& board) {
-  while (true) {
-    std::vector<Relation> relations = crash_relations();
-    const Result<void> declared = co_await board.declare(std::move(relations));
-    if (declared) co_return;
-  }
-}
 
 Task<void> tell_on(Board& board, int writer, std::int64_t& next, int reports) {
   co_await declare(board);
@@ -135,7 +120,7 @@ class Follower {
   }
 
   void apply(const Change& change) {
-    bool sound = true;
+    bool sound = change.resynchronised || change.revision >= revision_;
     if (change.resynchronised) {
       asked_.clear();
       known_.clear();
@@ -163,22 +148,7 @@ class Follower {
   std::map<Revision, Counters> asked_;  // what the board answered, at which revision
 };
 
-std::unique_ptr<client::RemoteBoard> connect(Executor& executor, const std::string& address, const std::string& kind,
-                                             int who) {
-  return client::RemoteBoard::connect(executor, address, kind + "-" + std::to_string(who)).value();
-}
-
 }  // namespace
-
-std::vector<Relation> crash_relations() {
-  std::vector<Relation> relations;
-  for (const char* text : {"(relation item ((writer integer) (n integer)) (durable))",
-                           "(relation counter ((writer integer) (n integer)) (key writer) (durable))",
-                           "(relation effect ((writer integer) (n integer) (serial integer)) (durable))"}) {
-    relations.push_back(relation_from_datum(read_one(text).value()).value());
-  }
-  return relations;
-}
 
 void write_items(const std::string& address, int who, int reports) {
   RealExecutor executor;

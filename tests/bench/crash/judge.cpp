@@ -1,15 +1,29 @@
 #include "tests/bench/crash/judge.hpp"
 
-#include <map>
-
-#include "blackboard/journal/journal_file.hpp"
-
 namespace pizarra::bench {
 
+namespace {
+
+// A relation's facts, (NAME A B ...), by A and B.
+std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> counted(const store::Store& store, const char* relation) {
+  std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> counts;
+  for (const store::StandingFact& standing : store.tables().at(relation).facts()) {
+    ++counts[{standing.fact.datum[1].integer(), standing.fact.datum[2].integer()}];
+  }
+  return counts;
+}
+
+}  // namespace
+
 void Judge::hear(const Report& report) {
-  if (report.kind == Report::Kind::told) told_.emplace(report.writer, report.n);
-  if (report.kind == Report::Kind::made) made_.emplace(report.writer, report.n);
-  if (report.kind == Report::Kind::gap) ++gaps_;
+  using Kind = Report::Kind;
+  if (report.kind == Kind::told) told_.emplace(report.writer, report.n);
+  if (report.kind == Kind::made) made_.emplace(report.writer, report.n);
+  if (report.kind == Kind::got) ++got_[{report.writer, report.n}];
+  if (report.kind == Kind::gap) ++gaps_;
+  if (report.kind == Kind::called || report.kind == Kind::answered) {
+    registers_[report.writer][report.n] = report.operation;
+  }
 }
 
 std::size_t Judge::unmade() const {
@@ -18,26 +32,41 @@ std::size_t Judge::unmade() const {
   return unmade;
 }
 
-Result<Verdict> Judge::judge(const std::string& journal) const {
-  store::Store store;
-  const Result<journal::PlayedBack> read = journal::read_journal(journal, store);
-  if (!read) return fail(read);
-  std::map<Item, std::size_t> effects;
-  std::set<Item> items;
-  const auto item_of = [](const store::StandingFact& standing) {
-    return Item(standing.fact.datum[1].integer(), standing.fact.datum[2].integer());
-  };
-  for (const store::StandingFact& standing : store.tables().at("effect").facts()) ++effects[item_of(standing)];
-  for (const store::StandingFact& standing : store.tables().at("item").facts()) items.insert(item_of(standing));
+Verdict Judge::judge(const store::Store& end) const {
+  const std::map<Item, std::size_t> effects = counted(end, "effect");
+  const std::map<Item, std::size_t> items = counted(end, "item");
+  const std::map<Item, std::size_t> tokens = counted(end, "token");
   Verdict verdict;
-  verdict.acknowledged = told_.size() + made_.size();
+  verdict.acknowledged = told_.size() + made_.size() + got_.size();
   verdict.gaps = gaps_;
   for (const Item& item : told_) verdict.lost += effects.contains(item) || items.contains(item) ? 0 : 1;
   for (const Item& item : made_) verdict.lost += effects.contains(item) ? 0 : 1;
   for (const auto& [item, count] : effects) {
     verdict.duplicated_effects += count - 1 + (items.contains(item) ? 1 : 0);
   }
+  for (const auto& [token, count] : got_) {
+    verdict.duplicated_effects += count - 1 + (tokens.contains(token) ? 1 : 0);
+  }
+  judge_registers(end, verdict);
   return verdict;
+}
+
+void Judge::judge_registers(const store::Store& end, Verdict& verdict) const {
+  std::map<std::int64_t, std::int64_t> last;
+  for (const auto& [fact, count] : counted(end, "register")) last.insert(fact);
+  for (const auto& [key, operations] : registers_) {
+    std::vector<Operation> history;
+    std::int64_t latest = 0;
+    for (const auto& [n, operation] : operations) {
+      history.push_back(operation);
+      latest = std::max(latest, operation.called);
+      if (operation.answered != Operation::never) latest = std::max(latest, operation.answered);
+    }
+    // Everybody has gone, and the journal is asked.
+    history.push_back({.value = last.contains(key) ? last.at(key) : 0, .called = latest + 1, .answered = latest + 2});
+    verdict.operations += operations.size();
+    verdict.not_linearizable += is_linearizable(history) ? 0 : 1;
+  }
 }
 
 }  // namespace pizarra::bench

@@ -1,13 +1,14 @@
 #pragma once
 
-// Holds what the clients were told against what the board's journal says in the end.
+// Holds what the clients were told against what the journal, or the log, says in the end.
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "lisp/result.hpp"
+#include "blackboard/store/store.hpp"
 #include "tests/bench/crash/clients.hpp"
 
 namespace pizarra::bench {
@@ -15,22 +16,27 @@ namespace pizarra::bench {
 struct Verdict {
   std::size_t acknowledged = 0;
   std::size_t lost = 0;                // acknowledged, and neither there nor made into an effect
-  std::size_t duplicated_effects = 0;  // made twice, or made and still there
+  std::size_t duplicated_effects = 0;  // made twice, or made and still there; taken twice, or taken and still there
   std::size_t gaps = 0;                // in what a watcher was told, without a resynchronisation
+  std::size_t not_linearizable = 0;    // registers
+  std::size_t operations = 0;          // on registers
 };
 
 class Judge {
  public:
   void hear(const Report& report);
-  // Failures of read_journal().
-  Result<Verdict> judge(const std::string& journal) const;
+  Verdict judge(const store::Store& end) const;
   // Items that nobody has made an effect of yet, as far as anybody said so.
   std::size_t unmade() const;
 
  private:
   using Item = std::pair<std::int64_t, std::int64_t>;
+  void judge_registers(const store::Store& end, Verdict& verdict) const;
+
   std::set<Item> told_;
   std::set<Item> made_;
+  std::map<Item, std::size_t> got_;
+  std::map<std::int64_t, std::map<std::int64_t, Operation>> registers_;
   std::size_t gaps_ = 0;
 };
 

@@ -2,11 +2,7 @@
 
 #include <csignal>
 #include <poll.h>
-#include <stdexcept>
 #include <sys/socket.h>
-#include <unistd.h>
-
-#include "tests/blackboard/link_proxy.hpp"
 
 namespace pizarra::bench {
 
@@ -14,84 +10,30 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int links = 4;
 constexpr auto settle_patience = 90s;
-// A session is forgotten after 10 s, and what it held and told under its leases long before.
-constexpr auto longest_absence = 13s;
 // Longer than anybody holds what it took; who was killed before it said what it had made never says so.
 constexpr auto last_word_patience = 10s;
-
-std::string link_path(const std::string& folder, int link) { return folder + "/link-" + std::to_string(link); }
+constexpr int giving_work = 5;  // the first of them
 
 }  // namespace
 
-Ordeal::Ordeal(std::string folder, std::uint64_t seed, std::function<bool()> is_stopped)
-    : folder_(std::move(folder)), is_stopped_(std::move(is_stopped)), random_(seed), links_(start_links(folder_)) {
-  start_board();
-  for (int number = 0; number < clients; ++number) start_client(number);
-}
-
-Child Ordeal::start_links(const std::string& folder) {
-  return Child::running([&](Pipe& parent) {
-    std::vector<std::string> paths;
-    for (int link = 0; link < links; ++link) paths.push_back(link_path(folder, link));
-    LinkProxy(paths, folder + "/board.ipc").run(parent.file());
-  });
-}
-
-// A short history, so that the journal is compacted all the time.
-void Ordeal::start_board() {
-  board_.reset();
-  board_.emplace(Child::program({program_beside("pizarra-board"), "--listen", "ipc://" + folder_ + "/board.ipc",
-                                 "--journal", folder_ + "/board.journal", "--history", "1000"}));
-}
-
 void Ordeal::start_client(int number) {
-  static constexpr void (*roles[clients])(const std::string&, int, int) = {
-      write_items, write_items, flood_items, take_items, take_items, take_items, watch_counters, watch_counters};
-  clients_.erase(number);
+  static constexpr Role roles[clients] = {write_items, write_items, flood_items, compare_registers, compare_registers,
+                                          take_items,  take_items,  take_items,  watch_counters,    watch_counters};
+  end(number);
   const int who = next_who_++;
-  const std::string address = "ipc://" + link_path(folder_, number % links);
-  clients_.emplace(number, Child::running([&](Pipe& parent) { roles[number](address, who, parent.file()); }));
+  clients_.emplace(number, Child::running([&](Pipe& parent) {
+                     const std::string address = come_to_the_board(number);
+                     roles[number](address, who, parent.file());
+                   }));
 }
 
-void Ordeal::round() {
-  harm(random_.below(7));
-  pass(between(200, 600));
+const Child* Ordeal::client(int number) const {
+  const auto found = clients_.find(number);
+  return found == clients_.end() ? nullptr : &found->second;
 }
 
-void Ordeal::harm(std::uint64_t kind) {
-  const auto number = static_cast<int>(random_.below(clients));
-  const auto link = static_cast<int>(random_.below(links));
-  const auto change_link = [this, link](LinkProxy::State state) {
-    LinkProxy::command(links_.pipe().file(), link, state);
-  };
-  switch (kind) {
-    case 0:
-      board_.reset();
-      return later(between(0, 300), [this] { start_board(); });
-    case 1:
-      // Again, perhaps before it has recovered.
-      start_board();
-      return later(between(1, 40), [this] { start_board(); });
-    case 2:
-      hear(clients_.at(number));
-      return start_client(number);
-    case 3:
-    case 4:
-      change_link(kind == 3 ? LinkProxy::State::cut : LinkProxy::State::silent);
-      return later(between(50, kind == 3 ? 800 : 4000), [change_link] { change_link(LinkProxy::State::whole); });
-    case 5:
-      if (Clock::now() < absent_until_) return;
-      absent_until_ = Clock::now() + longest_absence;
-      return stop_for([this, number] { return &clients_.at(number); }, between(11'000, 13'000));
-    default:
-      if (random_.below(2) == 0) return stop_for([this] { return board_ ? &*board_ : nullptr; }, between(50, 1500));
-      return stop_for([this, number] { return &clients_.at(number); }, between(50, 2500));
-  }
-}
-
-void Ordeal::stop_for(std::function<Child*()> whom, Clock::duration time) {
+void Ordeal::stop_for(std::function<const Child*()> whom, Clock::duration time) {
   const auto send = [whom = std::move(whom)](int signal) {
     if (const Child* child = whom()) child->signal(signal);
   };
@@ -123,14 +65,19 @@ void Ordeal::hear(Child& client) {
   while (recv(client.pipe().file(), &report, sizeof report, MSG_DONTWAIT) == sizeof report) judge_.hear(report);
 }
 
+// Its last words are heard: what it was still told counts.
+void Ordeal::end(int number) {
+  const auto found = clients_.find(number);
+  if (found == clients_.end()) return;
+  found->second.signal(SIGSTOP);
+  hear(found->second);
+  clients_.erase(found);
+}
+
 void Ordeal::settle() {
   while (!due_.empty()) pass(50ms);
-  // The writers' last words are heard: what they were still told counts.
-  for (int writer = 0; writer < writers; ++writer) {
-    clients_.at(writer).signal(SIGSTOP);
-    hear(clients_.at(writer));
-    clients_.erase(writer);
-  }
+  mend();
+  for (int number = 0; number < giving_work; ++number) end(number);
   const Clock::time_point patience = Clock::now() + settle_patience;
   Clock::time_point heard = Clock::now();
   std::size_t left = judge_.unmade();
@@ -144,9 +91,11 @@ void Ordeal::settle() {
 }
 
 Result<Verdict> Ordeal::judge() {
-  clients_.clear();
-  board_.reset();
-  return judge_.judge(folder_ + "/board.journal");
+  for (int number = 0; number < clients; ++number) end(number);
+  store::Store end;
+  const Result<void> read = read_the_end(end);
+  if (!read) return fail(read);
+  return judge_.judge(end);
 }
 
 Ordeal::Clock::duration Ordeal::between(int least_ms, int most_ms) {
