@@ -3,59 +3,21 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "blackboard/cluster/snapshot.hpp"
 #include "blackboard/journal/checksum.hpp"
 #include "blackboard/wire/answer_form.hpp"
 #include "lisp/reader.hpp"
-#include "lisp/writer.hpp"
 
 namespace pizarra::cluster {
 
 namespace {
 
-constexpr std::size_t part_bytes = 512 << 10;
 constexpr std::size_t most_replies = 100'000;
 constexpr ReadLimits line_limits = {
     .bytes = 2 * limits::frame_bytes, .depth = limits::frame_depth, .elements = 2 * limits::frame_elements};
 
 std::unexpected<Failure> damaged(const std::string& what) {
   return fail("bad-journal", "the log in the cluster is damaged: " + what);
-}
-
-// (snapshot NUMBER NAME PARTS SUM)
-struct SnapshotValue {
-  std::uint64_t number = 0;
-  std::string name;
-  std::uint64_t parts = 0;
-  std::int64_t sum = 0;
-};
-
-Result<SnapshotValue> snapshot_from(const std::string& text) {
-  const Result<Datum> form = read_one(text);
-  const bool formed = form && form->is_form("snapshot") && form->size() == 5 && (*form)[2].is_string();
-  const auto number = formed ? wire::count_at(*form, 1) : std::nullopt;
-  const auto parts = formed ? wire::count_at(*form, 3) : std::nullopt;
-  if (!number || !parts) return damaged("it does not say which snapshot counts");
-  return SnapshotValue{*number, std::string((*form)[2].text()), *parts, (*form)[4].integer()};
-}
-
-Datum relation_line(const Relation& relation) { return list("relation"_sym, relation_to_datum(relation)); }
-
-Datum fact_line(const Fact& fact, store::Store::Restored as) {
-  return list("fact"_sym, static_cast<std::int64_t>(as), wire::fact_to_datum(fact));
-}
-
-std::vector<std::pair<Fact, store::Store::Restored>> durable_facts(const store::Store& store) {
-  using As = store::Store::Restored;
-  std::vector<std::pair<Fact, As>> facts;
-  for (const auto& [name, table] : store.tables()) {
-    if (!table.relation().durable) continue;
-    for (const store::StandingFact& standing : table.facts()) {
-      facts.emplace_back(standing.fact, standing.lease != 0 ? As::leased : As::standing);
-    }
-  }
-  for (auto& [fact, leased] : store.taken()) facts.emplace_back(fact, leased ? As::taken_leased : As::taken);
-  std::ranges::sort(facts, {}, [](const auto& entry) { return entry.first.id; });
-  return facts;
 }
 
 }  // namespace
@@ -204,22 +166,7 @@ std::vector<journal::RememberedReply> LogCopy::replies() const {
   return replies;
 }
 
-std::string LogCopy::text() const {
-  std::string text;
-  const auto add = [&](const Datum& line) {
-    write_to(text, line);
-    text += '\n';
-  };
-  for (const auto& [name, table] : store_->tables()) add(relation_line(table.relation()));
-  for (const auto& [fact, as] : durable_facts(*store_)) add(fact_line(fact, as));
-  for (const auto& [when, reply] : replies_) {
-    std::string line;
-    journal::ReplyLines().add(line, reply);
-    add(list("replied"_sym, when.time_since_epoch().count(), to_datum(line)));
-  }
-  add(list("end"_sym, end_.revision, end_.when.time_since_epoch().count(), store_->next_fact()));
-  return text;
-}
+std::string LogCopy::text() const { return snapshot_text(*store_, end_, replies_); }
 
 Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t entries, std::uint64_t nonce) {
   const Result<std::optional<std::string>> former = get(key_values, keys.snapshot());
@@ -239,21 +186,15 @@ Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint
   if (!whole) return fail(whole);
   const std::string text = copy.text();
   const std::string name = fmt::format("{}-{}", copy.number(), nonce);
-  std::size_t parts = 0;
-  for (std::size_t at = 0; at < text.size(); at += part_bytes) {
-    const KeyValue part{keys.snapshot_part(name, parts++), text.substr(at, part_bytes)};
-    const Result<KeyValues::Reply> put = key_values.transact({.compares = {}, .puts = {part}}, 5 * patience);
-    if (!put) return fail(put);
-  }
-  const std::string pointer =
-      write(list("snapshot"_sym, copy.number(), to_datum(name), static_cast<std::int64_t>(parts),
-                 journal::Checksum().add_words(text).value()));
+  const Result<SnapshotValue> put = put_snapshot(key_values, keys, copy.number(), name, text);
+  if (!put) return fail(put);
   // The newest entry stays, so that who has fewer sees the gap before it.
   std::vector<KeyValues::Range> gone = keys.snapshots_but(name);
   gone.push_back(keys.entries_before(copy.number()));
-  const Result<KeyValues::Reply> turned = key_values.transact(
-      {.compares = {{keys.snapshot(), *former}}, .puts = {{keys.snapshot(), pointer}}, .deletes = std::move(gone)},
-      5 * patience);
+  const Result<KeyValues::Reply> turned = key_values.transact({.compares = {{keys.snapshot(), *former}},
+                                                               .puts = {{keys.snapshot(), text_of(*put)}},
+                                                               .deletes = std::move(gone)},
+                                                              5 * patience);
   if (!turned) return fail(turned);
   return turned->succeeded;
 }

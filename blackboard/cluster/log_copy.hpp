@@ -11,10 +11,10 @@
 // Entries are numbered without a gap. Where the next one is gone, because others came meanwhile and a snapshot took
 // their place, the copy begins anew from that. Failures: unavailable, bad-journal.
 
-#include <deque>
 #include <memory>
 
 #include "blackboard/cluster/log_keys.hpp"
+#include "blackboard/cluster/snapshot.hpp"
 #include "blackboard/store/store.hpp"
 
 namespace pizarra::cluster {
@@ -69,7 +69,7 @@ class LogCopy {
   journal::LineStart end_;
   std::string later_;
   std::optional<Alive> alive_;
-  std::deque<std::pair<Time, journal::RememberedReply>> replies_;
+  DatedReplies replies_;
 };
 
 // Writes a snapshot of all that the log has by now and deletes the entries before it, where at least `entries` have

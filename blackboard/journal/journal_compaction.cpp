@@ -3,6 +3,7 @@
 #include <map>
 
 #include "blackboard/journal/journal_tables.hpp"
+#include "blackboard/store/durable_facts.hpp"
 #include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
@@ -20,6 +21,8 @@ class Horizon {
   explicit Horizon(sqlite::Database& database) : database_(database) {}
 
   Result<void> read_about();
+  // In place of what a file that is new begins with.
+  Result<void> begin_with(const store::Store& store, const LineStart& end);
   Result<void> apply(std::string_view lines);
   Result<void> write();
 
@@ -51,6 +54,18 @@ Result<void> Horizon::read_about() {
   at_.revision = static_cast<Revision>(*revision);
   next_fact_ = static_cast<FactId>(*next_fact);
   return {};
+}
+
+Result<void> Horizon::begin_with(const store::Store& store, const LineStart& end) {
+  at_ = end;
+  next_fact_ = store.next_fact();
+  for (auto& [fact, state] : store::durable_facts(store)) {
+    const FactId id = fact.id;
+    standing_[id] = {std::move(fact), state};
+  }
+  std::vector<Relation> relations;
+  for (const auto& [name, table] : store.tables()) relations.push_back(table.relation());
+  return declare(relations);
 }
 
 Result<void> Horizon::apply(std::string_view lines) {
@@ -167,6 +182,16 @@ Result<void> Horizon::write() {
 }
 
 }  // namespace
+
+Result<void> begin_at(sqlite::Database& database, const store::Store& store, const LineStart& end) {
+  sqlite::Transaction transaction(database);
+  Result<void> done = transaction.begin();
+  Horizon horizon(database);
+  if (done) done = horizon.begin_with(store, end);
+  if (done) done = horizon.write();
+  if (done) done = transaction.commit();
+  return done;
+}
 
 Result<std::size_t> advance_horizon(sqlite::Database& database, Revision before_revision, Time before_time,
                                     std::size_t slice_bytes) {

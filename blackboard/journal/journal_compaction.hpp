@@ -10,5 +10,7 @@ namespace pizarra::journal::journal_tables {
 // 0 when there are none.
 Result<std::size_t> advance_horizon(sqlite::Database& database, Revision before_revision, Time before_time,
                                     std::size_t slice_bytes);
+// A new file's horizon: what is durable in a store, as of a moment.
+Result<void> begin_at(sqlite::Database& database, const store::Store& store, const LineStart& end);
 
 }  // namespace pizarra::journal::journal_tables

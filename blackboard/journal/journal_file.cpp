@@ -64,16 +64,6 @@ Result<LineStart> end_of(sqlite::Database& database) {
   return LineStart{static_cast<Revision>(row.integer(0)), Time(Duration(row.integer(1)))};
 }
 
-// Whether there was such a revision.
-Result<PlayedBack> check_reached(Result<PlayedBack> played, const Moment& until) {
-  const bool bounded = until.revision != Moment().revision;
-  if (!played || !bounded || !played->later.empty() || played->to.revision >= until.revision) return played;
-  return fail("not-yet",
-              "there is no revision " + std::to_string(until.revision) + " yet: the newest is " +
-                  std::to_string(played->to.revision),
-              to_datum(until.revision));
-}
-
 // The number of the last group, which compaction may have let go.
 Result<std::int64_t> last_group(sqlite::Database& database) {
   return database.ask(
@@ -107,6 +97,15 @@ Result<void> check_together(const Disk& disk, const std::string& path) {
 }
 
 }  // namespace
+
+Result<PlayedBack> check_reached(Result<PlayedBack> played, const Moment& until) {
+  const bool bounded = until.revision != Moment().revision;
+  if (!played || !bounded || !played->later.empty() || played->to.revision >= until.revision) return played;
+  return fail("not-yet",
+              "there is no revision " + std::to_string(until.revision) + " yet: the newest is " +
+                  std::to_string(played->to.revision),
+              to_datum(until.revision));
+}
 
 Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, const History& history, Disk& disk) {
   const Result<void> together = check_together(disk, path);
@@ -152,6 +151,13 @@ Result<std::vector<RememberedReply>> JournalFile::recover(store::Store& store) {
   Result<std::vector<RememberedReply>> replies = journal_tables::remembered(database_, replies_kept);
   if (!replies) return fail(journal_tables::failure_of(replies.error(), path_));
   return replies;
+}
+
+Result<void> JournalFile::begin_with(const store::Store& store, const LineStart& end) {
+  const std::scoped_lock lock(mutex_);
+  if (next_group_ != 1) return fail("journal-file", path_ + " has been begun already");
+  const Result<void> begun = journal_tables::begin_at(database_, store, end);
+  return begun ? begun : fail(journal_tables::failure_of(begun.error(), path_));
 }
 
 Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {

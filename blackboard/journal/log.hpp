@@ -37,6 +37,9 @@ struct PlayedBack {
   std::string later;  // the lines that came after
 };
 
+// The failure `not-yet` in its place, where there was no such revision.
+Result<PlayedBack> check_reached(Result<PlayedBack> played, const Moment& until);
+
 class Log {
  public:
   virtual ~Log() = default;

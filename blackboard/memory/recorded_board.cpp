@@ -25,7 +25,12 @@ Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(Executor& executor, c
   auto store = std::make_unique<store::Store>();
   Result<journal::PlayedBack> played = journal::read_journal(path, *store, until);
   if (!played) return fail(played);
-  return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(*played)));
+  return of(executor, std::move(store), std::move(*played));
+}
+
+std::unique_ptr<RecordedBoard> RecordedBoard::of(Executor& executor, std::unique_ptr<store::Store> store,
+                                                 journal::PlayedBack played) {
+  return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(played)));
 }
 
 Revision RecordedBoard::revision() const { return store_.revision(); }

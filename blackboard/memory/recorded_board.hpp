@@ -24,6 +24,9 @@ class RecordedBoard : public Board {
   // As of a moment. Failures bad-journal, journal-file, forgotten.
   static Result<std::unique_ptr<RecordedBoard>> open(Executor& executor, const std::string& path,
                                                      const Moment& until = {});
+  // Of a journal that was read into that store, wherever it is kept.
+  static std::unique_ptr<RecordedBoard> of(Executor& executor, std::unique_ptr<store::Store> store,
+                                           journal::PlayedBack played);
   ~RecordedBoard() override;
 
   Revision revision() const;

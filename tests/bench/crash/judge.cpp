@@ -1,14 +1,17 @@
 #include "tests/bench/crash/judge.hpp"
 
+#include "blackboard/store/durable_facts.hpp"
+
 namespace pizarra::bench {
 
 namespace {
 
-// A relation's facts, (NAME A B ...), by A and B.
-std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> counted(const store::Store& store, const char* relation) {
+// A relation's facts, (NAME A B ...), by A and B: those too that somebody has taken and not settled.
+std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> counted(const store::Store& store,
+                                                                     std::string_view relation) {
   std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> counts;
-  for (const store::StandingFact& standing : store.tables().at(relation).facts()) {
-    ++counts[{standing.fact.datum[1].integer(), standing.fact.datum[2].integer()}];
+  for (const auto& [fact, as] : store::durable_facts(store)) {
+    if (fact.datum.head() == relation) ++counts[{fact.datum[1].integer(), fact.datum[2].integer()}];
   }
   return counts;
 }

@@ -47,6 +47,12 @@ TEST_F(JudgeOfTheOrdeal, FindsWhatWasAcknowledgedAndIsGone) {
   EXPECT_EQ(verdict().lost, 2u);
 }
 
+TEST_F(JudgeOfTheOrdeal, TakesWhatSomebodyHoldsForThere) {
+  const LeaseId lease = store_.lease(Duration(1'000'000), Time()).value();
+  ASSERT_TRUE(store_.take("taker", list("item"_sym, 1, 2), lease, Time()).value());
+  EXPECT_EQ(verdict().lost, 0u);
+}
+
 TEST_F(JudgeOfTheOrdeal, FindsWhatWasDoneTwice) {
   has(list("effect"_sym, 1, 1, 101));
   EXPECT_EQ(verdict().duplicated_effects, 1u);

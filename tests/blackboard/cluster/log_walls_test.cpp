@@ -161,6 +161,10 @@ TEST_P(LogWalls, SayHowItWasAndThatTheyForgot) {
   EXPECT_TRUE(facts(then).contains("a"));
   EXPECT_EQ(played->to.revision, first);
   EXPECT_TRUE(played->later.contains("(goal 1 b)"));
+  store::Store never;
+  const Result<journal::PlayedBack> beyond = log_->read(never, {.revision = store_->revision() + 1});
+  ASSERT_FALSE(beyond.has_value());
+  EXPECT_EQ(beyond.error().symbol, "not-yet");
 }
 
 INSTANTIATE_TEST_SUITE_P(Where, LogWalls, testing::Bool(),

@@ -1,0 +1,110 @@
+#include "blackboard/cluster/transfer.hpp"
+
+#include <fmt/format.h>
+#include <thread>
+
+#include "blackboard/cluster/leadership.hpp"
+#include "blackboard/cluster/log_copy.hpp"
+#include "blackboard/journal/journal_file.hpp"
+#include "blackboard/store/durable_facts.hpp"
+
+namespace pizarra::cluster {
+
+namespace {
+
+// Nothing where nobody leads: who does says so all the time.
+Result<std::optional<std::string>> who_leads(KeyValues& key_values, const LogKeys& keys) {
+  const Result<std::optional<std::string>> before = get(key_values, keys.alive());
+  if (!before) return fail(before);
+  if (!*before) return std::optional<std::string>();
+  std::this_thread::sleep_for(2 * suspects_after);
+  const Result<std::optional<std::string>> after = get(key_values, keys.alive());
+  if (!after) return fail(after);
+  if (*after == *before) return std::optional<std::string>();
+  const Result<std::optional<std::string>> epoch_text = get(key_values, keys.epoch());
+  if (!epoch_text) return fail(epoch_text);
+  const Result<EpochValue> epoch = epoch_from(epoch_text->value_or(""));
+  if (!epoch) return fail(epoch);
+  return std::optional(epoch->board);
+}
+
+// A leader that has left: the next one goes on behind its counters.
+std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapshot, const store::Store& store,
+                                const journal::LineStart& end, std::uint64_t nonce) {
+  const EpochValue epoch{1, "copied from a file", nonce};
+  const Alive alive{
+      .epoch = epoch.number, .when = end.when, .revision = end.revision, .fact = store.next_fact(), .leaves = true};
+  return {{keys.epoch(), text_of(epoch)},
+          {keys.alive(), text_of(alive)},
+          {keys.head(), std::to_string(snapshot.number)},
+          {keys.snapshot(), text_of(snapshot)}};
+}
+
+// A group needs a line: one that declares again what is declared changes nothing.
+journal::JournalGroup remembered(const LogCopy& copy, const store::Store& store) {
+  std::vector<Relation> relations;
+  for (const auto& [name, table] : store.tables()) relations.push_back(table.relation());
+  journal::JournalGroup group;
+  group.lines = journal::journal_line(copy.end().revision, copy.end().when, "board", relations) + '\n';
+  journal::ReplyLines lines;
+  for (const journal::RememberedReply& reply : copy.replies()) lines.add(group.replies, reply);
+  group.durable = true;
+  return group;
+}
+
+Result<void> write_file(const std::string& path, LogCopy& copy) {
+  const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
+  if (!file) return fail(file);
+  const Result<void> begun = (*file)->begin_with(copy.store(), copy.end());
+  return begun ? (*file)->append(remembered(copy, copy.store())) : begun;
+}
+
+}  // namespace
+
+Result<Transferred> file_to_cluster(const std::string& path, KeyValues& key_values, const LogKeys& keys,
+                                    std::uint64_t nonce) {
+  if (!journal::this_disk().status(path)) return fail("journal-file", "there is no journal " + path);
+  const Result<std::optional<std::string>> head = get(key_values, keys.head());
+  if (!head) return fail(head);
+  if (*head) return fail("exists", "the cluster has a log of this cell already");
+  const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
+  if (!file) return fail(file);
+  store::Store store;
+  Result<std::vector<journal::RememberedReply>> replies = (*file)->recover(store);
+  if (!replies) return fail(replies);
+  const Result<journal::LineStart> end = journal::end_of_journal(path);
+  if (!end) return fail(end);
+  DatedReplies dated;
+  for (journal::RememberedReply& reply : *replies) dated.emplace_back(end->when, std::move(reply));
+  constexpr std::uint64_t first = 1;
+  const Result<SnapshotValue> snapshot =
+      put_snapshot(key_values, keys, first, fmt::format("{}-{}", first, nonce), snapshot_text(store, *end, dated));
+  if (!snapshot) return fail(snapshot);
+  const Result<KeyValues::Reply> turned =
+      key_values.transact({.compares = {{keys.head(), std::nullopt}, {keys.epoch(), std::nullopt}},
+                           .puts = begun_log(keys, *snapshot, store, *end, nonce)},
+                          5 * patience);
+  if (!turned) return fail(turned);
+  if (!turned->succeeded) return fail("exists", "a board began a log of this cell meanwhile");
+  return Transferred{store::durable_facts(store).size(), end->revision};
+}
+
+Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, const std::string& path) {
+  if (journal::this_disk().status(path)) return fail("exists", path + " is there already");
+  const Result<std::optional<std::string>> head = get(key_values, keys.head());
+  if (!head) return fail(head);
+  if (!*head) return fail("bad-journal", "the cluster has no log of this cell");
+  const Result<std::optional<std::string>> leader = who_leads(key_values, keys);
+  if (!leader) return fail(leader);
+  if (*leader) return fail("in-use", "the board " + **leader + " leads this cell: end its boards first");
+  LogCopy copy(key_values, keys);
+  const Result<void> whole = copy.follow_to(std::stoull(**head));
+  if (!whole) return fail(whole);
+  const Result<void> written = write_file(path, copy);
+  // Half a journal would be taken for a whole one.
+  if (!written) journal::remove_journal(path);
+  if (!written) return fail(written);
+  return Transferred{store::durable_facts(copy.store()).size(), copy.end().revision};
+}
+
+}  // namespace pizarra::cluster
