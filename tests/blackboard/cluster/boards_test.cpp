@@ -5,6 +5,7 @@
 #include <csignal>
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -103,6 +104,30 @@ TEST_F(Boards, HearNothingMoreOfALeaderThatWasStoppedAndComesBack) {
   (void)now;
 }
 
+TEST_F(Boards, TellAWatcherThatItMayHaveMissedSomethingAndGoOnBehindWhatItKnew) {
+  tell(1);
+  const std::unique_ptr<Watch> watch = run(client_->watch(query_for(list("note"_sym, "?n"_sym)))).value();
+  const Change first = run(watch->next()).value();
+  EXPECT_TRUE(first.resynchronised);
+  EXPECT_EQ(first.added.size(), 1u);
+  boards_[leader()]->stop(SIGKILL);
+  tell(2);
+  std::set<std::int64_t> known = {1};
+  Revision revision = first.revision;
+  bool told_of_a_gap = false;
+  while (!known.contains(2)) {
+    const Change change = run(watch->next()).value();
+    EXPECT_GE(change.revision, revision);
+    revision = change.revision;
+    if (change.resynchronised) known.clear();
+    told_of_a_gap = told_of_a_gap || change.resynchronised;
+    for (const Answer& answer : change.removed) known.erase(answer.facts.front().datum[1].integer());
+    for (const Answer& answer : change.added) known.insert(answer.facts.front().datum[1].integer());
+  }
+  EXPECT_TRUE(told_of_a_gap);
+  EXPECT_EQ(known, (std::set<std::int64_t>{1, 2}));
+}
+
 // A note a line that it says, as they are acknowledged.
 TEST_F(Boards, AreOneBoardForAClientInPythonToo) {
   const std::string script =
@@ -143,8 +168,12 @@ TEST_F(Boards, HandOverAtOnceWhenTheLeaderIsEndedInOrder) {
 TEST_F(Boards, AnswerNothingWithoutALogAndGoOnWhenItIsBack) {
   tell(1);
   etcd_->signal(SIGSTOP);
+  const Time begun = executor_.now();
   const Result<Revision> told = run(client_->tell(list("note"_sym, std::int64_t{2})));
-  EXPECT_FALSE(told.has_value());
+  ASSERT_FALSE(told.has_value());
+  EXPECT_EQ(told.error().symbol, "unreachable");
+  EXPECT_FALSE(run(client_->facts(list("note"_sym, "?n"_sym))).has_value()) << "nor what may be old by now";
+  EXPECT_LT(executor_.now() - begun, 60s);
   etcd_->signal(SIGCONT);
   tell(3);
   const std::size_t standing = notes();

@@ -49,8 +49,9 @@ int free_port() {
 
 bool RealEtcd::is_installed() { return access(program, X_OK) == 0; }
 
-RealEtcd::RealEtcd() : port_(free_port()), folder_(fmt::format("{}etcd-{}", scratch_folder(), port_)) {
-  const std::string client = fmt::format("http://127.0.0.1:{}", port_);
+RealEtcd::RealEtcd(const std::string& certificates)
+    : port_(free_port()), folder_(fmt::format("{}etcd-{}", scratch_folder(), port_)) {
+  const std::string client = fmt::format("{}://127.0.0.1:{}", certificates.empty() ? "http" : "https", port_);
   const std::string peer = fmt::format("http://127.0.0.1:{}", free_port());
   std::vector<std::string> words = {program,
                                     "--data-dir=" + folder_,
@@ -62,6 +63,11 @@ RealEtcd::RealEtcd() : port_(free_port()), folder_(fmt::format("{}etcd-{}", scra
                                     "--unsafe-no-fsync",
                                     "--heartbeat-interval=50",
                                     "--election-timeout=500"};
+  if (!certificates.empty()) {
+    words.insert(words.end(),
+                 {"--cert-file=" + certificates + "/server.crt", "--key-file=" + certificates + "/server.key",
+                  "--trusted-ca-file=" + certificates + "/ca.crt", "--client-cert-auth"});
+  }
   pid_ = fork();
   if (pid_ != 0) return;
   const int log = open((folder_ + ".log").c_str(), O_WRONLY | O_CREAT, 0600);

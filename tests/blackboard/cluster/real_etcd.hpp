@@ -20,7 +20,9 @@ bool can_connect(int port);
 class RealEtcd {
  public:
   static bool is_installed();
-  RealEtcd();
+  // With certificates of that folder, where one is named: server.crt and server.key, and ca.crt, by which a client must
+  // be known too.
+  explicit RealEtcd(const std::string& certificates = "");
   RealEtcd(const RealEtcd&) = delete;
   RealEtcd& operator=(const RealEtcd&) = delete;
   ~RealEtcd();

@@ -1,0 +1,79 @@
+// An etcd that speaks only to whom it knows by a certificate.
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+#include "blackboard/cluster/etcd_client.hpp"
+#include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra::cluster {
+namespace {
+
+// An authority, and a server's and a client's certificate of it.
+bool make_certificates(const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  const std::string script =
+      "cd '" + folder +
+      "' && key='-newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes' &&"
+      " printf 'subjectAltName=IP:127.0.0.1' > names &&"
+      " openssl req -x509 $key -keyout ca.key -out ca.crt -days 2 -subj /CN=authority &&"
+      " for name in server client; do"
+      "  openssl req $key -keyout $name.key -out $name.csr -subj /CN=$name &&"
+      "  openssl x509 -req -in $name.csr -CA ca.crt -CAkey ca.key -CAcreateserial -days 2 -extfile names -out $name.crt"
+      "  || exit 1; done";
+  return std::system(("( " + script + " ) >/dev/null 2>&1").c_str()) == 0;
+}
+
+class EtcdWithCertificates : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+    if (std::system("openssl version >/dev/null 2>&1") != 0) GTEST_SKIP() << "openssl is not installed (openssl)";
+    ASSERT_TRUE(make_certificates(own_));
+    ASSERT_TRUE(make_certificates(strange_));
+    etcd_ = std::make_unique<RealEtcd>(own_);
+  }
+  std::unique_ptr<EtcdClient> client(const std::string& certificates) const {
+    return EtcdClient::open(LogAddress::from(etcd_->address("cell"), certificates, true).value()).value();
+  }
+  // Tried until etcd listens.
+  static Result<KeyValues::Reply> put(EtcdClient& client, std::chrono::seconds patience) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    Result<KeyValues::Reply> put = fail("unavailable", "not tried");
+    while (!put && std::chrono::steady_clock::now() < end) {
+      put = client.transact({.compares = {}, .puts = {{"a", "1"}}}, 1s);
+    }
+    return put;
+  }
+
+  const std::string own_ = scratch_folder() + "own-certificates";
+  const std::string strange_ = scratch_folder() + "strange-certificates";
+  std::unique_ptr<RealEtcd> etcd_;
+};
+
+TEST_F(EtcdWithCertificates, AnswersAClientThatItKnowsAndNobodyElse) {
+  const Result<KeyValues::Reply> known = put(*client(own_), std::chrono::seconds(60));
+  ASSERT_TRUE(known.has_value()) << describe(known.error());
+  const Result<KeyValues::Reply> strange = client(strange_)->transact({.compares = {}, .puts = {{"a", "2"}}}, 5s);
+  ASSERT_FALSE(strange.has_value());
+  EXPECT_EQ(strange.error().symbol, "unavailable");
+  // One that trusts the server, but has no certificate of its authority.
+  std::filesystem::copy_file(own_ + "/ca.crt", strange_ + "/ca.crt", std::filesystem::copy_options::overwrite_existing);
+  EXPECT_FALSE(client(strange_)->transact({.compares = {}, .puts = {{"a", "2"}}}, 5s).has_value());
+  EXPECT_FALSE(client("")->transact({.compares = {}, .puts = {{"a", "2"}}}, 5s).has_value()) << "unencrypted";
+  EXPECT_EQ(get(*client(own_), "a", 5s).value(), "1");
+}
+
+TEST_F(EtcdWithCertificates, IsRefusedWhereAFileIsMissing) {
+  std::filesystem::remove(own_ + "/client.key");
+  const auto refused = EtcdClient::open(LogAddress::from(etcd_->address("cell"), own_, false).value());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().symbol, "bad-address");
+  EXPECT_TRUE(refused.error().sentence.contains("client.key")) << refused.error().sentence;
+}
+
+}  // namespace
+}  // namespace pizarra::cluster
