@@ -63,6 +63,7 @@ ClusterOrdeal::ClusterOrdeal(const std::string& folder, std::uint64_t seed, std:
     cell_.start_board(board);
   }
   for (int number = 0; number < clients; ++number) start_client(number);
+  wait_until_begun();
 }
 
 std::string ClusterOrdeal::come_to_the_board(int client) {

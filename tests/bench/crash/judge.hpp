@@ -26,6 +26,8 @@ class Judge {
  public:
   void hear(const Report& report);
   Verdict judge(const store::Store& end) const;
+  // Whether anything was acknowledged, and answered of a register.
+  bool has_begun() const { return !told_.empty() && !registers_.empty(); }
   // Items that nobody has made an effect of yet, as far as anybody said so.
   std::size_t unmade() const;
 

@@ -21,6 +21,7 @@ LoneOrdeal::LoneOrdeal(std::string folder, std::uint64_t seed, std::function<boo
     : Ordeal(seed, std::move(is_stopped)), folder_(std::move(folder)), links_(start_links(folder_)) {
   start_board();
   for (int number = 0; number < clients; ++number) start_client(number);
+  wait_until_begun();
 }
 
 Child LoneOrdeal::start_links(const std::string& folder) {

@@ -10,6 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr auto begin_patience = 120s;
 constexpr auto settle_patience = 90s;
 // Longer than anybody holds what it took; who was killed before it said what it had made never says so.
 constexpr auto last_word_patience = 10s;
@@ -63,6 +64,14 @@ void Ordeal::pass(Clock::duration time) {
 void Ordeal::hear(Child& client) {
   Report report{};
   while (recv(client.pipe().file(), &report, sizeof report, MSG_DONTWAIT) == sizeof report) judge_.hear(report);
+}
+
+void Ordeal::wait_until_begun() {
+  const Clock::time_point patience = Clock::now() + begin_patience;
+  while (!judge_.has_begun()) {
+    if (Clock::now() > patience) throw std::runtime_error("no client is answered");
+    pass(100ms);
+  }
 }
 
 // Its last words are heard: what it was still told counts.

@@ -52,6 +52,8 @@ class Ordeal {
 
   void stop_for(std::function<const Child*()> whom, Clock::duration time);
   void later(Clock::duration time, std::function<void()> what);
+  // Until the clients are answered: a fault before that would try nothing.
+  void wait_until_begun();
   // Listens to the clients and does what is due.
   void pass(Clock::duration time);
   Clock::duration between(int least_ms, int most_ms);
