@@ -1,7 +1,6 @@
 #include "blackboard/cluster/transfer.hpp"
 
 #include <fmt/format.h>
-#include <thread>
 
 #include "blackboard/cluster/leadership.hpp"
 #include "blackboard/cluster/log_copy.hpp"
@@ -13,11 +12,11 @@ namespace pizarra::cluster {
 namespace {
 
 // Nothing where nobody leads: who does says so all the time.
-Result<std::optional<std::string>> who_leads(KeyValues& key_values, const LogKeys& keys) {
+Result<std::optional<std::string>> who_leads(KeyValues& key_values, const LogKeys& keys, const Pause& pause) {
   const Result<std::optional<std::string>> before = get(key_values, keys.alive());
   if (!before) return fail(before);
   if (!*before) return std::optional<std::string>();
-  std::this_thread::sleep_for(2 * suspects_after);
+  pause(2 * suspects_after);
   const Result<std::optional<std::string>> after = get(key_values, keys.alive());
   if (!after) return fail(after);
   if (*after == *before) return std::optional<std::string>();
@@ -89,12 +88,13 @@ Result<Transferred> file_to_cluster(const std::string& path, KeyValues& key_valu
   return Transferred{store::durable_facts(store).size(), end->revision};
 }
 
-Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, const std::string& path) {
+Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, const std::string& path,
+                                    const Pause& pause) {
   if (journal::this_disk().status(path)) return fail("exists", path + " is there already");
   const Result<std::optional<std::string>> head = get(key_values, keys.head());
   if (!head) return fail(head);
   if (!*head) return fail("bad-journal", "the cluster has no log of this cell");
-  const Result<std::optional<std::string>> leader = who_leads(key_values, keys);
+  const Result<std::optional<std::string>> leader = who_leads(key_values, keys, pause);
   if (!leader) return fail(leader);
   if (*leader) return fail("in-use", "the board " + **leader + " leads this cell: end its boards first");
   LogCopy copy(key_values, keys);

@@ -5,9 +5,11 @@
 // is there, is refused.
 //
 //   Result<Transferred> there = file_to_cluster("cell.journal", key_values, LogKeys("blocks"), nonce);
-//   Result<Transferred> back = cluster_to_file(key_values, LogKeys("blocks"), "cell.journal");
+//   Result<Transferred> back = cluster_to_file(key_values, LogKeys("blocks"), "cell.journal", pause);
 //
 // The past is not copied. Failures: exists, in-use, unavailable, and those of the journal (journal_file.hpp).
+
+#include <functional>
 
 #include "blackboard/cluster/log_keys.hpp"
 
@@ -20,6 +22,9 @@ struct Transferred {
 
 Result<Transferred> file_to_cluster(const std::string& file, KeyValues& key_values, const LogKeys& keys,
                                     std::uint64_t nonce);
-Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, const std::string& file);
+// Waits so long: meanwhile whoever leads says so in the log.
+using Pause = std::function<void(Duration)>;
+Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, const std::string& file,
+                                    const Pause& pause);
 
 }  // namespace pizarra::cluster

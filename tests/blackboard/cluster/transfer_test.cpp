@@ -67,6 +67,7 @@ class Transfer : public testing::Test {
   const std::string second_ = scratch_folder() + "second.journal";
   EtcdModel etcd_{1};
   ModelClient client_{etcd_};
+  const Pause nobody_leads_ = [](Duration) {};
 };
 
 TEST_F(Transfer, FromAFileToAClusterAndBackKeepsFactsCountersAndReplies) {
@@ -74,7 +75,7 @@ TEST_F(Transfer, FromAFileToAClusterAndBackKeepsFactsCountersAndReplies) {
   const Result<Transferred> there = file_to_cluster(first_, client_, moved_cell, 7);
   ASSERT_TRUE(there.has_value()) << describe(there.error());
   EXPECT_EQ(there->facts, 3u);
-  const Result<Transferred> back = cluster_to_file(client_, moved_cell, second_);
+  const Result<Transferred> back = cluster_to_file(client_, moved_cell, second_, nobody_leads_);
   ASSERT_TRUE(back.has_value()) << describe(back.error());
   EXPECT_EQ(back->facts, 3u);
   EXPECT_EQ(back->revision, there->revision);
@@ -103,16 +104,35 @@ TEST_F(Transfer, GoesOverNothingThatIsThere) {
   const std::map<std::string, std::string> before = etcd_.values;
   EXPECT_EQ(file_to_cluster(first_, client_, moved_cell, 8).error().symbol, "exists");
   EXPECT_EQ(etcd_.values, before);
-  EXPECT_EQ(cluster_to_file(client_, moved_cell, first_).error().symbol, "exists");
+  EXPECT_EQ(cluster_to_file(client_, moved_cell, first_, nobody_leads_).error().symbol, "exists");
 }
 
 TEST_F(Transfer, FromNothingMakesNothing) {
   EXPECT_EQ(file_to_cluster(first_, client_, moved_cell, 7).error().symbol, "journal-file");
-  EXPECT_EQ(cluster_to_file(client_, moved_cell, second_).error().symbol, "bad-journal");
+  EXPECT_EQ(cluster_to_file(client_, moved_cell, second_, nobody_leads_).error().symbol, "bad-journal");
   std::ofstream(first_) << "not a journal";
   EXPECT_EQ(file_to_cluster(first_, client_, moved_cell, 7).error().symbol, "bad-journal");
   EXPECT_TRUE(etcd_.values.empty());
   EXPECT_FALSE(std::filesystem::exists(second_));
+}
+
+TEST_F(Transfer, LeavesALogThatABoardLeadsAlone) {
+  live();
+  ASSERT_TRUE(file_to_cluster(first_, client_, moved_cell, 7).has_value());
+  Standby standby(client_, moved_cell, "board-pc", 9, etcd_.now);
+  ASSERT_TRUE(standby.step([this] { return etcd_.now; }).value_or(false));
+  Leadership won = standby.take_leadership();
+  const Pause it_leads_on = [&](Duration length) {
+    etcd_.now += length;
+    EXPECT_TRUE(won.confirm(client_, etcd_.now, 1, 1).has_value());
+  };
+  const Result<Transferred> refused = cluster_to_file(client_, moved_cell, second_, it_leads_on);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().symbol, "in-use");
+  EXPECT_TRUE(refused.error().sentence.contains("board-pc")) << refused.error().sentence;
+  EXPECT_FALSE(std::filesystem::exists(second_));
+  // It has gone without a word.
+  EXPECT_TRUE(cluster_to_file(client_, moved_cell, second_, nobody_leads_).has_value());
 }
 
 TEST_F(Transfer, LeavesAJournalThatABoardHasAlone) {
