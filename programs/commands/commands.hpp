@@ -28,6 +28,7 @@ void add_measure_command(CLI::App& app, int& status);
 void add_look_command(CLI::App& app, int& status);
 void add_top_command(CLI::App& app, int& status);
 void add_method_command(CLI::App& app, int& status);
+void add_log_command(CLI::App& app, int& status);
 void add_replay_command(CLI::App& app, int& status);
 void add_repl_command(CLI::App& app, int& status);
 void add_new_command(CLI::App& app, int& status);

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "agents/console/foxglove_channels.hpp"
-#include "blackboard/memory/recorded_board.hpp"
 #include "lisp/reader.hpp"
 #include "programs/commands/mcap_writer.hpp"
 
@@ -14,12 +13,11 @@ namespace {
 using Recording = std::unique_ptr<memory::RecordedBoard>;
 
 // Where compaction has let the beginning go, from what is left.
-Result<Recording> open_recording(Executor& executor, const std::string& journal, const Moment& from) {
-  Result<Recording> board = memory::RecordedBoard::open(executor, journal, from);
+Result<Recording> open_recording(Executor& executor, const KeptJournal& journal, const Moment& from) {
+  Result<Recording> board = open_recorded(executor, journal, from);
   const bool later = !board && board.error().symbol == "forgotten" && board.error().subject.is_integer();
   if (!later) return board;
-  return memory::RecordedBoard::open(executor, journal,
-                                     {.revision = static_cast<Revision>(board.error().subject.integer())});
+  return open_recorded(executor, journal, {.revision = static_cast<Revision>(board.error().subject.integer())});
 }
 
 class Export {
@@ -99,7 +97,7 @@ class Export {
 
 }  // namespace
 
-Result<std::uint64_t> export_journal(Executor& executor, const std::string& journal, const Moment& from,
+Result<std::uint64_t> export_journal(Executor& executor, const KeptJournal& journal, const Moment& from,
                                      const std::string& file) {
   const Result<Recording> board = open_recording(executor, journal, from);
   if (!board) return fail(board);

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   pizarra::programs::add_calibrate_command(app, status);
   pizarra::programs::add_top_command(app, status);
   pizarra::programs::add_method_command(app, status);
+  pizarra::programs::add_log_command(app, status);
   pizarra::programs::add_replay_command(app, status);
   return pizarra::programs::run_program(app, argc, argv, status);
 }

@@ -6,8 +6,6 @@
 
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
-#include "blackboard/journal/journal_file.hpp"
-#include "blackboard/memory/recorded_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -15,13 +13,14 @@
 #include "programs/command_line/moment.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/export_journal.hpp"
+#include "programs/commands/kept_journal.hpp"
 
 namespace pizarra::programs {
 
 namespace {
 
 struct ReplayChoices {
-  std::string journal;
+  KeptJournal journal;
   std::string at;
   std::vector<std::string> forms;
   std::string mcap;
@@ -55,12 +54,11 @@ class Player {
 
   // At the end where no moment is said.
   Result<void> open(const std::optional<std::string>& at) {
-    const Result<journal::LineStart> end = journal::end_of_journal(choices_.journal);
+    const Result<journal::LineStart> end = end_of(choices_.journal);
     if (!end) return fail(end);
     const Result<Moment> moment = at ? moment_from_text(*at, end->when) : Moment{};
     if (!moment) return fail(moment);
-    Result<std::unique_ptr<memory::RecordedBoard>> board =
-        memory::RecordedBoard::open(executor_, choices_.journal, *moment);
+    Result<std::unique_ptr<memory::RecordedBoard>> board = open_recorded(executor_, choices_.journal, *moment);
     if (!board) return fail(board);
     recorded_ = std::make_unique<Recorded>(
         executor_, std::move(*board), [this](const std::string& line) { print(line); },
@@ -194,7 +192,7 @@ class Player {
 };
 
 int run_export(Executor& executor, const ReplayChoices& choices) {
-  const Result<journal::LineStart> end = journal::end_of_journal(choices.journal);
+  const Result<journal::LineStart> end = end_of(choices.journal);
   if (!end) return complain(end.error(), exit_usage);
   const Result<Moment> from = choices.at.empty() ? Moment{.revision = 0} : moment_from_text(choices.at, end->when);
   if (!from) return complain(from.error(), exit_usage);
@@ -219,9 +217,8 @@ void add_replay_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<ReplayChoices>();
   CLI::App* replay =
       app.add_subcommand("replay", "Open a journal as a board: ask it, watch it, step through it and play it on.");
-  replay->add_option("FILE", choices->journal, "A journal of `board --journal`, `up` or `demo --journal`")
-      ->required()
-      ->check(CLI::ExistingFile);
+  add_kept_journal(*replay, choices->journal,
+                   "What `board --journal`, `up` or `demo --journal` has kept, or a log: etcd://A,B,C/CELL");
   replay
       ->add_option("--at", choices->at,
                    "Begin at this moment: a revision, 90s, 5min, 2h, 1d before the end, "
