@@ -20,6 +20,7 @@
 #include "programs/commands/commands.hpp"
 #include "programs/commands/host_presence.hpp"
 #include "programs/commands/line_pipe.hpp"
+#include "programs/commands/log_member.hpp"
 #include "programs/commands/this_host.hpp"
 #include "programs/story/narrator.hpp"
 #include "programs/story/scenario_run.hpp"
@@ -38,6 +39,8 @@ struct UpChoices {
   std::string log;
   std::string certificates;
   std::string standby;
+  std::string log_here;
+  std::string log_folder;
   bool log_insecure = false;
   std::uint64_t seed = 1;
   bool json = false;
@@ -91,6 +94,7 @@ class Up {
 
  private:
   void choose_board();
+  Result<void> start_log();
   Result<void> start_board();
   Result<void> start_all();
   Result<void> find_world();
@@ -183,6 +187,17 @@ Result<void> Up::find_world() {
   return {};
 }
 
+// This host's part of the log, where it has one.
+Result<void> Up::start_log() {
+  if (choices_.log_here.empty()) return {};
+  const Result<cluster::LogAddress> log =
+      cluster::LogAddress::from(choices_.log, choices_.certificates, choices_.log_insecure);
+  if (!log) return fail(log);
+  Result<std::vector<std::string>> command = log_member(*log, choices_.log_here, choices_.log_folder);
+  if (!command) return fail(command);
+  return start("log", std::move(*command));
+}
+
 Result<void> Up::start_board() {
   const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
   std::vector<std::string> command = {beside_this_program("pizarra-board")};
@@ -209,6 +224,8 @@ Result<void> Up::start_all() {
   const std::string program = beside_this_program("pizarra-agent");
   const std::string seed = std::to_string(choices_.seed);
   const std::string cell = std::filesystem::absolute(choices_.cell).string();
+  const Result<void> log = start_log();
+  if (!log) return log;
   const Result<void> board = start_board();
   if (!board) return board;
   if (host_.name == cell_.board_host) {
@@ -370,6 +387,16 @@ void add_up_command(CLI::App& app, int& status) {
   up->add_flag("--log-insecure", choices->log_insecure, "Connect to that cluster without encryption")->needs(log);
   up->add_option("--standby", choices->standby, "Also run a board on this host, at this address of the cell")
       ->needs(log);
+  CLI::Option* log_here =
+      up->add_option("--log-here", choices->log_here,
+                     "Run an etcd member of that cluster on this host: which address of --log it has")
+          ->needs(log)
+          ->type_name("ADDRESS");
+  CLI::Option* log_folder =
+      up->add_option("--log-folder", choices->log_folder, "Where that member keeps its data, on a disk that lasts")
+          ->needs(log_here)
+          ->type_name("DIR");
+  log_here->needs(log_folder);
   up->add_option("--seed", choices->seed, "The seed of the simulated world")
       ->check(seed_check())
       ->capture_default_str();

@@ -1,0 +1,102 @@
+// A cell whose hosts run the members of its log themselves: here three hosts of one machine.
+
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <memory>
+
+#include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/programs/running.hpp"
+#include "tests/programs/shell.hpp"
+#include "tests/scratch.hpp"
+#include "tests/source_dir.hpp"
+
+namespace pizarra::programs {
+namespace {
+
+using std::chrono::seconds;
+
+// Two ports, one behind the other.
+int two_free_ports() {
+  int port = cluster::free_port();
+  while (cluster::can_connect(port + 1)) port = cluster::free_port();
+  return port;
+}
+
+class UpWithLogHere : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!cluster::RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+    for (const char* host : {"a", "b", "c"}) members_[host] = fmt::format("127.0.0.1:{}", two_free_ports());
+    board_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
+    standby_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
+    std::ofstream(cell_) << fmt::format(
+        "(cell here (world (cube circle (at 450 -60))) (domain \"{}/domains/blocks.scm\")\n"
+        " (board \"a\" \"{},{}\")\n"
+        " (host \"a\" (agents robot vision person)) (host \"b\" (agents planner)) (host \"c\" (agents coordinator)))\n",
+        source_dir(), board_, standby_);
+  }
+  std::string log() const {
+    return fmt::format("etcd://{},{},{}/here", members_.at("a"), members_.at("b"), members_.at("c"));
+  }
+  void up(const std::string& host, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {PIZARRA_CELL,
+                                      "up",
+                                      cell_,
+                                      "--host",
+                                      host,
+                                      "--log",
+                                      log(),
+                                      "--log-here",
+                                      members_.at(host),
+                                      "--log-folder",
+                                      scratch_folder() + "member-" + host};
+    words.insert(words.end(), more.begin(), more.end());
+    running_[host] = std::make_unique<Running>(words, scratch_folder() + "up-" + host + ".log");
+  }
+  Said run(const std::string& words) const {
+    return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words + " --board " + board_ + "," + standby_);
+  }
+  bool comes(const std::string& words, const std::string& wanted) const {
+    return wait_until([&] { return run(words).text.contains(wanted); }, seconds(120));
+  }
+  std::string said() const {
+    std::string all;
+    for (const auto& [host, up] : running_) all += "--- " + host + "\n" + up->said();
+    return all;
+  }
+
+  const std::string cell_ = scratch_folder() + "here.scm";
+  std::map<std::string, std::string> members_;
+  std::string board_;
+  std::string standby_;
+  std::map<std::string, std::unique_ptr<Running>> running_;
+};
+
+TEST_F(UpWithLogHere, KeepsWhatIsDurableWhenTheHostOfTheFirstBoardAndItsMemberEnd) {
+  up("a", {});
+  up("b", {"--standby", standby_});
+  up("c", {});
+  ASSERT_TRUE(comes("ask '(agent coordinator ?kind ?host)'", "?host = c")) << said();
+  ASSERT_EQ(run("declare '(relation note ((n integer)) (key n) (durable))'").status, 0) << said();
+  ASSERT_EQ(run("tell '(note 1)'").status, 0) << said();
+  running_.at("a")->signal(SIGTERM);
+  EXPECT_TRUE(running_.at("a")->end(seconds(60)).has_value());
+  EXPECT_TRUE(comes("ask '(note ?n)'", "?n = 1")) << said();
+  EXPECT_EQ(run("tell '(note 2)'").status, 0) << said();
+  // The same member again, behind what it missed.
+  up("a", {});
+  EXPECT_TRUE(comes("ask '(agent robot ?kind ?host)'", "?host = a")) << said();
+  EXPECT_EQ(run("ask '(note ?n)'").text, "?n = 1\n?n = 2\n") << said();
+}
+
+TEST_F(UpWithLogHere, IsRefusedForAnAddressThatIsNoMember) {
+  const Said refused = shell_in_scratch(std::string(PIZARRA_CELL) + " up " + cell_ + " --host a --log " + log() +
+                                        " --log-here 127.0.0.1:1 --log-folder " + scratch_folder() + "none");
+  EXPECT_NE(refused.status, 0);
+  EXPECT_TRUE(refused.text.contains("127.0.0.1:1 is no member of")) << refused.text;
+}
+
+}  // namespace
+}  // namespace pizarra::programs
