@@ -1,8 +1,11 @@
 // Sheets as files that a printer prints at real size.
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <zlib.h>
 
 #include "programs/commands/print_sheet.hpp"
@@ -19,20 +22,74 @@ using Bytes = std::vector<std::uint8_t>;
 
 // ---- PNG
 
-cv::Mat1b raster(const Sheet& sheet) {
-  constexpr double dots_a_mm = dots_an_inch / mm_an_inch;
-  constexpr int fraction_bits = 8;
-  cv::Mat1b page(cvRound(Sheet::height_mm * dots_a_mm), cvRound(Sheet::width_mm * dots_a_mm), std::uint8_t{255});
-  // Pixel (0, 0) reaches from 0 to 1 on paper, and from -0.5 to 0.5 for who draws.
-  const auto dots = [&](const Eigen::Vector2d& p) {
-    const Eigen::Vector2d at = (p * dots_a_mm).array() - 0.5;
-    return cv::Point(cvRound(at.x() * (1 << fraction_bits)), cvRound(at.y() * (1 << fraction_bits)));
-  };
-  for (const auto& area : sheet.areas) {
-    std::vector<cv::Point> corners;
-    for (const Eigen::Vector2d& p : area) corners.push_back(dots(p));
-    cv::fillConvexPoly(page, corners, cv::Scalar(0), cv::LINE_AA, fraction_bits);
+constexpr double dots_a_mm = dots_an_inch / mm_an_inch;
+// A dot is as dark as these many lines through it are covered.
+constexpr int lines_a_dot = 16;
+
+struct Span {
+  double from;
+  double to;
+};
+
+using Area = std::vector<Eigen::Vector2d>;
+
+// Those that reach into these heights.
+std::vector<const Area*> areas_within(const Sheet& sheet, const Span& heights) {
+  std::vector<const Area*> out;
+  for (const Area& area : sheet.areas) {
+    const auto [low, high] = std::ranges::minmax(area, {}, [](const Eigen::Vector2d& p) { return p.y(); });
+    if (low.y() < heights.to && high.y() > heights.from) out.push_back(&area);
   }
+  return out;
+}
+
+// Of a convex area, in mm at this height.
+std::optional<Span> span_of(const Area& area, double y) {
+  Span out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Eigen::Vector2d& a = area[i];
+    const Eigen::Vector2d& b = area[(i + 1) % area.size()];
+    if ((a.y() <= y) == (b.y() <= y)) continue;
+    const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    out = {std::min(out.from, x), std::max(out.to, x)};
+  }
+  if (out.from > out.to) return std::nullopt;
+  return out;
+}
+
+// What they cover of a line of dots; areas may overlap.
+void cover(cv::Mat1d& line, std::vector<Span> spans) {
+  std::ranges::sort(spans, {}, &Span::from);
+  double covered_to = 0;
+  for (const Span& span : spans) {
+    const double from = std::max(span.from * dots_a_mm, covered_to);
+    const double to = std::min(span.to * dots_a_mm, static_cast<double>(line.cols));
+    for (int x = static_cast<int>(from); x < to; ++x) line(x) += std::min(to, x + 1.0) - std::max<double>(from, x);
+    covered_to = std::max(covered_to, to);
+  }
+}
+
+// Each dot as dark as the part of it that is covered, so that nothing is larger than drawn.
+cv::Mat1b raster_of_areas(const Sheet& sheet) {
+  cv::Mat1b page(cvRound(Sheet::height_mm * dots_a_mm), cvRound(Sheet::width_mm * dots_a_mm));
+  for (int y = 0; y < page.rows; ++y) {
+    cv::Mat1d covered(1, page.cols, 0.0);
+    const std::vector<const Area*> areas = areas_within(sheet, {y / dots_a_mm, (y + 1) / dots_a_mm});
+    for (int i = 0; i < lines_a_dot; ++i) {
+      std::vector<Span> spans;
+      for (const Area* area : areas) {
+        const std::optional<Span> span = span_of(*area, (y + (i + 0.5) / lines_a_dot) / dots_a_mm);
+        if (span) spans.push_back(*span);
+      }
+      cover(covered, std::move(spans));
+    }
+    covered.convertTo(page.row(y), CV_8U, -255.0 / lines_a_dot, 255);
+  }
+  return page;
+}
+
+cv::Mat1b raster(const Sheet& sheet) {
+  cv::Mat1b page = raster_of_areas(sheet);
   for (const Sheet::Text& text : sheet.texts) {
     constexpr double letter_px = 22;  // of OpenCV's letters at scale 1
     const cv::Point at(cvRound(text.at_mm.x() * dots_a_mm), cvRound(text.at_mm.y() * dots_a_mm));

@@ -223,6 +223,23 @@ TEST(TagSheet, IsReadBackAtItsRealSize) {
   }
 }
 
+// From its left border to its right one, and from its upper one to its lower, in the dark that is there.
+TEST(TagSheet, IsAsLargeAsItSays) {
+  ASSERT_EQ(run("shapes --print one-tag.png --tags 36h11:0 --side 40").status, 0);
+  const cv::Mat1b page = cv::imread(scratch_folder() + "one-tag.png", cv::IMREAD_GRAYSCALE);
+  constexpr double dots_a_mm = 300 / 25.4;
+  // Along the outermost cells, which are dark all around.
+  constexpr double cell_mm = 5;
+  const cv::Point2d corner(25, 30);
+  const auto dots = [&](double mm) { return cvRound(mm * dots_a_mm); };
+  const auto dark_mm = [&](const cv::Rect& line) { return cv::sum(255 - page(line))[0] / 255 / dots_a_mm; };
+  const int across = dots(corner.y + cell_mm / 2);
+  const int down = dots(corner.x + cell_mm / 2);
+  const int length = dots(52);
+  EXPECT_NEAR(dark_mm({dots(corner.x - 6), across, length, 1}), 40, 0.01);
+  EXPECT_NEAR(dark_mm({down, dots(corner.y - 6), 1, length}), 40, 0.01);
+}
+
 TEST(TagSheet, WhatDoesNotFitOrIsNoTagIsRefused) {
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"--tags 36h11:0-99", "a page of A4 has room for 12 tags of 40 mm, and 100 are wanted"},
