@@ -21,13 +21,10 @@ namespace {
 
 struct FindChoices {
   std::string name;
-  std::vector<std::string> images;
-  StillChoices camera;
+  StillChoices stills;
   std::string learned;             // the folder of an object database
   std::vector<std::string> learn;  // IMAGE X Y
   double learned_at_mm = 0;        // 0: not said
-  double side_mm = 0;              // of a tag; 0: not said
-  bool json = false;
 
   bool is_tag() const { return name.find(':') != std::string::npos; }
 };
@@ -46,7 +43,7 @@ Result<void> check_options(const FindChoices& choices) {
                                            "learned, or --learn IMAGE X Y, a point on it; a tag is FAMILY:ID",
                                            choices.name));
   }
-  if (!choices.is_tag() && choices.side_mm > 0) return fail("needless-option", "--side is of tags alone");
+  if (!choices.is_tag() && choices.stills.side_mm > 0) return fail("needless-option", "--side is of tags alone");
   if (choices.learned_at_mm > 0 && !learns) return fail("needless-option", "--learned-at goes with --learn alone");
   return {};
 }
@@ -97,7 +94,7 @@ Result<vision::LearnedObjects> objects_for(FindChoices& choices, const StillCame
   if (!choices.is_tag()) return choices.learned.empty() ? learn_here(choices, camera) : learned_before(choices);
   const Result<vision::Tag> tag = vision::tag_from_text(choices.name);
   if (!tag) return fail(tag);
-  const vision::LearnedObject object = vision::object_of(*tag, choices.side_mm);
+  const vision::LearnedObject object = vision::object_of(*tag, choices.stills.side_mm);
   vision::LearnedObjects out;
   choices.name = object.name;
   out.add(object.name, object.samples.front());
@@ -106,34 +103,24 @@ Result<vision::LearnedObjects> objects_for(FindChoices& choices, const StillCame
 
 class Finding {
  public:
-  Finding(const FindChoices& choices, const StillCamera& camera, const vision::LearnedObjects& objects)
-      : choices_(choices), camera_(camera), objects_(objects) {}
+  Finding(const FindChoices& choices, const Stills& stills, const vision::LearnedObjects& objects)
+      : choices_(choices), stills_(stills), objects_(objects) {}
 
-  // The worst that came of any of them.
-  int run(const std::vector<std::string>& files) const {
-    int status = exit_reached;
-    for (const std::string& file : files) status = std::max(status, look_at(file));
-    return status;
+  int run() const {
+    return stills_.each([this](const StillImage& image) { return look_at(image); });
   }
 
  private:
-  int look_at(const std::string& file) const {
-    const Result<StillImage> image = camera_.see(file);
-    if (!image) return complain_as(style(), image.error(), exit_unavailable);
-    vision::StereoSight sight = sight_of(*image);
+  int look_at(const StillImage& image) const {
+    vision::StereoSight sight = sight_of(image);
     vision::MarkFinder finder(objects_);
     const Result<vision::FoundMark> found = finder.find(sight, *objects_.find(choices_.name), {});
-    choices_.json ? tell_json(image->name, found) : tell(image->name, found);
+    choices_.stills.json ? tell_json(image.name, found) : tell(image.name, found);
     return found ? exit_reached : exit_failed;
   }
 
-  repl::Style style() const { return choices_.json ? repl::Style::json : repl::Style::text; }
   std::string reply(const Result<vision::FoundMark>& found) const {
     return vision::find_reply(choices_.name, found ? std::optional(found->pair.left.centre) : std::nullopt);
-  }
-  // Nothing where nobody said what a pixel is, or how large a tag.
-  const vision::MarkPose* pose_in(const vision::FoundMark& found) const {
-    return camera_.is_measured() && found.pose ? &*found.pose : nullptr;
   }
 
   void tell(const std::string& image, const Result<vision::FoundMark>& found) const {
@@ -141,7 +128,7 @@ class Finding {
       fmt::print("{}: {} {}: {}\n", image, reply(found), found.error().symbol, found.error().sentence);
       return;
     }
-    const vision::MarkPose* pose = pose_in(*found);
+    const vision::MarkPose* pose = stills_.pose_of(*found);
     fmt::print("{}: {} confidence {:.3f}{}\n", image, reply(found), found->confidence,
                pose != nullptr ? " " + pose_words(*pose) : "");
   }
@@ -153,30 +140,26 @@ class Finding {
       return;
     }
     const cv::Point2d at = found->pair.left.centre;
-    const vision::MarkPose* pose = pose_in(*found);
+    const vision::MarkPose* pose = stills_.pose_of(*found);
     fmt::print("{{\"image\":{},\"reply\":{},\"at\":[{:.2f},{:.2f}],\"confidence\":{:.3f}{}}}\n", json_string(image),
                json_string(reply(found)), at.x, at.y, found->confidence, pose != nullptr ? "," + pose_json(*pose) : "");
   }
 
   const FindChoices& choices_;
-  const StillCamera& camera_;
+  const Stills& stills_;
   const vision::LearnedObjects& objects_;
 };
 
 int run_find(FindChoices& choices) {
-  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
+  const repl::Style style = choices.stills.style();
   choices.name = text_of_bytes(choices.name);
   const Result<void> checked = check_options(choices);
   if (!checked) return complain_as(style, checked.error(), exit_usage);
-  const Result<StillCamera> camera = StillCamera::make(choices.camera, choices.learned_at_mm);
-  if (!camera) return complain_as(style, camera.error(), exit_usage);
-  const Result<void> sided = check_side(*camera, choices.side_mm);
-  if (!sided) return complain_as(style, sided.error(), exit_usage);
-  const Result<std::vector<std::string>> files = still_files(choices.images);
-  if (!files) return complain_as(style, files.error(), exit_usage);
-  const Result<vision::LearnedObjects> objects = objects_for(choices, *camera);
+  const Result<Stills> stills = Stills::open(choices.stills, choices.learned_at_mm);
+  if (!stills) return complain_as(style, stills.error(), exit_usage);
+  const Result<vision::LearnedObjects> objects = objects_for(choices, stills->camera());
   if (!objects) return complain_as(style, objects.error(), exit_usage);
-  return Finding(choices, *camera, *objects).run(*files);
+  return Finding(choices, *stills, *objects).run();
 }
 
 }  // namespace
@@ -189,7 +172,7 @@ void add_find_command(CLI::App& app, int& status) {
       "sure it is and, where the camera is known, its place and turn.");
   word->add_option("NAME", choices->name, "What to find: a learned object, or a tag as FAMILY:ID, such as 36h11:17")
       ->required();
-  word->add_option("IMAGE", choices->images, "Image files of one camera, or folders of them")->required();
+  add_image_option(*word, choices->stills);
   word->add_option("--learned", choices->learned,
                    "The folder where a cell's eyes keep what they learned: its (objects \"DIR\")")
       ->check(CLI::ExistingDirectory);
@@ -198,9 +181,8 @@ void add_find_command(CLI::App& app, int& status) {
       ->type_name("IMAGE X Y");
   word->add_option("--learned-at", choices->learned_at_mm, "With --learn: how far away it is there, mm; 500")
       ->check(number_check(50, 100000));
-  add_still_options(*word, choices->camera);
-  add_side_option(*word, choices->side_mm);
-  word->add_flag("--json", choices->json, "One JSON object a line");
+  add_still_options(*word, choices->stills);
+  word->add_flag("--json", choices->stills.json, "One JSON object a line");
   word->footer(help_footer("find 36h11:17 shots/ --focal 560 --side 40",
                            "Exit status: 0 found in every image; 1 not found in one; 2 a wrong word or option, or "
                            "nothing learned;\n4 an image cannot be read (the others are looked at all the same)."));

@@ -18,11 +18,8 @@ namespace pizarra::programs {
 namespace {
 
 struct MeasureChoices {
-  std::vector<std::string> images;
   std::vector<std::string> families;  // none: all
-  StillChoices camera;
-  double side_mm = 0;
-  bool json = false;
+  StillChoices stills;
 };
 
 // The smallest rectangle around a mark's pixels.
@@ -73,31 +70,17 @@ std::string_view tone_word(const vision::SeenMark& mark) {
 
 class Measuring {
  public:
-  Measuring(const MeasureChoices& choices, const StillCamera& camera, const vision::TagsInView& families)
-      : choices_(choices), camera_(camera), families_(families) {}
+  Measuring(const Stills& stills, const vision::TagsInView& families) : stills_(stills), families_(families) {}
 
-  // The worst that came of any of them.
-  int run(const std::vector<std::string>& files) const {
-    int status = exit_reached;
-    for (const std::string& file : files) status = std::max(status, look_at(file));
-    return status;
+  int run(bool json) const {
+    return stills_.each([this, json](const StillImage& image) {
+      const Measured measured = measure(image, families_);
+      json ? tell_json(image, measured) : tell(image, measured);
+      return exit_reached;
+    });
   }
 
  private:
-  int look_at(const std::string& file) const {
-    const Result<StillImage> image = camera_.see(file);
-    const repl::Style style = choices_.json ? repl::Style::json : repl::Style::text;
-    if (!image) return complain_as(style, image.error(), exit_unavailable);
-    const Measured measured = measure(*image, families_);
-    choices_.json ? tell_json(*image, measured) : tell(*image, measured);
-    return exit_reached;
-  }
-
-  // Nothing where nobody said what a pixel is, or how large a tag.
-  const vision::MarkPose* pose_in(const vision::FoundMark& tag) const {
-    return camera_.is_measured() && tag.pose ? &*tag.pose : nullptr;
-  }
-
   void tell(const StillImage& image, const Measured& measured) const {
     const std::string left_out =
         measured.left_out == 0 ? "" : fmt::format(" ({} smaller regions were not looked at)", measured.left_out);
@@ -113,7 +96,7 @@ class Measuring {
     }
     for (const vision::FoundMark& tag : measured.tags) {
       const vision::SeenMark& seen = tag.pair.left;
-      const vision::MarkPose* pose = pose_in(tag);
+      const vision::MarkPose* pose = stills_.pose_of(tag);
       fmt::print("  tag {} at {:.2f} {:.2f} px, side {:.1f} px, area {:.0f} px, confidence {:.3f}{}\n", tag.name,
                  seen.centre.x, seen.centre.y, side_px_of(seen), seen.area_px, tag.confidence,
                  pose != nullptr ? ", " + pose_words(*pose) : "");
@@ -133,7 +116,7 @@ class Measuring {
     std::vector<std::string> tags;
     for (const vision::FoundMark& tag : measured.tags) {
       const vision::SeenMark& seen = tag.pair.left;
-      const vision::MarkPose* pose = pose_in(tag);
+      const vision::MarkPose* pose = stills_.pose_of(tag);
       tags.push_back(
           fmt::format("{{\"tag\":{},\"at\":[{:.2f},{:.2f}],\"side\":{:.1f},\"area\":{:.0f},"
                       "\"confidence\":{:.3f}{}}}",
@@ -145,8 +128,7 @@ class Measuring {
                fmt::join(tags, ","));
   }
 
-  const MeasureChoices& choices_;
-  const StillCamera& camera_;
+  const Stills& stills_;
   const vision::TagsInView& families_;
 };
 
@@ -155,26 +137,22 @@ Result<std::vector<vision::SizedFamily>> families_of(const MeasureChoices& choic
   for (const std::string& name : choices.families) {
     const Result<const vision::TagFamily*> family = vision::family_from_text(name);
     if (!family) return fail(family);
-    out.push_back({std::string((*family)->name), choices.side_mm});
+    out.push_back({std::string((*family)->name), choices.stills.side_mm});
   }
   if (!out.empty()) return out;
   for (const vision::TagFamily& family : vision::tag_families()) {
-    out.push_back({std::string(family.name), choices.side_mm});
+    out.push_back({std::string(family.name), choices.stills.side_mm});
   }
   return out;
 }
 
 int run_measure(const MeasureChoices& choices) {
-  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
-  const Result<StillCamera> camera = StillCamera::make(choices.camera);
-  if (!camera) return complain_as(style, camera.error(), exit_usage);
-  const Result<void> sided = check_side(*camera, choices.side_mm);
-  if (!sided) return complain_as(style, sided.error(), exit_usage);
+  const repl::Style style = choices.stills.style();
   const Result<std::vector<vision::SizedFamily>> families = families_of(choices);
   if (!families) return complain_as(style, families.error(), exit_usage);
-  const Result<std::vector<std::string>> files = still_files(choices.images);
-  if (!files) return complain_as(style, files.error(), exit_usage);
-  return Measuring(choices, *camera, vision::TagsInView(*families)).run(*files);
+  const Result<Stills> stills = Stills::open(choices.stills);
+  if (!stills) return complain_as(style, stills.error(), exit_usage);
+  return Measuring(*stills, vision::TagsInView(*families)).run(choices.stills.json);
 }
 
 }  // namespace
@@ -185,13 +163,12 @@ void add_measure_command(CLI::App& app, int& status) {
       "measure",
       "Measure what image files show, without a cell and without anything learned: the marks, closed regions that are\n"
       "darker or lighter than all around them, and the tags.");
-  word->add_option("IMAGE", choices->images, "Image files of one camera, or folders of them")->required();
+  add_image_option(*word, choices->stills);
   word->add_option("--tags", choices->families, "The families of tags to look for, such as 36h11,4x4-50; else all")
       ->delimiter(',')
       ->type_name("FAMILY,...");
-  add_still_options(*word, choices->camera);
-  add_side_option(*word, choices->side_mm);
-  word->add_flag("--json", choices->json, "One JSON object an image");
+  add_still_options(*word, choices->stills);
+  word->add_flag("--json", choices->stills.json, "One JSON object an image");
   word->footer(help_footer("measure shots/1.jpg --tags 36h11 --focal 560 --side 40",
                            "Exit status: 0 measured, whatever is to be seen; 2 a wrong word or option;\n"
                            "4 an image cannot be read (the others are looked at all the same)."));

@@ -1,5 +1,6 @@
 #include "programs/commands/still_camera.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -13,34 +14,6 @@ namespace {
 
 constexpr std::size_t most_stills = 100'000;
 constexpr int least_side_px = 64;
-
-}  // namespace
-
-void add_still_options(CLI::App& word, StillChoices& choices) {
-  CLI::Option* const focal =
-      word.add_option("--focal", choices.focal_px, "The camera's focal length, px: places in space are told by it")
-          ->check(number_check(10, 100000));
-  word.add_option("--calibration", choices.calibration,
-                  "Instead: what `calibrate` found of the one camera; its distortion is taken out, and places are "
-                  "those in the image without it")
-      ->check(CLI::ExistingFile)
-      ->excludes(focal);
-}
-
-void add_side_option(CLI::App& word, double& side_mm) {
-  word.add_option("--side", side_mm,
-                  "The side of the tags' square, mm: with --focal or --calibration their poses are told")
-      ->check(number_check(1, 5000));
-}
-
-Result<void> check_side(const StillCamera& camera, double side_mm) {
-  if (side_mm == 0 || camera.is_measured()) return {};
-  return fail("needless-option", "--side tells nothing without --focal or --calibration");
-}
-
-vision::StereoSight sight_of(const StillImage& image) {
-  return {image.grey, cv::Mat::zeros(image.grey.size(), CV_8U), image.geometry.model()};
-}
 
 Result<std::vector<std::string>> still_files(const std::vector<std::string>& words) {
   std::vector<std::string> out;
@@ -58,6 +31,30 @@ Result<std::vector<std::string>> still_files(const std::vector<std::string>& wor
     }
   }
   return out;
+}
+
+}  // namespace
+
+void add_image_option(CLI::App& word, StillChoices& choices) {
+  word.add_option("IMAGE", choices.images, "Image files of one camera, or folders of them")->required();
+}
+
+void add_still_options(CLI::App& word, StillChoices& choices) {
+  CLI::Option* const focal =
+      word.add_option("--focal", choices.focal_px, "The camera's focal length, px: places in space are told by it")
+          ->check(number_check(10, 100000));
+  word.add_option("--calibration", choices.calibration,
+                  "Instead: what `calibrate` found of the one camera; its distortion is taken out, and places are "
+                  "those in the image without it")
+      ->check(CLI::ExistingFile)
+      ->excludes(focal);
+  word.add_option("--side", choices.side_mm,
+                  "The side of the tags' square, mm: with --focal or --calibration their poses are told")
+      ->check(number_check(1, 5000));
+}
+
+vision::StereoSight sight_of(const StillImage& image) {
+  return {image.grey, cv::Mat::zeros(image.grey.size(), CV_8U), image.geometry.model()};
 }
 
 Result<StillCamera> StillCamera::make(const StillChoices& choices, double learned_at_mm) {
@@ -89,6 +86,26 @@ Result<StillImage> StillCamera::see(const std::string& file) const {
   if (!geometry) return fail(geometry);
   cv::Mat rectified = geometry->rectified(*grey, camera::StereoGeometry::Side::left);
   return StillImage{name, std::move(rectified), std::move(*geometry)};
+}
+
+Result<Stills> Stills::open(const StillChoices& choices, double learned_at_mm) {
+  Result<StillCamera> camera = StillCamera::make(choices, learned_at_mm);
+  if (!camera) return fail(camera);
+  if (choices.side_mm > 0 && !camera->is_measured()) {
+    return fail("needless-option", "--side tells nothing without --focal or --calibration");
+  }
+  Result<std::vector<std::string>> files = still_files(choices.images);
+  if (!files) return fail(files);
+  return Stills(std::move(*camera), std::move(*files), choices.style());
+}
+
+int Stills::each(const std::function<int(const StillImage&)>& look) const {
+  int status = exit_reached;
+  for (const std::string& file : files_) {
+    const Result<StillImage> image = camera_.see(file);
+    status = std::max(status, image ? look(*image) : complain_as(style_, image.error(), exit_unavailable));
+  }
+  return status;
 }
 
 }  // namespace pizarra::programs

@@ -4,24 +4,31 @@
 // given. `find` and `measure` look at these.
 //
 //   StillChoices choices;
+//   add_image_option(*word, choices);
 //   add_still_options(*word, choices);
-//   Result<StillCamera> camera = StillCamera::make(choices);
-//   Result<StillImage> image = camera->see("shots/1.jpg");        // failures name the file
-//   const vision::StereoSight sight = sight_of(*image);
+//   Result<Stills> stills = Stills::open(choices);
+//   return stills->each([](const StillImage& image) { sight_of(image) ...; return exit_reached; });
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "agents/vision/sight/stereo_sight.hpp"
+#include "agents/vision/sight/mark_finder.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
+#include "programs/commands/board_session.hpp"
 
 namespace pizarra::programs {
 
 struct StillChoices {
+  std::vector<std::string> images;
   double focal_px = 0;      // 0: not said
   std::string calibration;  // of one camera; empty: none
+  double side_mm = 0;       // of tags; 0: not said
+  bool json = false;
+
+  repl::Style style() const { return json ? repl::Style::json : repl::Style::text; }
 };
 
 struct StillImage {
@@ -30,16 +37,12 @@ struct StillImage {
   camera::StereoGeometry geometry;
 };
 
+void add_image_option(CLI::App& word, StillChoices& choices);
+// All the others.
 void add_still_options(CLI::App& word, StillChoices& choices);
-
-void add_side_option(CLI::App& word, double& side_mm);
 
 // The image outlives it.
 vision::StereoSight sight_of(const StillImage& image);
-
-// All images that the words name, files and folders, in the order of the words and of the names in a folder. Failures:
-// no-images, of a word that names none; too-many.
-Result<std::vector<std::string>> still_files(const std::vector<std::string>& words);
 
 class StillCamera {
  public:
@@ -57,7 +60,28 @@ class StillCamera {
   std::optional<camera::StereoCalibration> calibration_;
 };
 
-// Failure needless-option: the side of a tag tells nothing where it is not known what a pixel is.
-Result<void> check_side(const StillCamera& camera, double side_mm);
+// The images that a command's words name, files and folders, in the order of the words and of the names in a folder.
+class Stills {
+ public:
+  // Failures: those of StillCamera::make(); no-images, of a word that names none; too-many; and needless-option, as the
+  // side of a tag tells nothing where it is not known what a pixel is.
+  static Result<Stills> open(const StillChoices& choices, double learned_at_mm = 0);
+
+  const StillCamera& camera() const { return camera_; }
+  // Null where nobody said what a pixel is, or how large a tag.
+  const vision::MarkPose* pose_of(const vision::FoundMark& found) const {
+    return camera_.is_measured() && found.pose ? &*found.pose : nullptr;
+  }
+  // The worst exit status that came of any of them: what `look` answers, or that one cannot be read, which is told.
+  int each(const std::function<int(const StillImage&)>& look) const;
+
+ private:
+  Stills(StillCamera camera, std::vector<std::string> files, repl::Style style)
+      : camera_(std::move(camera)), files_(std::move(files)), style_(style) {}
+
+  StillCamera camera_;
+  std::vector<std::string> files_;
+  repl::Style style_;
+};
 
 }  // namespace pizarra::programs
