@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 // Installed once for all tests.
 const std::string& prefix() {
   static const std::string installed = [] {
-    const std::string folder = scratch_folder() + "installed";
+    std::string folder = scratch_folder() + "installed";
     const Said said = shell(std::string(PIZARRA_CMAKE) + " --install " PIZARRA_BUILD " --prefix " + folder + " 2>&1");
     EXPECT_EQ(said.status, 0) << said.text;
     return folder;
@@ -39,7 +39,7 @@ Said build_and_test(const std::string& source) {
 }
 
 std::string copied(const std::string& example) {
-  const std::string to = scratch_folder() + example;
+  std::string to = scratch_folder() + example;
   fs::copy(source_dir() + "/examples/" + example, to, fs::copy_options::recursive);
   return to;
 }

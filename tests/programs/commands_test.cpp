@@ -297,7 +297,7 @@ TEST(Words, UpRefusesKeysThatNobodyWouldComeWith) {
   EXPECT_TRUE(contains(key, "--key is for a host that comes to the board of another")) << key.text;
   const Said keys = run("up " + alone + " --keys keys");
   EXPECT_EQ(keys.status, 2);
-  EXPECT_TRUE(contains(keys, "the cell file gives it no address")) << keys.text;
+  EXPECT_TRUE(contains(keys, "the cell file names no such address")) << keys.text;
   const Said elsewhere = run("up " + alone + " --board ipc:///tmp/other.ipc --keys keys");
   EXPECT_EQ(elsewhere.status, 2);
   EXPECT_TRUE(contains(elsewhere, "this host does not run it")) << elsewhere.text;

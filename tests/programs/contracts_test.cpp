@@ -33,7 +33,7 @@ const Occasions told_on_occasion = {
     {"coordinator", {"leans"}},
     {"pan-tilt", {"head-speed", "looking-at"}},
     {"robot", {"commander", "gripped", "hold", "robot-speed", "robot-variable", "stop"}},
-    {"vision", {"camera-drops", "found", "look-alike", "objects-damaged", "vision-failed"}}};
+    {"vision", {"camera-drops", "found", "look-alike", "objects-damaged", "tags-seen", "vision-failed"}}};
 
 Names with(Names names, const Occasions& occasions, const std::string& agent) {
   const auto more = occasions.find(agent);
