@@ -78,7 +78,7 @@ TEST_F(UpWithLogHere, KeepsWhatIsDurableWhenTheHostOfTheFirstBoardAndItsMemberEn
   up("a", {});
   up("b", {"--standby", standby_});
   up("c", {});
-  ASSERT_TRUE(comes("ask '(agent coordinator ?kind ?host)'", "?host = c")) << said();
+  ASSERT_TRUE(comes("ask '(agent coordinator ?kind ?host)'", "?host = \"c\"")) << said();
   ASSERT_EQ(run("declare '(relation note ((n integer)) (key n) (durable))'").status, 0) << said();
   ASSERT_EQ(run("tell '(note 1)'").status, 0) << said();
   running_.at("a")->signal(SIGTERM);
@@ -87,7 +87,7 @@ TEST_F(UpWithLogHere, KeepsWhatIsDurableWhenTheHostOfTheFirstBoardAndItsMemberEn
   EXPECT_EQ(run("tell '(note 2)'").status, 0) << said();
   // The same member again, behind what it missed.
   up("a", {});
-  EXPECT_TRUE(comes("ask '(agent robot ?kind ?host)'", "?host = a")) << said();
+  EXPECT_TRUE(comes("ask '(agent robot ?kind ?host)'", "?host = \"a\"")) << said();
   EXPECT_EQ(run("ask '(note ?n)'").text, "?n = 1\n?n = 2\n") << said();
 }
 
