@@ -54,12 +54,21 @@ Task<Result<void>> Rescues::loosen(Datum operation) {
     const Result<void> made = co_await runner_.improvise(room);
     co_return made;
   }
+  const bool jammed = *closed > domain_.cube_mm();
+  if (jammed) {
+    // Fingers that jam across a cube's edges let it go first. Others stay closed: beside them there may be no room.
+    const Result<double> opened = co_await arm_.grip(widest_mm_);
+    if (!opened) co_return fail(opened);
+    const bool stuck = std::abs(*opened - *closed) < 1;
+    if (stuck) {
+      const std::string sentence = fmt::format("the gripper says {:.0f} mm, closed or open", *opened);
+      co_await story_.tell("servo", sentence, operation[1]);
+      co_return fail("stuck", sentence);
+    }
+  }
   const std::string sentence = fmt::format("{} cannot be grasped as it lies: pushing it", object);
   co_await story_.tell("servo", sentence, operation[1]);
-  std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, operation[1]), list("raise"_sym)};
-  // Fingers that jam across a cube's edges let it go first. Others stay closed: beside them there may be no room.
-  const bool jammed = *closed > domain_.cube_mm();
-  if (jammed) push.insert(push.begin(), list("release"_sym));
+  const std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, operation[1]), list("raise"_sym)};
   const Result<void> pushed = co_await runner_.improvise(push);
   co_return pushed;
 }

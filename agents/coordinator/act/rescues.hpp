@@ -13,8 +13,8 @@ namespace pizarra::coordinator {
 
 class Rescues {
  public:
-  Rescues(const TaskDomain& domain, const Scene& scene, Story& story, Arm& arm, TaskRunner& runner)
-      : domain_(domain), scene_(scene), story_(story), arm_(arm), runner_(runner) {}
+  Rescues(const TaskDomain& domain, const Scene& scene, Story& story, Arm& arm, TaskRunner& runner, double widest_mm)
+      : domain_(domain), scene_(scene), story_(story), arm_(arm), runner_(runner), widest_mm_(widest_mm) {}
 
   // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
   // Nothing is done where it holds nothing.
@@ -22,7 +22,8 @@ class Rescues {
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
   // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. A held object is
-  // laid down, and the object that it could not be put on is pushed out of its row where it is crowded.
+  // laid down, and the object that it could not be put on is pushed out of its row where it is crowded. Failure stuck:
+  // the gripper's sensor does not follow the fingers, so that nothing is known of what they met.
   Task<Result<void>> loosen(Datum operation);
 
  private:
@@ -35,6 +36,7 @@ class Rescues {
   Story& story_;
   Arm& arm_;
   TaskRunner& runner_;
+  double widest_mm_;  // to which the fingers open
 };
 
 }  // namespace pizarra::coordinator

@@ -23,7 +23,7 @@ struct Life {
         changes(context, roles, surroundings, eyes, story, service),
         planning(context, options, domain, roles, surroundings),
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
-        rescues(domain, surroundings.scene(), story, arm, runner),
+        rescues(domain, surroundings.scene(), story, arm, runner, options.gripper.openings.wide_mm),
         pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
 
   TaskDomain domain;

@@ -67,9 +67,10 @@ class Pursuit {
     int plans = 0;
   };
 
-  // In search of one object: `done` once it was moved, or could not be moved twice.
+  // In search of one object: `done` once it was moved, or could not be moved however often that was tried.
   struct SetAside {
-    std::set<std::string> done, failed;
+    std::set<std::string> done;
+    std::map<std::string, int> failed;
   };
 
   // All of its stages, and for ever where it is to be kept.

@@ -17,6 +17,7 @@ constexpr int planner_tries = 3;
 constexpr int most_attempts = 12;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
+constexpr int tries_to_set_aside = 3;  // a try that failed may have moved it to where it can be grasped
 constexpr Duration look_behind = 1500ms;
 
 bool is_in_hand(const Datum& state) { return state.is_symbol("running") || state.is_symbol("kept"); }
@@ -115,7 +116,7 @@ Task<Result<bool>> Pursuit::clear_view(std::string missing, SetAside& set_aside)
   const bool may_hide = done && before && *before != missing;
   if (may_hide) {
     done = co_await rescues_.set_aside(*before);
-    const bool in_vain = !done && !set_aside.failed.insert(*before).second;
+    const bool in_vain = !done && ++set_aside.failed[*before] == tries_to_set_aside;
     if (done || in_vain) set_aside.done.insert(*before);
   }
   if (done) co_return may_hide;

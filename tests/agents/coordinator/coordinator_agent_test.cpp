@@ -67,6 +67,17 @@ TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersJamWiderThanACub
   EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
 }
 
+TEST_F(Coordinator, PushesNothingOverWhileTheGrippersSensorIsStuck) {
+  cell.lowest_mm = 60;
+  cell.stuck_mm = 80;
+  want("(goal (holding circle))");
+  EXPECT_TRUE(cell.run_until("(event ? servo \"the gripper says 80 mm, closed or open\" ?)", 60s));
+  EXPECT_TRUE(cell.facts("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)").empty());
+  cell.lowest_mm = 0;
+  cell.stuck_mm.reset();
+  EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+}
+
 TEST_F(Coordinator, LaysDownWhatItHoldsOutOfSightOnceNobodyStopsItAnyMore) {
   want("(goal (holding circle))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));

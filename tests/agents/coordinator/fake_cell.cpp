@@ -225,7 +225,7 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   const Eigen::Vector3d out = Eigen::Vector3d(grip.x(), grip.y(), 0).normalized();
   Eigen::Vector3d to = grip;
   if (name == "gripper") {
-    const double opening = close_gripper(operation[1].number());
+    const double opening = stuck_mm.value_or(close_gripper(operation[1].number()));
     const Datum fact = list("gripper"_sym, "robot"_sym, opening);
     co_await agents_->robot_view->tell(fact);
   }

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
@@ -60,10 +61,11 @@ class FakeCell {
   Eigen::Vector3d pose_error_mm{0, 0, 0};                    // of the arm's own word for where it is
   Eigen::Vector3d grip{370, 0, 410};                         // the grip centre
   double opening_mm = 100;
-  std::string held;      // between the fingers
-  double lowest_mm = 0;  // what is in the way stops the arm on its way further down,
-  double jam_mm = 0;     // and the fingers there at this opening
-  std::string refusal;   // the symbol with which the robot refuses to move, such as halted
+  std::string held;                // between the fingers
+  double lowest_mm = 0;            // what is in the way stops the arm on its way further down,
+  double jam_mm = 0;               // and the fingers there at this opening
+  std::optional<double> stuck_mm;  // what the gripper's sensor says, however far the fingers are open
+  std::string refusal;             // the symbol with which the robot refuses to move, such as halted
   int motions = 0;
   Disk disk = Disk::sound;  // of the board's journal, for what the coordinator tells
 
