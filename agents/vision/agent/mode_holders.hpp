@@ -1,8 +1,8 @@
 #pragma once
 
 // The clients that hold each mode of the eyes. Each connects, and tracks objects, for itself: what one ends goes on for
-// the others, and whoever dies lets go of what it held. Of whoever is not present on the board nobody knows when it
-// dies: what such clients hold, they hold as one, and only for a time.
+// the others, and whoever dies lets go of what it held. Nobody knows when a client dies that is not present on the
+// board: all such clients hold what they hold as one, and only for a time.
 //
 //   ModeHolders holders;
 //   holders.track("coordinator", {"circle"});
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "agents/vision/objects/renames.hpp"
+#include "blackboard/time/clock.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra::vision {
@@ -24,6 +25,7 @@ class ModeHolders {
   // What is held by these, anyone may end: what was kept, and what those hold who are not present on the board.
   static constexpr std::string_view anybody = "anybody";
   static constexpr std::string_view absent = "absent";
+  static constexpr Duration absent_for = 60s;  // how long such clients hold what they asked for last
   // No client is called so; failure `bad-name`.
   static Result<void> check_client(const std::string& client);
 

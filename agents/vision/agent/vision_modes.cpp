@@ -8,9 +8,6 @@
 namespace pizarra::vision {
 namespace {
 
-// Of who is not present.
-constexpr Duration lease = 60s;
-
 Datum presence_of(Datum who) { return list("agent"_sym, std::move(who), "?"_sym, "?"_sym); }
 
 }  // namespace
@@ -25,7 +22,7 @@ Task<Result<bool>> VisionAgent::State::is_present(std::string client) {
 Task<std::string> VisionAgent::State::holder_for(std::string client) {
   const Result<bool> present = co_await is_present(client);
   if (present.value_or(false)) co_return client;
-  absent_until = context.executor.now() + lease;
+  absent_until = context.executor.now() + ModeHolders::absent_for;
   co_return std::string(ModeHolders::absent);
 }
 

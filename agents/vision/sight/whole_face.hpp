@@ -3,7 +3,7 @@
 // How large the face of a mark is that a pair of cameras follows: as it would look from the front, whichever way it is
 // turned and however far away it is. No motion changes that; what lies over a part of the mark does, in one image or in
 // both. So a pair knows a covered face from a turned one by a single look, where one image goes by how the centre
-// moves (continuity.hpp).
+// moves (whole_mark.hpp).
 //
 //   WholeFace whole(face_size(model, left, right, front_slimness(object)), left);
 //   const FaceSize now = face_size(model, now_left, now_right, front_slimness(object));

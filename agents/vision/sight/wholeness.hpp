@@ -10,9 +10,9 @@
 //   whole.wait(captured);                      // a frame without it
 //   whole.lose();                              // so many that where it moved nobody knows
 
-#include "agents/vision/sight/continuity.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 #include "agents/vision/sight/whole_face.hpp"
+#include "agents/vision/sight/whole_mark.hpp"
 #include "agents/vision/sight/widest_look.hpp"
 
 namespace pizarra::vision {

@@ -1,4 +1,4 @@
-#include "agents/vision/sight/continuity.hpp"
+#include "agents/vision/sight/whole_mark.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ double motion_of_covering(double reach, double spread) {
   return 2 * far * spread / (far * far - spread * spread);
 }
 
-double length(double x, double y) { return std::sqrt(x * x + y * y); }
+double norm_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 // The axis at a right angle.
 std::size_t across(std::size_t axis) { return axis ^ 1; }
@@ -110,7 +110,7 @@ WholeMark::Evidence WholeMark::evidence_of_a_side(const Axes& now, double second
   constexpr double endless = std::numeric_limits<double>::infinity();
   Evidence out{.off = corner_reach * change, .moved = endless, .missed = endless};
   for (const double after : {0.0, seconds}) {
-    const double motion = length(now[0].place - axes_[0].foreseen(after), now[1].place - axes_[1].foreseen(after));
+    const double motion = norm_of(now[0].place - axes_[0].foreseen(after), now[1].place - axes_[1].foreseen(after));
     out.moved = std::min(out.moved, motion);
     out.missed = std::min(out.missed, std::abs(motion - out.off));
   }
@@ -160,7 +160,7 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double m
   const Axes now = axes_of(mark);
   const double seconds = seconds_between(followed_, captured);
   const std::array<Evidence, 4> seen = evidence(now, seconds);
-  const double off = std::max(length(seen[0].off, seen[1].off), length(seen[2].off, seen[3].off));
+  const double off = std::max(norm_of(seen[0].off, seen[1].off), norm_of(seen[2].off, seen[3].off));
   if (off <= most_off_px && !smaller) return Look::whole;
   // A mark that moves so far may well turn by 30 degrees.
   if (is_elsewhere(seen)) return off <= 2 * most_off_px ? Look::whole : Look::unlike;
@@ -178,7 +178,7 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double m
     const double by_covering = covering(one, other);
     if (by_covering > sure) return Look::covered;
     // A mark that comes back from behind something shows only a part at first.
-    const bool explained = length(one.missed, std::min(other.moved, other.missed)) < clear_px + most_missed * one.off;
+    const bool explained = norm_of(one.missed, std::min(other.moved, other.missed)) < clear_px + most_missed * one.off;
     if (hidden_ && by_covering > 1 / sure && explained) return Look::covered;
   }
   return Look::turned;
@@ -218,7 +218,7 @@ void WholeMark::follow(const SeenMark& mark, Time captured) {
   if (held) return;
   for (std::size_t i = 0; i < seen.size(); ++i) follow(axes_[i], now[i], seen[i], by_covering[i], seconds, frame);
   // Where it went unseen is no unrest.
-  const double moved = was_hidden ? 0 : length(seen[0].moved, seen[1].moved);
+  const double moved = was_hidden ? 0 : norm_of(seen[0].moved, seen[1].moved);
   unrest_ = std::max((1 - gain(unrest_rate, frame)) * unrest_, moved);
   followed_ = captured;
 }
