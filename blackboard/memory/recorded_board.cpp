@@ -61,14 +61,6 @@ Result<bool> RecordedBoard::step() {
   return true;
 }
 
-Result<void> RecordedBoard::play_to(const Moment& until) {
-  for (auto line = next_line(); line && !journal::is_beyond(journal::start_of_line(*line), until); line = next_line()) {
-    const Result<bool> stepped = step();
-    if (!stepped) return fail(stepped);
-  }
-  return {};
-}
-
 Task<Result<void>> RecordedBoard::declare(std::vector<Relation> relations) {
   for (const Relation& relation : relations) {
     const auto standing = store_.tables().find(relation.name);

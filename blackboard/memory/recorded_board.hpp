@@ -6,7 +6,6 @@
 //   Result<std::unique_ptr<RecordedBoard>> board = RecordedBoard::open(executor, "cell.journal", {.revision = 120});
 //   Result<Answers> towers = co_await (*board)->ask(query);
 //   (*board)->step();                          // revision 121: whoever watches sees what it changed
-//   (*board)->play_to({.revision = 150});
 //
 // It only goes forward: what was before is another board.
 
@@ -24,7 +23,7 @@ class RecordedBoard : public Board {
   // As of a moment. Failures bad-journal, journal-file, forgotten.
   static Result<std::unique_ptr<RecordedBoard>> open(Executor& executor, const std::string& path,
                                                      const Moment& until = {});
-  // Of a journal that was read into that store, wherever it is kept.
+  // From a store into which a journal was read already, from a file or from a log in etcd.
   static std::unique_ptr<RecordedBoard> of(Executor& executor, std::unique_ptr<store::Store> store,
                                            journal::PlayedBack played);
   ~RecordedBoard() override;
@@ -36,7 +35,6 @@ class RecordedBoard : public Board {
   std::optional<Time> next() const;
   // Plays the next revision back: false at the end.
   Result<bool> step();
-  Result<void> play_to(const Moment& until);
 
   // Declaring what the journal declares is harmless here, too.
   Task<Result<void>> declare(std::vector<Relation> relations) override;

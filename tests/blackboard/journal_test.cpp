@@ -135,7 +135,8 @@ TEST_F(Journal, WhoeverWatchesARecordedBoardSeesEveryRevisionThatIsPlayedBack) {
   EXPECT_EQ(board->next(), Time(10us));
   EXPECT_TRUE(board->step().value());
   EXPECT_EQ(board->revision(), 1U);
-  ASSERT_TRUE(board->play_to({.revision = 2}).has_value());
+  EXPECT_TRUE(board->step().value());
+  EXPECT_EQ(board->revision(), 2U);
   EXPECT_TRUE(board->step().value());
   EXPECT_FALSE(board->step().value());
   EXPECT_EQ(board->next(), std::nullopt);

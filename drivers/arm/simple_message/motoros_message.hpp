@@ -46,7 +46,6 @@ inline constexpr std::int32_t invalid_start = 3011;
 inline constexpr std::int32_t invalid_position = 3012;
 inline constexpr std::int32_t invalid_speed = 3013;
 inline constexpr std::int32_t insufficient_data = 3015;
-inline constexpr std::int32_t unready = 5000;
 inline constexpr std::int32_t unready_alarm = 5001;
 inline constexpr std::int32_t unready_emergency = 5003;
 inline constexpr std::int32_t unready_not_remote = 5005;

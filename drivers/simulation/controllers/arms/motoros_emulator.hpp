@@ -43,7 +43,6 @@ class MotorosEmulator {
   Task<arm::MotorosReply> obey(arm::MotorosControl control);
   Task<arm::MotorosReply> take(arm::MotorosPoint point);
   std::int32_t fault_of(const arm::MotorosPoint& point, const arm::Joints& joints) const;
-  bool begins_at(const arm::Joints& joints, const arm::Joints& stands) const;
   std::int32_t why_not_ready() const;
   arm::Joints joints_of(const arm::SimpleJoints& joints, const arm::Joints& stands) const;
   Task<void> follow();
