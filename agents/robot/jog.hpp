@@ -1,7 +1,7 @@
 #pragma once
 
-// The motion of a held jog, from where the arm stands: on and on in one direction, until it is let go or the arm
-// reaches no further. Pure, as plan_motion() is.
+// The motion of a held jog, from where the arm stands: on and on in one direction, until it is let go (holds.hpp) or
+// the arm reaches no further. Pure, as plan_motion() is.
 //
 //   const Result<Motion> way = plan_jog(model, room, "left", joints);
 //   const double part = jog_speed(model, joints, way->waypoints, 250ms);

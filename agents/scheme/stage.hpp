@@ -40,7 +40,7 @@ class Stage {
   // Tells the facts that the file wants told once it is loaded, and its rules.
   Task<Result<void>> introduce();
 
-  // What was told to be wrong with a part that is well now.
+  // Retracts the program-fault of a part that works now.
   Task<void> take_back_fault(std::string part);
   // Facts that a conclusion holds: each stands while somebody holds it.
   void hold(const std::vector<Datum>& facts);

@@ -11,7 +11,7 @@ namespace pizarra::cluster {
 
 namespace {
 
-// Nothing where nobody leads: who does says so all the time.
+// The board that leads, or nothing. A leader writes to `alive` all the time, so one that stands still has gone.
 Result<std::optional<std::string>> who_leads(KeyValues& key_values, const LogKeys& keys, const Pause& pause) {
   const Result<std::optional<std::string>> before = get(key_values, keys.alive());
   if (!before) return fail(before);
@@ -27,7 +27,7 @@ Result<std::optional<std::string>> who_leads(KeyValues& key_values, const LogKey
   return std::optional(epoch->board);
 }
 
-// A leader that has left: the next one goes on behind its counters.
+// The log as a leader that has left would leave it: the next leader goes on from its counters.
 std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapshot, const store::Store& store,
                                 const journal::LineStart& end, std::uint64_t nonce) {
   const EpochValue epoch{1, "copied from a file", nonce};
@@ -39,7 +39,7 @@ std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapsh
           {keys.snapshot(), text_of(snapshot)}};
 }
 
-// A group needs a line: one that declares again what is declared changes nothing.
+// A group needs at least one line. Declaring relations once more changes nothing.
 journal::JournalGroup remembered(const LogCopy& copy, const store::Store& store) {
   std::vector<Relation> relations;
   for (const auto& [name, table] : store.tables()) relations.push_back(table.relation());

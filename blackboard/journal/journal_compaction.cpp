@@ -21,7 +21,7 @@ class Horizon {
   explicit Horizon(sqlite::Database& database) : database_(database) {}
 
   Result<void> read_about();
-  // In place of what a file that is new begins with.
+  // Of a new file: its horizon is this store.
   Result<void> begin_with(const store::Store& store, const LineStart& end);
   Result<void> apply(std::string_view lines);
   Result<void> write();

@@ -54,7 +54,7 @@ class JournalFile : public Log {
 
   const std::string& path() const override { return path_; }
   Result<std::vector<RememberedReply>> recover(store::Store& store) override;
-  // What is durable there, in place of all that came before: once, of a file that is new. `end`: when it was so.
+  // Begins a new file with the durable facts of a store, as of `end`. To be called once, before anything is appended.
   Result<void> begin_with(const store::Store& store, const LineStart& end);
   Result<void> append(const JournalGroup& group, bool may_spend) override;
   Result<void> append(const JournalGroup& group) { return append(group, true); }

@@ -37,7 +37,7 @@ struct PlayedBack {
   std::string later;  // the lines that came after
 };
 
-// The failure `not-yet` in its place, where there was no such revision.
+// Turns it into the failure `not-yet` if the journal ends before that revision.
 Result<PlayedBack> check_reached(Result<PlayedBack> played, const Moment& until);
 
 class Log {

@@ -7,8 +7,8 @@
 //   const Result<PlanClaim> claim = planner.plan(domain_text, problem_text, operators, [] { return false; });
 //   if (!valid(claim->actions) && claim->ended) return fail(*claim->ended);
 //
-// Its files live in a folder of their own that is gone afterwards, as is every process it started. The plan is what the
-// planner claims, and is to be validated.
+// Its files live in a folder of their own that is gone afterwards, as is every process it started. Its time and memory
+// are bounded (planner_process.hpp). The plan is what the planner claims, and is to be validated.
 
 #include <optional>
 

@@ -23,7 +23,7 @@ using Bytes = std::vector<std::uint8_t>;
 // ---- PNG
 
 constexpr double dots_a_mm = dots_an_inch / mm_an_inch;
-// A dot is as dark as these many lines through it are covered.
+// How dark a dot is follows from how much of this many lines through it is covered.
 constexpr int lines_a_dot = 16;
 
 struct Span {
@@ -33,7 +33,7 @@ struct Span {
 
 using Area = std::vector<Eigen::Vector2d>;
 
-// Those that reach into these heights.
+// The areas of the sheet that reach into this range of heights.
 std::vector<const Area*> areas_within(const Sheet& sheet, const Span& heights) {
   std::vector<const Area*> out;
   for (const Area& area : sheet.areas) {
@@ -43,7 +43,7 @@ std::vector<const Area*> areas_within(const Sheet& sheet, const Span& heights) {
   return out;
 }
 
-// Of a convex area, in mm at this height.
+// From where to where a convex area reaches at this height, mm.
 std::optional<Span> span_of(const Area& area, double y) {
   Span out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < area.size(); ++i) {
@@ -57,7 +57,7 @@ std::optional<Span> span_of(const Area& area, double y) {
   return out;
 }
 
-// What they cover of a line of dots; areas may overlap.
+// Adds to each dot of a line how much of it the spans cover. Spans may overlap.
 void cover(cv::Mat1d& line, std::vector<Span> spans) {
   std::ranges::sort(spans, {}, &Span::from);
   double covered_to = 0;

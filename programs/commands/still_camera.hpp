@@ -38,7 +38,7 @@ struct StillImage {
 };
 
 void add_image_option(CLI::App& word, StillChoices& choices);
-// All the others.
+// --focal, --calibration and --side.
 void add_still_options(CLI::App& word, StillChoices& choices);
 
 // The image outlives it.
@@ -50,7 +50,7 @@ class StillCamera {
   // wrong-calibration of one of a pair.
   static Result<StillCamera> make(const StillChoices& choices, double learned_at_mm = 0);
 
-  // Whether it is known what a pixel is, so that places are.
+  // Whether the size of a pixel is known, so that places can be told.
   bool is_measured() const { return calibration_.has_value() || setup_.focal_px > 0; }
   // Failures: corrupt-frame, wrong-size.
   Result<StillImage> see(const std::string& file) const;
@@ -63,16 +63,16 @@ class StillCamera {
 // The images that a command's words name, files and folders, in the order of the words and of the names in a folder.
 class Stills {
  public:
-  // Failures: those of StillCamera::make(); no-images, of a word that names none; too-many; and needless-option, as the
-  // side of a tag tells nothing where it is not known what a pixel is.
+  // Failures: those of StillCamera::make(); no-images, where a word names none; too-many; and needless-option: the side
+  // of a tag is of no use unless the size of a pixel is known.
   static Result<Stills> open(const StillChoices& choices, double learned_at_mm = 0);
 
   const StillCamera& camera() const { return camera_; }
-  // Null where nobody said what a pixel is, or how large a tag.
+  // Null if the size of a pixel, or of the tag, is not known.
   const vision::MarkPose* pose_of(const vision::FoundMark& found) const {
     return camera_.is_measured() && found.pose ? &*found.pose : nullptr;
   }
-  // The worst exit status that came of any of them: what `look` answers, or that one cannot be read, which is told.
+  // Says which images cannot be read. Answers the worst exit status: of that, or of what `look` answered.
   int each(const std::function<int(const StillImage&)>& look) const;
 
  private:

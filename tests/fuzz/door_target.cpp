@@ -45,7 +45,7 @@ class DoorUnderTest {
     executor_.run_until([&telling] { return telling.done(); });
   }
 
-  // What the door said to a device that said this.
+  // The door's answers to a device that said this.
   std::string answers_to(std::string_view said) {
     std::array<int, 2> files{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, files.data()) != 0) std::abort();

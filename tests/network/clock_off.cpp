@@ -1,6 +1,6 @@
-// A library to be loaded before a program, which then sees a wall clock that is off by so many seconds as the file says
-// that the variable CLOCK_OFF_FILE of its environment names: a long, which may change at any time. Timers and the
-// steady clock stay as they are.
+// A library to be loaded before a program, which then sees a wall clock that is off. By how many seconds stands in the
+// file that the environment's CLOCK_OFF_FILE names: a long, which may change at any time. Timers and the steady clock
+// stay as they are.
 //
 // It asks the kernel itself and takes no memory: a program's own allocator may ask for the time before anything is
 // ready, which Debian's libfaketime does not survive.

@@ -11,18 +11,18 @@ namespace pizarra::vision {
 namespace {
 
 constexpr double least_cell_px = 2;
-// Corners are refined within a cell of theirs: what is farther away are other cells' corners.
+// A corner is refined within about one cell around it: corners farther away belong to other cells.
 constexpr int least_within_px = 2;
 constexpr int most_within_px = 5;
 const cv::TermCriteria refined_until(cv::TermCriteria::MAX_ITER | cv::TermCriteria::EPS, 30, 0.1);
-// As many cells may be mended as OpenCV's detector mends.
+// The share of wrong cells that may be corrected, as in OpenCV's detector.
 constexpr double mended_share = 0.6;
-// Of the border's cells so many may look light.
+// This share of the border's cells may look light.
 constexpr double most_light_share = 0.1;
-// So often the print is fitted.
+// How often the print is fitted.
 constexpr int most_fits = 2;
 
-// The levels of a tag's cells, of its border and of what is around that, one pixel a cell.
+// The grey levels of a tag's cells, its border and the ring of ground around it, one pixel a cell.
 cv::Mat1f levels_of(const cv::Mat1b& grey, const TagCorners& corners, int cells) {
   constexpr int cell_px = 4;
   const float begin = cell_px - 0.5F;
@@ -35,7 +35,7 @@ cv::Mat1f levels_of(const cv::Mat1b& grey, const TagCorners& corners, int cells)
   cv::Mat1f out(cells + 2, cells + 2);
   for (int y = 0; y < out.rows; ++y) {
     for (int x = 0; x < out.cols; ++x) {
-      // Its middle, to which its neighbours are not blurred.
+      // The middle of the cell alone: blur mixes its edges with its neighbours.
       const cv::Rect middle(x * cell_px + 1, y * cell_px + 1, cell_px - 2, cell_px - 2);
       out(y, x) = static_cast<float>(cv::mean(flat(middle))[0]);
     }
@@ -43,7 +43,7 @@ cv::Mat1f levels_of(const cv::Mat1b& grey, const TagCorners& corners, int cells)
   return out;
 }
 
-// All cells so many cells from the edge.
+// Visits the ring of cells that are `from_edge` cells away from the edge.
 template <class Visit>
 void visit_ring(const cv::Mat1f& levels, int from_edge, const Visit& visit) {
   const int last = levels.cols - 1 - from_edge;
@@ -57,7 +57,7 @@ void visit_ring(const cv::Mat1f& levels, int from_edge, const Visit& visit) {
 
 cv::Vec3d row_at(cv::Point cell) { return {1, static_cast<double>(cell.x), static_cast<double>(cell.y)}; }
 
-// Of the levels of a ring.
+// The plane of grey through the levels of a ring.
 cv::Vec3d light_plane(const cv::Mat1f& levels, int from_edge) {
   cv::Matx33d normal = cv::Matx33d::zeros();
   cv::Vec3d right;
@@ -75,7 +75,7 @@ struct Reading {
   double likeness = 0;
 };
 
-// As the corners are; nothing where the border is not dark, or the cells spell no number.
+// Reads with these corners. Nothing if the border is not dark, or the cells spell no number.
 std::optional<Reading> read_at(const cv::Mat1b& grey, TagCorners corners, cv::aruco::Dictionary& dictionary) {
   const int across = dictionary.markerSize;
   const cv::Mat1f levels = levels_of(grey, corners, across + 2);
@@ -101,7 +101,7 @@ bool is_within(const TagCorners& corners, const cv::Mat1b& grey) {
   return std::ranges::all_of(corners, [&](const cv::Point2f& p) { return image.contains(p); });
 }
 
-// The corners that make it likest, of those that were read and of those that its print is fitted to.
+// Keeps in `best` the corners at which the image is most like the print: those read with, or fitted ones.
 void fit(const cv::Mat1b& grey, const cv::aruco::Dictionary& dictionary, Reading read, std::optional<Reading>& best) {
   for (int fits = 0;; ++fits) {
     if (!is_within(read.corners, grey)) return;

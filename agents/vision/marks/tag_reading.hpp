@@ -1,15 +1,15 @@
 #pragma once
 
-// Squares that OpenCV's detector saw and could not read, read once more. It puts their corners on whole pixels, which
-// is too far off for cells some three pixels wide, and takes one level of grey between light and dark, which a shadow's
-// edge across the tag does not leave.
+// Reads squares once more that OpenCV's detector saw and could not read. The detector puts corners on whole pixels,
+// which is too coarse where a cell is some three pixels wide. It also splits light from dark at one level of grey. No
+// such level exists where the edge of a shadow crosses the tag.
 //
 //   TagDetection seen = ...;
 //   read_again(grey, family, seen);          // seen.found has more, seen.others less
 //
-// Corners are refined first. What is light and what is dark is a plane each, by the cells of the border and by what is
-// around it (E. Olson, AprilTag: a robust and flexible visual fiducial system, ICRA 2011). Then the print is fitted to
-// the image, and the corners are taken that make both likest.
+// Corners are refined first. Light and dark are one plane of grey each, fitted to the ground around the tag and to the
+// cells of its border (E. Olson, AprilTag: a robust and flexible visual fiducial system, ICRA 2011). Then the print is
+// fitted to the image. The corners are kept at which the image is most like the print.
 
 #include "agents/vision/marks/tag_detection.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Tags: dark squares whose cells spell a number, of ArUco's and AprilTag's families. A lab that has them needs no other
-// marks: what bears one is learned, found and tracked by it. OpenCV's detector finds them.
+// marks: what bears one is learned, found and tracked by it. The families are named in tag_detection.cpp.
 //
 //   Result<std::optional<SeenMark>> clicked = tag_at(grey, {160, 120});   // of whatever family
 //   std::vector<SeenMark> seen = find_tags(grey, *(*clicked)->tag);       // and nothing else

@@ -19,16 +19,16 @@ constexpr double local_reach_px = 48;
 // How much of the confidence is left after every tenth of a second in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
-// In what may as well be another.
+// The most confidence in a mark that may as well be another object's.
 constexpr double trust_in_another = 0.5;
-// With fewer what is otherwise certain is still sure.
+// With more of them a track begins among objects that look alike.
 constexpr double least_twins = 0.1;
 
-// With less doubt about the ground around a mark nothing hid a part of it; whether something comes to hide one, its
-// size and its motion tell.
+// Below this doubt about the ground around it, nothing covered the mark. Whether something covers it later, its size
+// and its motion tell.
 constexpr double little_doubt = 0.5;
 
-// They may move meanwhile; where one is hidden, it is thought to rest.
+// The others may move meanwhile. One that is hidden is thought to rest.
 void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                    const LearnedObject& object) {
   for (cv::Point2d& place : others) {
@@ -190,7 +190,7 @@ void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObjec
   now = std::move(*there);
 }
 
-// Of tags none is followed where there are several.
+// Not for tags: none is followed where the same one is seen several times.
 void MarkTracker::count_twins(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const {
   const bool may_be_another = track.began_among_alike.value_or(true) && object.tag() == nullptr;
   if (!may_be_another) return;
@@ -301,7 +301,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     track.whole.follow(*now, look, captured_);
   }
   take(sight, track, std::move(*now));
-  // Of a tag there is no other then.
+  // A tag that is followed has no others.
   if (begins && object->tag() == nullptr) note_others(track, *object, sight.left_segmentation().marks());
   track.confidence = out.confidence;
   return out;

@@ -18,16 +18,16 @@
 
 namespace pizarra::vision {
 
-// A point of the plane, as far as the image says along one direction where it is.
+// A point of the plane. The image says where it is along one direction only, `normal`.
 struct PlanePoint {
   Eigen::Vector2d plane;   // mm
   Eigen::Vector2d seen;    // slopes off the camera's axis
-  Eigen::Vector2d normal;  // the direction, as long as the focal length: what it is off along it is px
+  Eigen::Vector2d normal;  // times the focal length, so that an error along it is in px
 };
 
 struct PlaneGuess {
   Eigen::Matrix3d turn;   // the plane's axes, as the camera's
-  Eigen::Vector3d place;  // of its zero, mm
+  Eigen::Vector3d place;  // of the plane's origin, mm
 };
 
 struct SolvedPlane {
@@ -36,15 +36,15 @@ struct SolvedPlane {
   double misfit;                       // half of the squared deviations
 };
 
-// Along the line of sight the plane's axes are as long as they look, and what they lack to a unit is depth, towards
-// either side. `slope`: px a mm at `middle`. None where that is no plane's.
+// The image shows the plane's axes shortened. The rest of their length is depth, towards the camera or away from it,
+// which makes two guesses. `slope`: px a mm at `middle`. None if no plane looks like that.
 std::vector<PlaneGuess> plane_guesses(const camera::StereoModel& model, cv::Point2d middle, const cv::Matx22d& slope);
 
 // `weight`: the inverse variance of a point, px.
 std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::span<const PlaneGuess> guesses,
                                      double weight);
 
-// How far the image has it from where the pose puts it, px.
+// How far the point is seen from where the pose puts it, along its normal, px.
 double off_px(const PlanePoint& point, const PlaneGuess& pose);
 
 cv::Matx33d matx_of(const Eigen::Matrix3d& turn);

@@ -1,4 +1,4 @@
-"""Where the board is to be found: at one address, or at one of several, where boards take over from each other.
+"""Which address of the board is tried, and how long before the next one is, where boards take over from each other.
 
     addresses = Addresses("tcp://10.0.0.1:7943,tcp://10.0.0.2:7943", now)
     if addresses.is_time_for_the_next(now): addresses.go_on(now)

@@ -1,4 +1,4 @@
-"""The way to a board: a ZeroMQ socket that is connected, and connected again elsewhere or with nothing of before.
+"""The way to a board: a ZeroMQ socket that is connected, and connected again when session.py or addresses.py say so.
 
     link = Link(context, "tcp://bench:7943", keys)
     link.send("(ping 7)")

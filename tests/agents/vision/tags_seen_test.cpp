@@ -24,7 +24,7 @@ class TagsSeen : public Vision {
     life.emplace(executor, board, camera, &streams,
                  VisionOptions{.objects_directory = "", .tags = {{"apriltag-36h11", side_mm}}});
   }
-  // Whose upper left cell is at that pixel, on light ground.
+  // Shows a tag on light ground, its upper left cell at that pixel.
   void show(int number, cv::Point at) {
     cv::Mat1b print;
     cv::resize(print_of(*family_called("apriltag-36h11"), number), print, {}, cell_px, cell_px, cv::INTER_NEAREST);

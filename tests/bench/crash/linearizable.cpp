@@ -95,7 +95,7 @@ class Search {
     return true;
   }
 
-  // What came behind the call that is put back is tried next.
+  // The event behind the call that is put back is tried next.
   Events::iterator take_back() {
     Step step = std::move(steps_.back());
     steps_.pop_back();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether what clients asked of one register, and were answered, could have come of a register that does one thing at a
-// time, each at some moment between its call and its answer.
+// Whether a register that does one thing at a time could have given the answers that clients got. Each operation may
+// take effect at any moment between its call and its answer.
 //
 //   std::vector<Operation> history = {{.kind = Operation::Kind::compare, .expected = 0, .value = 7, ...}, ...};
 //   if (!is_linearizable(history)) ...
@@ -19,7 +19,7 @@ struct Operation {
   enum class Kind { read, compare };
   enum class Outcome { done, refused, unknown };
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-  // As `expected` of a compare that was refused: whatever stood there.
+  // As `expected` of a compare that was refused: it could have been, whatever value stood there.
   static constexpr std::int64_t nothing = -1;
 
   Kind kind = Kind::read;

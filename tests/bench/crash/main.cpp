@@ -1,6 +1,6 @@
-// pizarra-bench-crash: what is acknowledged is kept, nothing is done twice, and no watcher misses a change without
-// being told so, however a board, or boards that take over from each other, and their clients are killed, stopped and
-// cut off.
+// pizarra-bench-crash: kills, stops and cuts off a board, or boards that take over from each other, and their clients.
+// It then proves that what is acknowledged is kept, that nothing is done twice, and that no watcher misses a change
+// without being told so.
 
 #include <CLI/CLI.hpp>
 #include <csignal>
