@@ -18,15 +18,9 @@ namespace {
 constexpr std::uintmax_t longest_line = 64 << 20;
 constexpr const char* bytes_of_log =
     "SELECT coalesce(sum(length(CAST(lines AS BLOB)) + length(CAST(replies AS BLOB))), 0) FROM log";
-constexpr std::string_view sqlite_files_begin_with = "SQLite format 3";
 
 std::unexpected<Failure> refused(const std::string& what, const std::string& path) {
   return fail("journal-file", what + " " + path + ": " + std::strerror(errno));
-}
-
-bool is_sqlite(Disk& disk, const std::string& path) {
-  const std::unique_ptr<Disk::File> file = disk.open(path, Disk::Access::read);
-  return file != nullptr && file->read(sqlite_files_begin_with.size()) == sqlite_files_begin_with;
 }
 
 // A journal in text, as `demo --journal` writes it: the last of it at least, where it has more than `most` bytes.
@@ -269,7 +263,7 @@ void remove_journal(const std::string& path, Disk& disk) {
 }
 
 Result<LineStart> end_of_journal(const std::string& path, Disk& disk) {
-  if (!is_sqlite(disk, path)) {
+  if (!sqlite::is_database(path, disk.vfs())) {
     const Result<std::string> text = text_of(path, longest_line);
     if (!text) return fail(text);
     return start_of_last_line(std::string_view(*text).substr(0, text->rfind('\n') + 1));
@@ -286,7 +280,7 @@ Result<PlayedBack> JournalFile::read(store::Store& store, const Moment& until) c
 }
 
 Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until, Disk& disk) {
-  if (!is_sqlite(disk, path)) return check_reached(read_text(path, store, until), until);
+  if (!sqlite::is_database(path, disk.vfs())) return check_reached(read_text(path, store, until), until);
   Result<sqlite::Database> database = journal_tables::open(disk, path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
   // The mark is read first: the journal may grow meanwhile.

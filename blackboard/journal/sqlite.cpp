@@ -1,5 +1,6 @@
 #include "blackboard/journal/sqlite.hpp"
 
+#include <array>
 #include <cstring>
 #include <sqlite3.h>
 #include <utility>
@@ -67,6 +68,20 @@ Result<std::int64_t> Database::ask(const char* sql) {
 }
 
 Failure Database::failure() const { return failure_of(handle_); }
+
+bool is_database(const std::string& path, const char* vfs) {
+  constexpr std::string_view begins_with = "SQLite format 3";
+  sqlite3* handle = nullptr;
+  sqlite3_file* file = nullptr;
+  std::array<char, begins_with.size()> begin{};
+  const bool is_open =
+      sqlite3_open_v2(path.c_str(), &handle, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, vfs) == SQLITE_OK;
+  if (is_open) sqlite3_file_control(handle, "main", SQLITE_FCNTL_FILE_POINTER, static_cast<void*>(&file));
+  const bool is_read = file != nullptr && file->pMethods != nullptr &&
+                       file->pMethods->xRead(file, begin.data(), static_cast<int>(begin.size()), 0) == SQLITE_OK;
+  sqlite3_close(handle);
+  return is_read && std::string_view(begin.data(), begin.size()) == begins_with;
+}
 
 Statement::Statement(Database& database, const char* sql) : database_(database) {
   sqlite3_prepare_v2(database.handle_, sql, -1, &handle_, nullptr);

@@ -44,6 +44,10 @@ class Database {
   sqlite3* handle_ = nullptr;
 };
 
+// Whether the file is one of SQLite's. It is read through SQLite: a process that opens and closes the file by itself
+// gives up the locks that SQLite has on it, and another program that closes it then removes its log.
+bool is_database(const std::string& path, const char* vfs = nullptr);
+
 class Statement {
  public:
   // Text that SQLite cannot prepare is a damaged file or a bug; step() then fails.

@@ -1,6 +1,7 @@
 #include "blackboard/journal/journal_file.hpp"
 
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -161,6 +162,37 @@ TEST_F(JournalFileTest, AFileIsKeptByOneBoardAtATimeAndReadByOthersMeanwhile) {
   EXPECT_EQ(journal::JournalFile::open(path_, {}).error().symbol, "journal-file");
   EXPECT_EQ(journal::JournalFile::open("/no/such/folder/journal", {}).error().symbol, "journal-file");
   EXPECT_EQ(facts_at({}, "(goal ?n ?)"), read("((goal 1 x))"));
+}
+
+// Whether SQLite has its lock on the file, by which another program knows that it is not the last one to close it. That
+// program would otherwise remove the log. `file` is another descriptor of it.
+bool is_locked(int file) {
+  constexpr off_t shared_bytes = 0x40000002;
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = shared_bytes;
+  lock.l_len = 510;
+  EXPECT_EQ(fcntl(file, F_OFD_GETLK, &lock), 0);
+  return lock.l_type != F_UNLCK;
+}
+
+TEST_F(JournalFileTest, AProcessThatReadsItsOwnJournalKeepsItLocked) {
+  int file = -1;
+  {
+    Life life(path_);
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    life.tell("(goal 1 x)");
+    life.keep();
+    file = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
+    ASSERT_GE(file, 0);
+    EXPECT_TRUE(is_locked(file));
+    EXPECT_TRUE(journal::end_of_journal(path_).has_value());
+    EXPECT_EQ(facts_at({}, "(goal ?n ?)"), read("((goal 1 x))"));
+    EXPECT_TRUE(is_locked(file));
+  }
+  EXPECT_FALSE(is_locked(file));
+  ::close(file);
 }
 
 TEST_F(JournalFileTest, ThePastIsAsItWasAndWhatTheHorizonPassedIsForgotten) {
