@@ -124,6 +124,7 @@ class RemoteBoard : public Board {
   const std::string teller_;
   const Duration timeout_;
   bool joined_ = false;
+  bool is_of_the_first_ = false;  // the board's protocol, it seems
   wire::SessionId session_ = 0;
   wire::SessionId life_ = 0;  // the server's
   Time heard_{};

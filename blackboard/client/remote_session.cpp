@@ -67,7 +67,9 @@ void RemoteBoard::hear(const Datum& message) {
 
 // Goes nowhere before the connection is let in, or after it broke.
 void RemoteBoard::greet() {
-  if (send(list("hello"_sym, teller_, session_))) greeted_ = executor_.now();
+  const Datum of_the_first = list("hello"_sym, teller_, session_);
+  const bool sent = send(is_of_the_first_ ? of_the_first : list("hello"_sym, teller_, session_, wire::protocol));
+  if (sent) greeted_ = executor_.now();
 }
 
 void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
@@ -96,6 +98,7 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
 void RemoteBoard::lose_session() {
   joined_ = false;
   greeted_ = {};
+  is_of_the_first_ = false;
 }
 
 // One that does not welcome within its time stands by, or is gone; over a slow line it may take longer.
@@ -107,6 +110,7 @@ void RemoteBoard::try_others(Time now) {
   at_ = (at_ + 1) % addresses_.size();
   tried_ = now;
   greeted_ = {};
+  is_of_the_first_ = false;
   socket_->connect_to(addresses_[at_]);
 }
 
@@ -134,6 +138,9 @@ void RemoteBoard::fail_what_may_have_happened() {
 void RemoteBoard::refused(const Failure& failure) {
   // What breaks off may come back: `unreachable` is for the timeout to say.
   if (failure.symbol == "unreachable") return;
+  // A board of the first protocol cannot read the hello of another one.
+  const bool may_be_of_the_first = !joined_ && failure.symbol == "bad-frame" && wire::check_protocol(1);
+  if (may_be_of_the_first && !std::exchange(is_of_the_first_, true)) return greet();
   fail_where([this](const Pending& pending) { return !joined_ || pending.sent; }, failure);
 }
 

@@ -29,8 +29,11 @@ std::string BoardServer::who_is(const std::string& peer) const {
 }
 
 void BoardServer::greet(const std::string& peer, const Datum& hello) {
-  const bool formed = hello.size() == 3 && hello[1].is_string() && wire::count_at(hello, 2);
-  if (!formed) return refuse(peer, {"bad-frame", "a hello is (hello TELLER SESSION)", {}, {}});
+  const std::optional<std::uint64_t> protocol = hello.size() == 3 ? 1 : wire::count_at(hello, 3);
+  const bool formed = hello.size() >= 3 && protocol && hello[1].is_string() && wire::count_at(hello, 2);
+  if (!formed) return refuse(peer, {"bad-frame", "a hello is (hello TELLER SESSION PROTOCOL)", {}, {}});
+  const Result<void> understood = wire::check_protocol(*protocol);
+  if (!understood) return refuse(peer, understood.error());
   const Result<void> named = check_teller_name(hello[1].text());
   if (!named) return refuse(peer, named.error());
   if (keys_ && keys_->follow()) end_sessions_of_changed_keys();

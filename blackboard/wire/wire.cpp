@@ -1,6 +1,7 @@
 #include "blackboard/wire/wire.hpp"
 
 #include <charconv>
+#include <fmt/format.h>
 
 #include "blackboard/limits.hpp"
 #include "lisp/writer.hpp"
@@ -81,6 +82,16 @@ struct TransactionWriter {
 };
 
 }  // namespace
+
+Result<void> check_protocol(std::uint64_t of_client) {
+  if (of_client + 1 >= protocol && of_client <= protocol + 1) return {};
+  return fail(
+      "other-protocol",
+      fmt::format("the client speaks protocol {} and the board protocol {}, more than one apart: bring the {} up "
+                  "to date",
+                  of_client, protocol, of_client < protocol ? "client" : "board"),
+      to_datum(of_client));
+}
 
 Result<Datum> read_frame(std::string_view text) { return read_one(text, frame_limits, "frame"); }
 

@@ -4,12 +4,14 @@
 // that go together, one after another: 64 at most.
 //
 // Client to server                              Server to client
-//   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
+//   (hello TELLER SESSION [PROTOCOL])              (welcome SESSION LIFE)
 //   (request SESSION ID BODY [TIME])               (reply ID RESULT) or (reply ID RESULT REVISION SENT)
 //   (ack SESSION WATCH SEQ [RELATION TOOK])        (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
 //   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
 //   (ping SESSION)                                 (pong TIME)
 //   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...)), (goodbye)
+//
+// SESSION 0 in a hello: a new one. A hello that says no PROTOCOL is of 1, whose boards knew no other hello.
 //
 // A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
 // and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
@@ -53,6 +55,11 @@ namespace pizarra::wire {
 using SessionId = std::uint64_t;
 using RequestId = std::uint64_t;
 using WatchId = std::uint64_t;
+
+// Of this build. Builds understand each other whose protocols are the same, or neighbours.
+constexpr std::uint64_t protocol = 2;
+// Whether a board understands such a client. Failure other-protocol.
+Result<void> check_protocol(std::uint64_t of_client);
 
 // The messages that go together in a frame: so many messages, and no more once it has so many bytes.
 constexpr std::size_t most_messages = 64;

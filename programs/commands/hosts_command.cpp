@@ -1,4 +1,4 @@
-// `hosts`: what runs where in a cell, and which hosts are there.
+// `hosts`: what runs where in a cell, which hosts are there, and whose builds the board cannot speak with.
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +10,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/forms/cell_file.hpp"
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
@@ -26,8 +27,9 @@ struct HostsChoices {
 };
 
 struct HostsSeen {
-  std::vector<Fact> hosts;   // (host NAME VERSION OFFSET-MS)
-  std::vector<Fact> agents;  // (agent NAME KIND HOST)
+  std::vector<Fact> hosts;      // (host NAME VERSION OFFSET-MS)
+  std::vector<Fact> agents;     // (agent NAME KIND HOST)
+  std::vector<Fact> strangers;  // (board-refusal CLIENT other-protocol COUNT SENTENCE)
   std::optional<Failure> failure;
 };
 
@@ -51,6 +53,9 @@ Task<void> look_for_hosts(client::RemoteBoard& board, HostsSeen* seen) {
   Datum host = list("host"_sym, "?"_sym, "?"_sym, "?"_sym);
   Result<std::vector<Fact>> hosts = co_await runtime::facts_if_declared(board, std::move(host));
   if (hosts) seen->hosts = std::move(*hosts);
+  Datum stranger = list("board-refusal"_sym, "?"_sym, "other-protocol"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> strangers = co_await runtime::facts_if_declared(board, std::move(stranger));
+  if (strangers) seen->strangers = std::move(*strangers);
 }
 
 HostRow& row_of(std::vector<HostRow>& rows, const std::string& host) {
@@ -100,6 +105,21 @@ void print_host(const HostRow& row, bool json) {
              row.absent.empty() ? "" : "  (absent: " + joined_names(row.absent) + ")");
 }
 
+// Of a host that is there since, it is over.
+bool is_over(const Datum& refusal, const std::vector<HostRow>& rows) {
+  const auto row = std::ranges::find(rows, refusal[1].text(), &HostRow::host);
+  return row != rows.end() && row->there;
+}
+
+void print_stranger(const Datum& refusal, bool json) {
+  const std::string_view client = refusal[1].text();
+  if (json) {
+    fmt::print("{{\"refused\":{},\"newest\":{}}}\n", json_string(client), json_string(refusal[4].text()));
+    return;
+  }
+  fmt::print("refused {}: {}\n", client.empty() ? "who comes without a key" : client, text_of_bytes(refusal[4].text()));
+}
+
 int run_hosts(HostsChoices choices) {
   std::optional<forms::CellDescription> cell;
   if (std::filesystem::is_regular_file(choices.cell)) {
@@ -123,7 +143,11 @@ int run_hosts(HostsChoices choices) {
   executor.run_until([&job] { return job.done(); });
   if (seen.failure) return complain(*seen.failure, exit_unavailable);
   if (!choices.json) fmt::print("{:<16} {:<10} {:<10} {:>12}  {}\n", "HOST", "", "VERSION", "CLOCK", "AGENTS");
-  for (const HostRow& row : rows_of(cell, seen)) print_host(row, choices.json);
+  const std::vector<HostRow> rows = rows_of(cell, seen);
+  for (const HostRow& row : rows) print_host(row, choices.json);
+  for (const Fact& fact : seen.strangers) {
+    if (!is_over(fact.datum, rows)) print_stranger(fact.datum, choices.json);
+  }
   return exit_reached;
 }
 

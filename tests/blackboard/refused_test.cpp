@@ -32,7 +32,11 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
     const Datum message = wire::read_frame(frame).value();
     const auto say = [&](const Datum& said) { server_.send(client, write(said)); };
     const Datum refusal = list("fail"_sym, "bad-frame"_sym, "not as a board likes it", list());
-    if (message.is_form("hello")) return say(welcomes_ ? list("welcome"_sym, 7, 1) : list("refused"_sym, refusal));
+    if (message.is_form("hello")) {
+      ++hellos_;
+      const bool read = welcomes_ && message.size() <= longest_hello_;
+      return say(read ? list("welcome"_sym, 7, 1) : list("refused"_sym, refusal));
+    }
     if (!message.is_form("request")) return;
     if (message[3].is_form("transact")) return say(list("refused"_sym, refusal));
     if (message[3].is_form("take")) return say(list("reply"_sym, message[2], refusal));
@@ -41,6 +45,8 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
 
   const std::string address_ = ipc_address();
   bool welcomes_ = true;
+  std::size_t longest_hello_ = 4;  // that it can read
+  int hellos_ = 0;
   RealExecutor executor_;
   wire::WireSocket server_{
       executor_, wire::WireSocket::Kind::router,
@@ -68,6 +74,13 @@ TEST_P(RefusedTest, AHelloThatIsRefusedFailsWhateverWaitsForIt) {
   const Result<Answers> asked = run(board->ask(query("(on ?x ?y)")));
   ASSERT_EQ(symbol_of(asked), "bad-frame");
   EXPECT_EQ(asked.error().sentence, "not as a board likes it");
+}
+
+TEST_P(RefusedTest, ABoardOfTheFirstProtocolIsGreetedAsItKnowsIt) {
+  longest_hello_ = 3;
+  const std::unique_ptr<Board> board = view("alice");
+  EXPECT_EQ(symbol_of(run(board->ask(query("(on ?x ?y)")))), "ok");
+  EXPECT_EQ(hellos_, 2) << "in its own words first";
 }
 
 INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest,

@@ -248,6 +248,26 @@ TEST_F(ServerTest, WhatItRefusedIsItsOwnToTell) {
   EXPECT_TRUE(client.ask("(request " + session + " 9 " + required + ")")[2].is_form("ok")) << "anybody may read it";
 }
 
+TEST_F(ServerTest, AClientWhoseProtocolIsMoreThanOneApartIsToldWhichOfThemIsOld) {
+  static_assert(wire::protocol == 2, "a hello without a protocol is of the first, which is not a neighbour any more");
+  const auto hello = [&](const std::string& protocol) { return client().ask("(hello \"alice\" 0 " + protocol + ")"); };
+  for (const char* protocol : {"", "1", "2", "3"}) EXPECT_TRUE(hello(protocol).is_form("welcome")) << protocol;
+  for (const char* protocol : {"0", "4", "9223372036854775807"}) {
+    const Datum refused = hello(protocol);
+    ASSERT_TRUE(refused.is_form("refused")) << protocol << ": " << write(refused);
+    EXPECT_EQ(refused[1][1], "other-protocol"_sym) << write(refused);
+    const std::string older = protocol == std::string("0") ? "client" : "board";
+    EXPECT_EQ(refused[1][2].text(), "the client speaks protocol " + std::string(protocol) +
+                                        " and the board protocol 2, more than one apart: bring the " + older +
+                                        " up to date");
+  }
+  for (const char* protocol : {"new", "-1", "(2)", "\"2\""}) {
+    const Datum refused = hello(protocol);
+    ASSERT_TRUE(refused.is_form("refused")) << protocol << ": " << write(refused);
+    EXPECT_EQ(refused[1][1], "bad-frame"_sym) << write(refused);
+  }
+}
+
 TEST_F(ServerTest, ATellersNameHasABound) {
   const std::string longest(limits::name_bytes, 'x');
   const Datum refused = client().ask("(hello \"" + longest + "x\" 0)");

@@ -34,6 +34,7 @@ class Session:
     LISTENS = 0.1  # as often at least, who listens
     # Where another board may take over: it serves within half a second.
     PING_AMONG_OTHERS, SILENCE_AMONG_OTHERS = 0.1, 0.4
+    PROTOCOL = 2  # of blackboard/wire/wire.hpp; a board of the first knows no hello that says one
 
     def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None) -> None:
         if not isinstance(address, str) or not isinstance(teller, str):
@@ -47,7 +48,7 @@ class Session:
             if teller != name and not teller.startswith(name + "/"):
                 self.teller = f"{name}/{teller}"
         self.id = self._life = 0
-        self.joined = False
+        self.joined = self._is_of_the_first = False
         self._heard = self._greeted = self._pinged = -1e9
         self._listened = time.monotonic()
         self._declared: Dict[str, Any] = {}
@@ -126,7 +127,8 @@ class Session:
             self._refused()
         others = self.addresses.has_others
         if self.joined and self._heard + (self.SILENCE_AMONG_OTHERS if others else self.SILENCE) <= now:
-            self.joined, self._greeted = False, -1e9
+            self.joined = self._is_of_the_first = False
+            self._greeted = -1e9
             self.addresses.lost(now)
         if not self.joined:
             self._greet(now)
@@ -142,9 +144,10 @@ class Session:
     def _greet(self, now: float) -> None:
         if self.addresses.is_time_for_the_next(now):
             self.addresses.go_on(now)
-            self._greeted = -1e9
+            self._greeted, self._is_of_the_first = -1e9, False
             self.link.begin_again(self.addresses.current)
-        if self._greeted + self.GREET <= now and self.send([Symbol("hello"), self.teller, self.id]):
+        hello = [Symbol("hello"), self.teller, self.id, *([] if self._is_of_the_first else [self.PROTOCOL])]
+        if self._greeted + self.GREET <= now and self.send(hello):
             self._greeted = now
 
     def _refused(self) -> None:
@@ -165,10 +168,15 @@ class Session:
         elif kind == "welcome" and not self.joined:
             self._welcomed(*message[1:3])
         elif kind == "goodbye" or kind == "unknown-session" and message[1] == self.id:
-            self.joined, self._greeted = False, -1e9
+            self.joined = self._is_of_the_first = False
+            self._greeted = -1e9
         elif kind == "refused":
+            failure = failure_from(message[1])
+            if not self.joined and failure.symbol == "bad-frame" and not self._is_of_the_first:
+                self._is_of_the_first, self._greeted = True, -1e9
+                return
             # Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
-            self.requests.fail(failure_from(message[1]), lambda request: not self.joined or request.sent is not None)
+            self.requests.fail(failure, lambda request: not self.joined or request.sent is not None)
         elif kind == "watch-failed" and message[1] in self.feeds:
             self.feeds[message[1]].end(failure_from(message[2]))
 
