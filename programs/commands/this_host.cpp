@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "lisp/outside_text.hpp"
+
 namespace pizarra::programs {
 
 Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const std::string& asked) {
@@ -18,7 +20,8 @@ Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const st
   if (asked.empty() && cell.hosts.size() == 1) return cell.hosts.front();
   std::string known;
   for (const forms::CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
-  return fail("unknown-host", fmt::format("name this host with --host: the cell has {}", known));
+  if (asked.empty()) return fail("unknown-host", fmt::format("name this host with --host: the cell has {}", known));
+  return fail("unknown-host", fmt::format("the cell has no host {}: it has {}", text_of_bytes(asked), known));
 }
 
 }  // namespace pizarra::programs

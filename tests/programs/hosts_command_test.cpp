@@ -1,8 +1,10 @@
-// `hosts`: who is in a cell.
+// `hosts` and `host join`: who is in a cell, and how a machine comes to be.
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sstream>
 #include <zmq.hpp>
 
 #include "blackboard/wire/wire.hpp"
@@ -30,6 +32,9 @@ class HostsOfACell : public testing::Test {
                          << "\") (host \"bench\" (agents robot vision)) (host \"desk\" (agents planner)))\n";
   }
   static Said run(const std::string& words) { return shell(std::string(PIZARRA_CELL) + " " + words + " 2>&1"); }
+  Said join(const std::string& host) {
+    return run("host join '" + cell_ + "' --host " + host + " --dir " + keys_ + " --service-dir " + folder_ + "units");
+  }
   // The address that it listens at.
   std::string comes_up(const Running& board) {
     const auto ready = [&] { return board.said().contains("ready on "); };
@@ -38,8 +43,18 @@ class HostsOfACell : public testing::Test {
     const std::size_t begin = said.find("ready on ") + std::string("ready on ").size();
     return said.substr(begin, said.find_first_of(" \n", begin) - begin);
   }
+  std::string line_of_service(const std::string& name) {
+    std::ifstream in(service_);
+    for (std::string line; std::getline(in, line);) {
+      if (line.starts_with(name + "=")) return line.substr(name.size() + 1);
+    }
+    return {};
+  }
+
   const std::string folder_ = scratch_folder() + "hosts/";
   const std::string cell_ = folder_ + "two hosts.scm";
+  const std::string keys_ = folder_ + "keys";
+  const std::string service_ = folder_ + "units/pizarra-two-hosts.service";
 };
 
 TEST_F(HostsOfACell, AreShownWithThoseWhoseBuildTheBoardCannotSpeakWith) {
@@ -59,6 +74,63 @@ TEST_F(HostsOfACell, AreShownWithThoseWhoseBuildTheBoardCannotSpeakWith) {
   const Said json = run(hosts + " --json");
   EXPECT_EQ(json.status, 0) << json.text;
   EXPECT_TRUE(json.text.contains("{\"refused\":\"\",\"newest\":\"the client speaks protocol 9 ")) << json.text;
+}
+
+TEST_F(HostsOfACell, AreJoinedByAMachineThatRunsTheServiceMadeForIt) {
+  ASSERT_EQ(shell(std::string(PIZARRA_KEYS) + " keys new board --dir " + keys_).status, 0);
+  const Said joined = join("desk");
+  ASSERT_EQ(joined.status, 0) << joined.text;
+  EXPECT_TRUE(joined.text.contains("keys/desk.key  bring it to the board's folder of keys\n")) << joined.text;
+  EXPECT_TRUE(joined.text.contains("systemctl --user enable --now pizarra-two-hosts\n")) << joined.text;
+  const Running board({PIZARRA_BOARD, "--listen", "tcp://127.0.0.1:*", "--keys", keys_}, folder_ + "board.log");
+  write_cell(comes_up(board));
+  const std::string hosts = "hosts '" + cell_ + "' --key " + keys_ + "/desk.secret";
+  EXPECT_TRUE(run(hosts).text.contains("desk             away       -")) << run(hosts).text;
+  // As systemd starts it: of what is escaped for it, these words hold nothing that a shell takes otherwise.
+  const std::string command = "exec env " + line_of_service("Environment") + " " + line_of_service("ExecStart");
+  Running up({"/bin/sh", "-c", command}, folder_ + "up.log");
+  const std::string there = std::string("desk             there      pizarra ") + PIZARRA_VERSION;
+  EXPECT_TRUE(wait_until([&] { return run(hosts).text.contains(there); }, seconds(60))) << run(hosts).text << up.said();
+  up.signal(SIGTERM);
+  EXPECT_EQ(up.end(seconds(60)), 0) << up.said();
+}
+
+TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
+  const Said joined = join("desk");
+  ASSERT_EQ(joined.status, 0) << joined.text;
+  EXPECT_TRUE(joined.text.contains("keys/board.key  bring it here from there\n")) << joined.text;
+  const std::string secret = text_of(keys_ + "/desk.secret");
+  const files::perms readable = files::status(keys_ + "/desk.secret").permissions();
+  EXPECT_EQ(readable & (files::perms::group_all | files::perms::others_all), files::perms::none);
+  const std::string service = text_of(service_);
+  std::istringstream words(secret);
+  for (std::string word; words >> word;) {
+    const bool is_told = service.contains(word) || joined.text.contains(word);
+    EXPECT_FALSE(word.size() > 20 && is_told) << "the secret itself";
+  }
+  EXPECT_EQ(line_of_service("Environment"), "\"PIZARRA_KEY=" + keys_ + "/desk.secret\"");
+  EXPECT_EQ(line_of_service("ExecStart"), '"' + std::string(PIZARRA_CELL) + "\" up \"" + cell_ + "\" --host \"desk\"");
+  ASSERT_EQ(join("desk").status, 0);
+  EXPECT_EQ(text_of(keys_ + "/desk.secret"), secret) << "the board may know it already";
+  EXPECT_EQ(text_of(service_), service);
+}
+
+TEST_F(HostsOfACell, AreNotMadeOfAHostThatTheCellDoesNotHaveNorOfTheBoards) {
+  const Said board = join("bench");
+  EXPECT_EQ(board.status, 2) << board.text;
+  EXPECT_TRUE(board.text.contains("bench has the cell's board: its keys are made with `keys new`")) << board.text;
+  const Said unknown = join("lap-top");
+  EXPECT_EQ(unknown.status, 2) << unknown.text;
+  EXPECT_TRUE(unknown.text.contains("the cell has no host lap-top: it has bench, desk")) << unknown.text;
+  EXPECT_FALSE(files::exists(keys_)) << "no key";
+  EXPECT_FALSE(files::exists(service_)) << "and no service";
+}
+
+TEST_F(HostsOfACell, AreNotMadeWhereTheServiceCannotBeWritten) {
+  std::ofstream(folder_ + "units") << "a file in place of the folder";
+  const Said refused = join("desk");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  EXPECT_TRUE(refused.text.contains("the service cannot be written: " + service_)) << refused.text;
 }
 
 }  // namespace
