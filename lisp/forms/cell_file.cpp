@@ -141,6 +141,17 @@ std::vector<CellTags> tags_from_datum(const Datum& tags) {
   return out;
 }
 
+std::optional<CellDoor> door_from_datum(const Datum& datum, const std::string& file) {
+  if (datum.size() == 0) return std::nullopt;
+  CellDoor door;
+  if (datum[0].integer() >= 0) door.tcp_port = static_cast<int>(datum[0].integer());
+  for (const Datum& line : datum[1].items()) {
+    door.lines.push_back({std::string(line[0].text()), static_cast<int>(line[1].integer())});
+  }
+  door.keys = beside(file, std::string(datum[2].text()));
+  return door;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -169,6 +180,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.arm_rate_hz = datum[20].number();
   cell.scheme_agents = scheme_agents_from_datum(datum[21], file);
   cell.tags = tags_from_datum(datum[22]);
+  cell.door = door_from_datum(datum[23], file);
   return cell;
 }
 

@@ -30,6 +30,7 @@
 //                                                              ; been shown them, and the sides of their squares, mm
 //     (agent conveyor (scheme "conveyor.scm"))                 ; an agent of one's own (docs/scheme-agents.md); with
 //                                                              ; (time 1000) (memory 64) (rate 1000) (key "FILE")
+//     (door (tcp 7801) (serial "/dev/ttyUSB0" 9600) (keys "keys"))   ; of small devices (docs/small-devices.md)
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
 //     (host "localhost" (agents robot vision planner coordinator person)))
@@ -135,6 +136,17 @@ struct CellTags {
   bool operator==(const CellTags&) const = default;
 };
 
+// The text door, on the board's host.
+struct CellDoor {
+  struct Line {
+    std::string file;
+    int baud = 0;
+  };
+  std::optional<int> tcp_port;  // of the loopback; 0: any that is free
+  std::vector<Line> lines;
+  std::string keys;  // the folder of its devices'
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -167,6 +179,7 @@ struct CellDescription {
   std::vector<CellHost> hosts;
   bool open_loop = false;  // of the coordinator, to compare with; no cell file says so
   std::vector<CellSchemeAgent> scheme_agents;
+  std::optional<CellDoor> door;
 };
 
 // That of this name, or none.

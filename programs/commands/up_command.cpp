@@ -101,6 +101,7 @@ class Up {
   Result<void> start_console(const std::string& cell);
   Result<void> start(const std::string& name, std::vector<std::string> command);
   Result<void> start_plugins();
+  Result<void> start_door();
   std::string device_address(const std::string& kind) const;
   Result<void> start_scheme_agent(const forms::CellSchemeAgent& agent);
   void on_process(const launcher::ProcessEvent& event);
@@ -143,6 +144,24 @@ Result<void> Up::start_plugins() {
     if (!started) return started;
   }
   return {};
+}
+
+// Where the board asks for keys, its devices come with their own.
+Result<void> Up::start_door() {
+  if (!cell_.door || host_.name != cell_.board_host) return {};
+  const std::string& board = keys_.empty() ? board_address_ : cell_.board_address;
+  std::vector<std::string> command = {beside_this_program("pizarra-door"),
+                                      "door",
+                                      "--board",
+                                      board,
+                                      "--keys",
+                                      std::filesystem::absolute(cell_.door->keys).string()};
+  if (cell_.door->tcp_port)
+    command.insert(command.end(), {"--tcp", fmt::format("127.0.0.1:{}", *cell_.door->tcp_port)});
+  for (const forms::CellDoor::Line& line : cell_.door->lines) {
+    command.insert(command.end(), {"--serial", fmt::format("{}:{}", line.file, line.baud)});
+  }
+  return start("door", std::move(command));
 }
 
 // An agent with a key of its own joins with it at the address that asks for keys, also on the board's own host.
@@ -234,6 +253,8 @@ Result<void> Up::start_all() {
   }
   const Result<void> plugins = start_plugins();
   if (!plugins) return plugins;
+  const Result<void> door = start_door();
+  if (!door) return door;
   for (const std::string& kind : host_.agents) {
     if (const forms::CellSchemeAgent* scheme = forms::scheme_agent_called(cell_, kind)) {
       const Result<void> agent = start_scheme_agent(*scheme);

@@ -1,9 +1,11 @@
 // The example's light barrier and turntable, each a process at the end of a pseudo-terminal, through a text door that
-// is a process too: their facts, what becomes of these when a device or the door dies, and what their keys permit.
+// is a process too, or one of a cell: their facts, what becomes of these when a device or the door dies, and what their
+// keys permit.
 
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <optional>
 #include <sys/stat.h>
@@ -157,6 +159,27 @@ TEST_F(SmallDevices, AKeyThatIsTakenAwayEndsWhatItsDeviceMayDo) {
   EXPECT_TRUE(goes("(watching ?b)")) << door_->said();
   barrier.type("block");
   EXPECT_EQ(board("ask", "(blocked ?b)").text, "no\n");
+}
+
+TEST_F(SmallDevices, ACellFileNamesTheDoorAndUpStartsItAgain) {
+  EmulatedDevice barrier(PIZARRA_LIGHT_BARRIER, "barrier", token("barrier-1"));
+  const std::string cell = folder_ + "door-cell.scm";
+  std::ofstream(cell) << "(cell door-cell (door (tcp 0) (serial \"" << barrier.line()
+                      << "\") (keys \"device-keys\")) (host \"localhost\" (agents planner)))";
+  Running up({PIZARRA_CELL, "up", cell}, folder_ + "up.log");
+  address_ = said_behind(up, "board       ");
+  EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1")) << up.said();
+  const std::string log = said_behind(up, "logs        ") + "/door.log";
+  EXPECT_TRUE(wait_until([&] { return text_of(log).contains("ready on 127.0.0.1:"); }, patience)) << text_of(log);
+  const std::string started = "door started as process ";
+  const std::string killed = said_behind(up, started);
+  ::kill(static_cast<pid_t>(std::stol(killed)), SIGKILL);
+  const auto another = [&] { return up.said().rfind(started) != up.said().find(started); };
+  EXPECT_TRUE(wait_until(another, patience)) << up.said();
+  barrier.type("block");
+  EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1")) << up.said() << text_of(log);
+  up.signal(SIGINT);
+  EXPECT_EQ(up.end(patience), 0) << up.said();
 }
 
 TEST(DoorWord, RefusesPlacesThatOthersReachAndWhatIsNoPlace) {

@@ -12,10 +12,10 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () ())))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () ()))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () () ()))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -149,5 +149,25 @@
        (complaint '(agent a (scheme "b.scm")) '(agent a (scheme "c.scm"))) '(1 repeated (0 3)))
 (check "limits are within their bounds" (complaint '(agent a (scheme "b.scm") (time 5))) '(1 out-of-range (0 2 3 1)))
 (check "every error is told" (complaint '(wrld) '(arm kr3) '(host "a" (agents robt))) '(3 unknown-section (0 2)))
+
+(define (door . parts)
+  (let ((outcome (interpret `((cell c (door ,@parts))))))
+    (if (eq? (car outcome) 'ok)
+        (list-ref (cadr outcome) 23)
+        (map (lambda (complaint) (list (car complaint) (caddr complaint))) (cdr outcome)))))
+
+(check "a cell has no door unless it says so" (list-ref (cadr (interpret '((cell c)))) 23) '())
+(check "a door is reached over TCP and serial lines"
+       (door '(tcp 7801) '(serial "/dev/ttyUSB0" 9600) '(serial "/dev/ttyS1") '(keys "keys"))
+       '(7801 (("/dev/ttyUSB0" 9600) ("/dev/ttyS1" 115200)) "keys"))
+(check "a door takes the board's keys"
+       (list-ref (cadr (interpret '((cell c (board "localhost" "tcp://bench:7800" (keys "all")) (door (tcp 1)))))) 23)
+       '(1 () "all"))
+(check "a door is reached somehow" (door '(keys "keys")) '((malformed (0 2))))
+(check "a door has keys" (door '(tcp 7801)) '((malformed (0 2))))
+(check "a port is a port" (door '(tcp 70000) '(keys "k")) '((out-of-range (0 2 1 1))))
+(check "a line is a device" (door '(serial "ttyUSB0") '(keys "k")) '((malformed (0 2 1 1))))
+(check "a line runs at a known rate" (door '(serial "/dev/ttyUSB0" 1000) '(keys "k")) '((out-of-range (0 2 1 2))))
+(check "a word that is not known is refused" (door '(tcp 7801) '(keys "k") '(udp 1)) '((unknown-section (0 2 3))))
 
 (finish-checks)

@@ -4,7 +4,7 @@
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
 ;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
-;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...)))
+;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...) DOOR))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
@@ -12,7 +12,9 @@
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
 ;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or ();
 ;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own; RATE how
-;; often a second the arm tells its state; then the agents that are Scheme files, and the tags that the eyes look for.
+;; often a second the arm tells its state; then the agents that are Scheme files, and the tags that the eyes look for;
+;; DOOR is the text door, (PORT ((FILE BAUD) ...) KEYS), PORT -1 where it has none over TCP, or () where the cell has no
+;; door.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -335,6 +337,46 @@
           (driver (driver-of-section driver protocols))
           (else '()))))
 
+;; ---- the text door
+
+(define door-baud 115200)
+
+(define (door-port-of found)
+  (let ((tcp (section-in found 'tcp)))
+    (if (not tcp)
+        -1
+        (let ((port (integer-at tcp 1 "the port")))
+          (cond ((not port) -1)
+                ((not (<= 0 port 65535)) (complain! (node-ref tcp 1) 'out-of-range "a port is a number from 0 to 65535") -1)
+                ((> (length (node-items tcp)) 2) (complain! (node-ref tcp 2) 'malformed "(tcp PORT) takes one port") -1)
+                (else port))))))
+
+(define (door-line-of node)
+  (let* ((file (string-at node 1 "the line's file"))
+         (given (length (node-items node)))
+         (baud (if (= given 2) door-baud (integer-at node 2 "the baud rate"))))
+    (cond ((not (and file baud)) #f)
+          ((not (string-prefix? "/dev/" file)) (complain! (node-ref node 1) 'malformed "a serial line is a file of /dev/"))
+          ((not (memv baud baud-rates))
+           (complain! (node-ref node 2) 'out-of-range "serial lines run at 9600, 19200, 38400, 57600 or 115200 baud"))
+          ((> given 3) (complain! (node-ref node 3) 'malformed "(serial FILE BAUD) takes no more"))
+          (else (list file baud)))))
+
+;; BOARD-KEYS are taken where the door names no folder.
+(define (door-of found board-keys)
+  (let ((door (section-in found 'door)))
+    (if (not door)
+        '()
+        (let* ((parts (sections (node-rest (node-within door "in the door")) '(tcp serial keys) '(serial)))
+               (port (door-port-of parts))
+               (lines (filter-map door-line-of (at-most (sections-in parts 'serial) 16 "serial lines")))
+               (keys (text-of-section parts 'keys "the folder of the devices' keys" board-keys)))
+          (unless (or (section-in parts 'tcp) (pair? (sections-in parts 'serial)))
+            (complain! door 'malformed "the door is reached at (tcp PORT) or (serial FILE BAUD)"))
+          (when (string-null? keys)
+            (complain! door 'malformed "the door needs the folder of its devices' keys: (keys \"DIR\")"))
+          (list port lines keys)))))
+
 (define (gripper-of found)
   (let ((gripper (section-in found 'gripper)))
     (if gripper (gripper-of-section gripper) '())))
@@ -373,7 +415,8 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera tags pan-tilt objects domain board agent host)
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera tags pan-tilt objects domain board agent host
+                                                          door)
                           '(agent host)))
          (world (section-in found 'world))
          (things (if world
@@ -428,7 +471,8 @@
           (gripper-of arm-parts)
           (rate-of arm-parts)
           agents
-          (tags-of found))))
+          (tags-of found)
+          (door-of found (third board)))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))
