@@ -9,7 +9,7 @@
 //   (unwatch N)
 //   (then N QUERY TIME-US)      what held of the query then, where the board keeps a journal
 //   (picture N STREAM TIME-US)  what was seen then, where it is kept
-//   (request N AGENT OPERATION) asks an agent, as any client does
+//   (request N AGENT OPERATION) asks an agent, as any client does; `coordinator` is whoever plays that role
 //   (goal N "TEXT")             accepted, and then how it ended: two answers, the
 //                               second the state it ended in, or its refusal
 //   (stop N "REASON")           a stop fact; needs nothing but the right to tell it

@@ -58,7 +58,13 @@ void Session::request(const Datum& form) {
   begin_request(form[1].integer(), ask_agent(form[1].integer(), std::string(form[2].text()), form[3]));
 }
 
+// A page knows arms and eyes by their names, and the coordinator by its role alone.
 Task<void> Session::ask_agent(Number number, std::string agent, Datum operation) {
+  const runtime::Role role = runtime::coordinator_role();
+  if (agent == role.name) {
+    const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, role);
+    if (holder) agent = holder->server;
+  }
   const Result<Datum> answer = co_await answer_of(std::move(agent), std::move(operation));
   say(answer ? reply_text(number, *answer) : refusal_text(number, answer.error()));
 }

@@ -58,6 +58,25 @@ TEST_F(ConsoleTest, EndsAPageThatSaysTooMuchASecond) {
   EXPECT_EQ(code, 1008);
 }
 
+// As where the usual one died, and another stands in for it.
+TEST_F(ConsoleTest, AsksTheCoordinatorThatPlaysTheRole) {
+  const std::unique_ptr<Board> view = board_.view("coordinator-2");
+  runtime::AgentContext context{"coordinator-2", "localhost", executor_, *view, Random(1)};
+  runtime::Service service(
+      context, runtime::contract_from_text("(contract coordinator (offers (why)) (posts) (reads))").value());
+  const Job served = executor_.spawn([](runtime::Service& reasons) -> Task<void> {
+    const Result<void> started = co_await reasons.start();
+    EXPECT_TRUE(started);
+    runtime::Handler handler = [](Datum) -> Task<Result<Datum>> { co_return list("nothing is wanted"); };
+    const Result<void> ended = co_await reasons.serve(std::move(handler));
+    EXPECT_TRUE(ended);
+  }(service));
+  const Datum bound = list("bound"_sym, "?"_sym, "coordinator-2"_sym, "coordinator"_sym, "coordinator-2"_sym);
+  executor_.run_until([&] { return board_.ask(query_for(bound)).has_value(); });
+  const auto client = page(cookie());
+  EXPECT_TRUE(has(said(*client, "(request 3 coordinator (why))"), "nothing is wanted"));
+}
+
 TEST_F(ConsoleTest, TellsAStopWhateverElseIsInHand) {
   declare("(relation agent ((name symbol) (kind symbol) (host string)) (key name))");
   ASSERT_TRUE(run(executor_, here_->tell(list("agent"_sym, "robot"_sym, "robot"_sym, "localhost"))));
