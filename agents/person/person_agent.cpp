@@ -12,7 +12,7 @@ namespace {
 constexpr const char* contract_text = R"((contract person
   (offers (teach (name string)))
   (posts (relation person ((state symbol) (detail datum)) (key) (durable)))
-  (reads learned vision-failed)))";
+  (reads agent bound learned vision-failed wired)))";
 
 constexpr const char* end_effector = "end-effector";
 constexpr int tries = 5;
@@ -24,10 +24,10 @@ constexpr Duration vision_timeout = 10s;
 constexpr std::int64_t step_down_mm = 50;
 constexpr int most_steps_down = 6;
 
-Datum learned_pattern(const Datum& name) {
+Datum learned_pattern(const std::string& eyes, const Datum& name) {
   std::vector<Datum> any(10, "?"_sym);
   any[0] = "learned"_sym;
-  any[1] = "vision"_sym;
+  any[1] = Datum::symbol(eyes);
   any[2] = name;
   return Datum::list(std::move(any));
 }
@@ -47,8 +47,17 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
   static_cast<void>(told);
 }
 
+// Where its key does not let it read who that is, the usual one.
+Task<std::string> PersonAgent::serving(runtime::Role role) {
+  const std::string usual = role.usual;
+  const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, std::move(role));
+  co_return holder ? holder->server : usual;
+}
+
 Task<Result<bool>> PersonAgent::known(std::string name) {
-  Datum pattern = learned_pattern(Datum::string(name));
+  const runtime::Role eyes_role = runtime::eyes_role();
+  const std::string eyes = co_await serving(eyes_role);
+  Datum pattern = learned_pattern(eyes, Datum::string(name));
   // Vision may have yet to come and declare what it tells.
   const Result<std::vector<Fact>> samples = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
   if (!samples) co_return fail(samples);
@@ -59,11 +68,19 @@ Task<Result<bool>> PersonAgent::known(std::string name) {
 Task<Result<void>> PersonAgent::move_arm(Datum operation) {
   Result<Datum> moved = fail("stopped", "the arm was not moved");
   for (int n = 0; n < tries; ++n) {
-    moved = co_await caller_.call("robot", operation, arm_timeout);
+    const runtime::Role robot_role = runtime::robot_role();
+    const std::string robot = co_await serving(robot_role);
+    moved = co_await caller_.call(robot, operation, arm_timeout);
     if (moved) co_return {};
     if (moved.error().symbol != "stopped") break;
   }
   co_return fail(moved);
+}
+
+Task<Result<Datum>> PersonAgent::ask_eyes(Datum operation) {
+  const runtime::Role role = runtime::eyes_role();
+  const std::string eyes = co_await serving(role);
+  co_return co_await caller_.call(eyes, std::move(operation), vision_timeout);
 }
 
 Task<Result<void>> PersonAgent::show_end_effector() {
@@ -90,7 +107,7 @@ Task<Result<void>> PersonAgent::teach_once(std::string name) {
   if (!seen) co_return fail(seen);
   const Datum& at = seen->head;
   Datum learn = list("learn"_sym, at[0], at[1], name);
-  const Result<Datum> reply = co_await caller_.call("vision", learn, vision_timeout);
+  const Result<Datum> reply = co_await ask_eyes(std::move(learn));
   if (!reply) co_return fail(reply);
   const std::string expected = fmt::format("(LEARN \"{}\" OK)", name);
   if (reply->size() == 1 && (*reply)[0].text() == expected) co_return {};
@@ -101,11 +118,13 @@ Task<Result<void>> PersonAgent::teach_once(std::string name) {
 // has renamed it since it was taught.
 Task<bool> PersonAgent::renamed(std::string name) {
   const Datum any = "?"_sym;
+  const runtime::Role role = runtime::eyes_role();
+  const std::string eyes = co_await serving(role);
   const std::string reply = fmt::format("(LEARN \"{}\" FAIL)", name);
-  const Datum pattern = list("vision-failed"_sym, "vision"_sym, any, reply, "ambiguous"_sym, any);
+  const Datum pattern = list("vision-failed"_sym, Datum::symbol(eyes), any, reply, "ambiguous"_sym, any);
   const Result<std::vector<Fact>> ambiguous = co_await context_.board.facts(pattern);
   if (!ambiguous || ambiguous->empty()) co_return false;
-  const Datum anything = learned_pattern(any);
+  const Datum anything = learned_pattern(eyes, any);
   const Result<std::vector<Fact>> samples = co_await context_.board.facts(anything);
   if (!samples) co_return false;
   co_return std::ranges::any_of(
@@ -136,7 +155,7 @@ Task<Result<void>> PersonAgent::teach_cell() {
   }
   if (!shown) co_return shown;
   Datum connect = list("connect"_sym);
-  const Result<Datum> connected = co_await caller_.call("vision", connect, vision_timeout);
+  const Result<Datum> connected = co_await ask_eyes(std::move(connect));
   if (!connected) co_return fail(connected);
   for (const std::string& name : names_) {
     const Result<void> taught = co_await teach(name);

@@ -3,8 +3,8 @@
 // The scripted person: clicks on each object in the camera's image and names it, as a user would at the console.
 //
 // It has eyes, which is the device link's `where-seen`, and asks like any user: the arm to show its end effector,
-// vision to connect and to learn. Objects that vision knows already are not taught again, so a restarted person goes
-// on.
+// vision to connect and to learn. Before each request it looks up which agents play its roles `robot` and `eyes`.
+// Objects that those eyes know already are not taught again, so a restarted person goes on.
 //
 //   PersonAgent person(context, link, {"circle", "triangle"});
 //   Job job = executor.spawn(...person.run()...);
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/roles.hpp"
 #include "drivers/simulation/link.hpp"
 
 namespace pizarra::person {
@@ -31,6 +31,8 @@ class PersonAgent : public runtime::Agent {
   Task<Result<void>> teach_cell();
   Task<Result<void>> teach(std::string name);
   Task<Result<void>> teach_once(std::string name);
+  Task<std::string> serving(runtime::Role role);
+  Task<Result<Datum>> ask_eyes(Datum operation);
   Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
   Task<Result<bool>> known(std::string name);

@@ -106,6 +106,38 @@ TEST(Person, WhoComesBackDoesNotTeachAgain) {
   EXPECT_FALSE(before.empty());
 }
 
+// The usual robot is away, and other eyes than the usual ones are wired.
+TEST(Person, AsksTheRobotAndTheEyesThatPlayItsRoles) {
+  Room room;
+  simulation::SimulatedArm arm{room.link};
+  simulation::SimulatedCamera camera{room.executor, room.link};
+  const std::unique_ptr<Board> robot_view = room.board.view("robot-2");
+  const std::unique_ptr<Board> vision_view = room.board.view("vision-2");
+  robot::RobotAgent robot{runtime::AgentContext{"robot-2", "localhost", room.executor, *robot_view, Random(4)}, arm,
+                          arm::crs_f3()};
+  vision::VisionAgent eyes{runtime::AgentContext{"vision-2", "localhost", room.executor, *vision_view, Random(5)},
+                           camera, nullptr};
+  ASSERT_TRUE(room.board.declare("somebody", runtime::role_relations()));
+  Transaction wiring;
+  wiring.tell(list("wired"_sym, "person"_sym, "eyes"_sym, "vision-2"_sym));
+  ASSERT_TRUE(room.board.transact("somebody", wiring));
+  PersonAgent person(runtime::AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)},
+                     room.link, room.names);
+  const Job moved = room.executor.spawn(until_it_ends(robot));
+  const Job usual = room.executor.spawn(until_it_ends(room.vision));
+  const Job wired = room.executor.spawn(until_it_ends(eyes));
+  const Job teaching = room.executor.spawn(until_it_ends(person));
+  room.executor.run_for(40s);
+  EXPECT_EQ(room.facts(list("person"_sym, "?"_sym, "?"_sym)),
+            "(person done (\"end-effector\" \"circle\" \"triangle\" \"square\" \"cross\"))\n");
+  std::vector<Datum> learned(10, "?"_sym);
+  learned[0] = "learned"_sym;
+  learned[1] = "vision"_sym;
+  EXPECT_EQ(room.facts(Datum::list(learned)), "");
+  learned[1] = "vision-2"_sym;
+  EXPECT_NE(room.facts(Datum::list(learned)), "");
+}
+
 Task<void> rename(Board& board, std::string name, std::string new_name) {
   const Datum request = list("request"_sym, "r1"_sym, "vision"_sym, list("rename"_sym, name, new_name));
   const Result<Revision> told = co_await board.tell(request);
