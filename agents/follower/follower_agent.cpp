@@ -12,17 +12,24 @@ namespace {
 
 constexpr const char* contract_text = R"((contract follower
   (offers (follow) (rest))
-  (posts (relation following ((slave symbol) (master symbol) (state symbol) (detail list)) (key slave)))
-  (reads agent arm arm-pose)
+  (posts (relation following ((slave symbol) (master symbol) (state symbol) (detail list)) (key slave))
+         (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
+         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
+  (reads agent arm arm-pose bound wired)
   (configures)
   (monitors following)))";
 
 constexpr std::array<const char*, 4> state_names = {"resting", "following", "limited", "broken"};
 
+const Datum any = "?"_sym;
+
 constexpr double nearest_mm = 0.5;      // a leg that is shorter is not begun
 constexpr Duration longest_leg = 60s;   // more than any move within an arm's reach takes
 constexpr Duration stopping_time = 6s;  // more than a robot agent waits for its arm to stand
 constexpr Duration busy_pause = 100ms;  // before the slave is asked again
+
+runtime::Role master_role() { return {"master", "robot", "arms", "robot"}; }
+runtime::Role slave_role() { return {"slave", "robot", "second-arms", "slave"}; }
 
 // The slave's answers where it cannot be at a place, rather than cannot go on.
 bool is_limit(const Failure& failure) {
@@ -35,20 +42,24 @@ bool is_limit(const Failure& failure) {
 FollowerAgent::FollowerAgent(runtime::AgentContext context, FollowerOptions options)
     : context_(std::move(context)),
       options_(std::move(options)),
+      master_(master_role().usual),
+      slave_(slave_role().usual),
+      told_slave_(slave_),
       changed_(context_.executor),
       service_(context_, runtime::contract_from_text(contract_text).value()),
-      caller_(context_, service_) {}
+      caller_(context_, service_),
+      roles_(context_, service_, caller_, {master_role(), slave_role()}) {}
 
 Task<Result<void>> FollowerAgent::run() {
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
-  const Datum master = Datum::symbol(options_.master);
-  const Datum any = "?"_sym;
+  roles_.start();
   Executor& executor = context_.executor;
-  watching_.push_back(executor.spawn(watch(list("agent"_sym, master, any, any), &FollowerAgent::see_presence)));
-  watching_.push_back(executor.spawn(watch(list("arm"_sym, master, any, any), &FollowerAgent::see_arm)));
-  Datum pose = list("arm-pose"_sym, master, any, any, any, any, any, any);
+  watching_.push_back(executor.spawn(watch(list("agent"_sym, any, any, any), &FollowerAgent::see_presence)));
+  watching_.push_back(executor.spawn(watch(list("arm"_sym, any, any, any), &FollowerAgent::see_arm)));
+  Datum pose = list("arm-pose"_sym, any, any, any, any, any, any, any);
   watching_.push_back(executor.spawn(watch(std::move(pose), &FollowerAgent::see_pose)));
+  watching_roles_ = executor.spawn(watch_roles());
   const Result<void> rests = co_await enter(State::resting, std::nullopt, false);
   if (!rests) co_return rests;
   runtime::Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
@@ -70,30 +81,52 @@ Task<void> FollowerAgent::watch(Datum pattern, See see) {
   }
 }
 
+Task<void> FollowerAgent::watch_roles() {
+  while (true) {
+    co_await roles_.changed().wait();
+    see_role("master", master_);
+    see_role("slave", slave_);
+  }
+}
+
+// Another may stand far from there: it is followed, or moved, only when somebody asks for it.
+void FollowerAgent::see_role(const std::string& role, const std::string& taken) {
+  const std::string& server = roles_.holder(role).server;
+  if (server == taken) return;
+  give_up({"replaced", fmt::format("{} is the {} now", server, role), Datum::symbol(server), {}});
+}
+
 void FollowerAgent::see_pose(const Change& change) {
-  if (change.added.empty()) return;
-  const Datum& pose = change.added.back().facts.front().datum;
-  master_mm_ = Eigen::Vector3d(pose[2].number(), pose[3].number(), pose[4].number());
+  for (const Answer& answer : change.added) {
+    const Datum& pose = answer.facts.front().datum;
+    mm_[std::string(pose[1].text())] = Eigen::Vector3d(pose[2].number(), pose[3].number(), pose[4].number());
+  }
 }
 
 void FollowerAgent::see_presence(const Change& change) {
-  master_there_ = !change.added.empty();
-  if (master_there_) return;
-  // Where it is when it comes back, it has to say itself.
-  master_mm_.reset();
-  give_up({"absent", fmt::format("{} is gone", options_.master), Datum::symbol(options_.master), {}});
+  const std::set<std::string> before = there_;
+  if (change.resynchronised) there_.clear();
+  for (const Answer& answer : change.removed) there_.erase(std::string(answer.facts.front().datum[1].text()));
+  for (const Answer& answer : change.added) there_.emplace(answer.facts.front().datum[1].text());
+  // Where one is when it comes back, it has to say itself.
+  for (const std::string& agent : before) {
+    if (!there_.contains(agent)) mm_.erase(agent);
+  }
+  if (there_.contains(master_)) return;
+  give_up({"absent", fmt::format("{} is gone", master_), Datum::symbol(master_), {}});
 }
 
 void FollowerAgent::see_arm(const Change& change) {
-  if (change.added.empty()) return;
-  const Datum& arm = change.added.back().facts.front().datum;
-  if (!arm[2].is_symbol("fault")) return;
-  give_up({"fault", fmt::format("nobody knows where the arm of {} is", options_.master), arm, {}});
+  for (const Answer& answer : change.added) {
+    const Datum& arm = answer.facts.front().datum;
+    if (!arm[1].is_symbol(master_) || !arm[2].is_symbol("fault")) continue;
+    give_up({"fault", fmt::format("nobody knows where the arm of {} is", master_), arm, {}});
+  }
 }
 
 Eigen::Vector3d FollowerAgent::wanted_mm() const {
   const Eigen::Vector3d mirror(1, options_.mirrored ? -1 : 1, 1);
-  return master_mm_->cwiseProduct(mirror) + options_.offset_mm;
+  return mm_.at(master_).cwiseProduct(mirror) + options_.offset_mm;
 }
 
 Task<Result<Datum>> FollowerAgent::handle(Datum operation) {
@@ -103,15 +136,14 @@ Task<Result<Datum>> FollowerAgent::handle(Datum operation) {
 
 Task<Result<Datum>> FollowerAgent::follow() {
   if (at_work()) co_return Datum();
-  if (!master_there_ || !master_mm_) {
-    co_return fail("absent", fmt::format("{} does not say where its arm is", options_.master),
-                   Datum::symbol(options_.master));
+  const std::string master = roles_.holder("master").server;
+  const std::string slave = roles_.holder("slave").server;
+  if (!there_.contains(master) || !mm_.contains(master)) {
+    co_return fail("absent", fmt::format("{} does not say where its arm is", master), Datum::symbol(master));
   }
-  const Datum slave = Datum::symbol(options_.slave);
-  const Datum present = list("agent"_sym, slave, "?"_sym, "?"_sym);
-  const Result<std::vector<Fact>> slaves = co_await context_.board.facts(present);
-  if (!slaves) co_return fail(slaves);
-  if (slaves->empty()) co_return fail("absent", fmt::format("{} is not there", options_.slave), slave);
+  if (!there_.contains(slave)) co_return fail("absent", fmt::format("{} is not there", slave), Datum::symbol(slave));
+  master_ = master;
+  slave_ = slave;
   given_up_.reset();
   const Result<void> begun = co_await enter(State::following, std::nullopt, true);
   if (!begun) co_return fail(begun);
@@ -162,7 +194,7 @@ Task<void> FollowerAgent::go_after() {
 
 Task<std::optional<Failure>> FollowerAgent::leg(Eigen::Vector3d to_mm) {
   const Datum move = list("do-action"_sym, fmt::format("(move {:.2f} {:.2f} {:.2f})", to_mm.x(), to_mm.y(), to_mm.z()));
-  const Result<Datum> moved = co_await caller_.call(options_.slave, move, longest_leg);
+  const Result<Datum> moved = co_await caller_.call(slave_, move, longest_leg);
   if (moved) co_return std::nullopt;
   co_return moved.error();
 }
@@ -176,17 +208,19 @@ void FollowerAgent::give_up(Failure why) {
 
 Task<void> FollowerAgent::stop_slave() {
   const Datum stop = list("finish"_sym, "stop"_sym);
-  [[maybe_unused]] const Result<Datum> stopped = co_await caller_.call(options_.slave, stop, stopping_time);
+  [[maybe_unused]] const Result<Datum> stopped = co_await caller_.call(slave_, stop, stopping_time);
 }
 
 // Says so, and takes or gives back the command of the slave with it.
 Task<Result<void>> FollowerAgent::enter(State state, std::optional<Failure> why, bool commands) {
   state_ = state;
-  const Datum slave = Datum::symbol(options_.slave);
+  const Datum slave = Datum::symbol(slave_);
   const Datum name = Datum::symbol(state_names[static_cast<std::size_t>(state)]);
   const Datum detail = why ? failure_to_datum(*why) : Datum::list({});
   Transaction says;
-  says.tell(list("following"_sym, slave, Datum::symbol(options_.master), name, detail), {}, service_.presence());
+  if (told_slave_ != slave_) says.retract(list("following"_sym, Datum::symbol(told_slave_), any, any, any));
+  told_slave_ = slave_;
+  says.tell(list("following"_sym, slave, Datum::symbol(master_), name, detail), {}, service_.presence());
   const Datum command = list("commander"_sym, slave, Datum::symbol(context_.name));
   if (commands) says.tell(command, {}, service_.presence());
   if (!commands && commands_) says.retract(command);

@@ -184,6 +184,39 @@ TEST_F(Follower, SlavesOwnReflexBreaksItOff) {
   EXPECT_EQ(state(), "following") << "nothing was to be done";
 }
 
+// A robot of which there are facts alone.
+TEST_F(Follower, FollowsWhoeverIsWiredAsTheMasterAndGoesToNoOtherUnasked) {
+  const auto robot_2_at = [this](double y_mm) {
+    Transaction says;
+    says.tell(form("(agent robot-2 robot \"localhost\")"));
+    says.tell(form(fmt::format("(arm-pose robot-2 420.0 {:.1f} 300.0 0.0 90.0 0.0)", y_mm)));
+    ASSERT_TRUE(cell.board().transact("robot-2", says));
+    settle();
+  };
+  const auto wire = [this](std::string_view master) {
+    Transaction wiring;
+    wiring.tell(list("wired"_sym, "follower"_sym, "master"_sym, Datum::symbol(master)));
+    ASSERT_TRUE(cell.board().transact("user", wiring));
+    settle();
+  };
+  robot_2_at(-60);
+  wire("robot-2");
+  EXPECT_EQ(call("follower", "(follow)"), "(ok)");
+  settle();
+  EXPECT_LT((place("slave") - Vector3d(620, 60, 300)).norm(), 1);
+  robot_2_at(20);
+  EXPECT_LT((place("slave") - Vector3d(620, -20, 300)).norm(), 1);
+  wire("robot");
+  const std::optional<Datum> broken = fact_like("(following slave robot-2 broken ?detail)");
+  ASSERT_TRUE(broken.has_value());
+  EXPECT_EQ((*broken)[4][1].text(), "replaced");
+  EXPECT_LT((place("slave") - Vector3d(620, -20, 300)).norm(), 1);
+  EXPECT_EQ(call("follower", "(follow)"), "(ok)");
+  settle();
+  EXPECT_EQ(state(), "following");
+  EXPECT_LT(apart_mm(), 1);
+}
+
 TEST_F(Follower, NobodyToFollowIsSaid) {
   ASSERT_TRUE(cell.kill("slave"));
   executor.run_for(3s);
