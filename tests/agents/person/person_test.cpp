@@ -2,6 +2,7 @@
 
 #include "agents/person/person_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
+#include "agents/runtime/roles.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
