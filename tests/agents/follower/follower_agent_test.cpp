@@ -44,7 +44,7 @@ class Follower : public testing::Test {
   }
 
   std::string ask(std::string_view agent, std::string_view operation) {
-    const std::string id = fmt::format("r{}", ++asked);
+    std::string id = fmt::format("r{}", ++asked);
     Transaction request;
     request.tell(list("request"_sym, Datum::symbol(id), Datum::symbol(agent), form(operation)));
     EXPECT_TRUE(cell.board().transact("user", request)) << operation;
