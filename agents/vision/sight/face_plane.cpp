@@ -17,7 +17,8 @@ double beyond_noise(double value, double spread) {
 }  // namespace
 
 double FacePlane::shown_height() const {
-  return 1 / std::sqrt(1 - 2 * tilt() * y + tilt() * tilt() * (1 + x * x + y * y));
+  const double beside_sight = down - ahead * y;
+  return std::sqrt(1 + y * y - beside_sight * beside_sight / normal2());
 }
 
 FacePlane face_plane(const camera::StereoModel& model, const SeenMark& left, const SeenMark& right) {

@@ -27,8 +27,8 @@ struct FacePlane {
   double along_sight;  // d / f: so much of the normal is along the line of sight
 
   double normal2() const { return across * across + down * down + ahead * ahead; }
-  // The factor by which the tilt about the horizontal changes a length along y.
-  double tilt() const { return down / along_sight; }
+  // What of a round mark's height the image shows: one that is turned about both axes is higher than its tilt about the
+  // horizontal alone would make it.
   double shown_height() const;
 };
 FacePlane face_plane(const camera::StereoModel& model, const SeenMark& left, const SeenMark& right);

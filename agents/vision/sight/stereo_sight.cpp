@@ -75,7 +75,7 @@ bool yaw_explains(double left_width, double left_slope, double right_width, doub
   return false;
 }
 
-// `shown_height`: what a tilt about the horizontal would make of a length along y.
+// `shown_height`: what of the height a tilt of the face would show.
 bool is_whole_if_shown(double shown_height, const camera::StereoModel& model, const LearnedObject& object,
                        const SeenMark& left, const SeenMark& right) {
   const double mm_per_px = depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;

@@ -16,7 +16,7 @@ struct Unyawed {
   double spread;   // how far the size may be off besides, as a part of it: a standard deviation
 };
 
-// `shown_height`: what a tilt about the horizontal makes of a length along y.
+// `shown_height`: what of the height a tilt of the face shows (FacePlane::shown_height).
 Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height = 1);
 
 }  // namespace pizarra::vision

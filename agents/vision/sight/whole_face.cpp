@@ -74,7 +74,7 @@ FaceSize face_size(const camera::StereoModel& model, const SeenMark& left, const
   const double across = plane.across - plane.ahead * plane.x;
   const double by_across = across / plane.normal2() * plane.across_spread;
   const double by_down = (plane.down - plane.ahead * plane.y) / plane.normal2() * plane.down_spread;
-  const double by_tilt = plane.tilt() * squared(shown_height) * plane.down_spread / plane.along_sight;
+  const double by_tilt = plane.down / plane.normal2() * plane.down_spread;
   const double ordinary = squared(length_spread) + squared(plane.across_spread) / 2;
   return {.area_mm2 = {view_from_front(model, plane, left).area_mm2,
                        std::sqrt(2 * ordinary + squared(by_across) + squared(by_down))},

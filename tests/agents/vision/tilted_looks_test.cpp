@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <ostream>
 
 namespace pizarra::vision {
 namespace {
@@ -68,6 +69,46 @@ INSTANTIATE_TEST_SUITE_P(Marks, Pitched,
                          testing::Combine(testing::Values("square", "cross", "circle", "triangle"),
                                           testing::Values(-45, -35, -25, 25, 35, 45)),
                          pitched_name);
+
+struct Oblique {
+  const char* name;
+  double yaw_deg;
+  double pitch_deg;
+
+  friend void PrintTo(const Oblique& oblique, std::ostream* out) { *out << oblique.name; }
+};
+
+constexpr Oblique all_oblique[] = {
+    {"RightAndBack", 25, 25}, {"LeftAndBack", -25, 30}, {"RightAndForward", 30, -30}, {"LeftAndForward", -20, -40}};
+
+class ObliquelyTilted : public testing::TestWithParam<std::tuple<const char*, Oblique>> {};
+
+// A face that is turned about both axes at once is as high as neither of them alone makes it.
+TEST_P(ObliquelyTilted, MarksAreFoundSurelyByAPairThatLearnedThemFromTheFront) {
+  const auto [mark, oblique] = GetParam();
+  Random random = Random(7).split(fmt::format("oblique {} {}", mark, oblique.name));
+  TiltedLooks looks(wide_camera());
+  RangeView view{.mark = mark, .place = {20, -10, 500}, .noise = 2, .blur_px = 0.7};
+  looks.learn(view, random);
+  view.yaw_deg = oblique.yaw_deg;
+  view.pitch_deg = oblique.pitch_deg;
+  for (const cv::Point3d& place : {cv::Point3d(20, -10, 450), cv::Point3d(-90, 60, 550), cv::Point3d(80, 90, 700)}) {
+    SCOPED_TRACE(place.z);
+    view.place = place;
+    view.roll_deg = random.uniform(-180, 180);
+    const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::both, random);
+    ASSERT_TRUE(found) << describe(found.error());
+    EXPECT_TRUE(found->pair.right);
+    EXPECT_GE(found->confidence, 0.9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Marks, ObliquelyTilted,
+                         testing::Combine(testing::Values("square", "cross", "circle", "triangle"),
+                                          testing::ValuesIn(all_oblique)),
+                         [](const auto& one) {
+                           return std::string(std::get<0>(one.param)) + std::get<1>(one.param).name;
+                         });
 
 struct Spread {
   int told = 0;
