@@ -66,7 +66,8 @@ const std::map<std::string, std::string> family_of = {{"4x4", "aruco-4x4-50"}, {
 
 class Judge {
  public:
-  Judge(const VisionBench& bench, const PhotographSet& set) : bench_(bench), objects_(learn_from(set.learning)) {}
+  Judge(const VisionBench& bench, const PhotographSet& set)
+      : bench_(bench), objects_(learn_from(set.learning, photographs_camera())) {}
 
   void look_at(const Photograph& photo) {
     const cv::Mat1b image = photo.left();
@@ -78,7 +79,6 @@ class Judge {
     }
   }
   const ByCondition& told() const { return told_; }
-  const vision::LearnedObjects& objects() const { return objects_; }
 
  private:
   void find_shapes(const Photograph& photo, const cv::Mat1b& image, Told& told) {
@@ -177,8 +177,9 @@ void say_unlearned(Figures& figures, const std::string& condition, const Told& t
                fmt::format("{} of {} answers, {} surely", told.wrong, told.answers, told.sure)});
 }
 
-void say_pair(Figures& figures, const PhotographSet& set, const vision::LearnedObjects& objects) {
+void say_pair(Figures& figures, const PhotographSet& set) {
   const camera::StereoModel model = photographs_pair();
+  const vision::LearnedObjects objects = learn_from(set.learning, model);
   std::vector<double> off_percent;
   int shown = 0;
   int within = 0;
@@ -198,14 +199,17 @@ void say_pair(Figures& figures, const PhotographSet& set, const vision::LearnedO
     }
   }
   if (shown == 0) return;
-  const auto told = static_cast<double>(std::max<std::size_t>(1, off_percent.size()));
+  const auto measured = static_cast<double>(off_percent.size());
+  const double told = std::max(1.0, measured);
+  figures.say(
+      {"photographs, a pair: measured", 100 * measured / shown, "%", at_least(98), {}, fmt::format("{} marks", shown)});
   figures.say({"photographs, a pair: depth at 0.4-0.9 m, median",
                percentile(off_percent, 0.5),
                "%",
                at_most(0.1),
                {},
-               fmt::format("{} of {} measured, 95 % within {:.2f} %, {:.0f} % within two spreads", off_percent.size(),
-                           shown, percentile(off_percent, 0.95), 100 * within / told)});
+               fmt::format("95 % within {:.2f} %, {:.0f} % within two spreads", percentile(off_percent, 0.95),
+                           100 * within / told)});
   figures.say({"photographs, a pair: told surely", 100 * sure / told, "%", at_least(97)});
 }
 
@@ -232,7 +236,7 @@ void photographs(VisionBench& bench) {
   say_covered(bench.figures, "half-covered", told_of("half-covered"), 1.5, 90);
   say_unlearned(bench.figures, "unlearned", told_of("unlearned"));
   say_unlearned(bench.figures, "bare", told_of("bare"));
-  say_pair(bench.figures, set, judge.objects());
+  say_pair(bench.figures, set);
 }
 
 }  // namespace pizarra::bench

@@ -88,14 +88,14 @@ PhotographSet make_photographs(const std::string& folder, std::uint64_t seed, in
   return out;
 }
 
-vision::LearnedObjects learn_from(const Photograph& photo) {
+vision::LearnedObjects learn_from(const Photograph& photo, const camera::StereoModel& model) {
   vision::LearnedObjects out;
-  const camera::StereoModel model = photographs_camera();
   const cv::Mat1b image = photo.left();
+  const cv::Mat1b beside = model.is_single() ? cv::Mat1b::zeros(image.size()) : photo.right();
   for (const PhotographedMark& mark : photo.marks) {
     vision::MarkLearner learner(mark.name, mark.centre, out);
     while (!learner.done()) {
-      vision::StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
+      vision::StereoSight sight(image, beside, model);
       const Result<void> fed = learner.feed(sight);
       if (!fed) throw std::runtime_error(mark.name + " cannot be learned: " + describe(fed.error()));
     }

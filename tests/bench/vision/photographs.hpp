@@ -30,7 +30,7 @@ struct Photograph {
   std::vector<PhotographedMark> marks = {};
 
   cv::Mat1b left() const;
-  cv::Mat1b right() const;  // of the condition `pair` alone
+  cv::Mat1b right() const;  // of the conditions `learning` and `pair` alone
 };
 
 struct PhotographSet {
@@ -44,8 +44,8 @@ camera::StereoModel photographs_pair();
 
 // Throws where the script, or what it needs, is missing.
 PhotographSet make_photographs(const std::string& folder, std::uint64_t seed, int scenes);
-// The four shapes, each by a click in the one photograph; throws where one cannot be learned.
-vision::LearnedObjects learn_from(const Photograph& photo);
+// The four shapes, each by a click in the one photograph, or in both of a pair; throws where one cannot be learned.
+vision::LearnedObjects learn_from(const Photograph& photo, const camera::StereoModel& model);
 // The number of the tag that is in a shape's place.
 int tag_in_place_of(const std::string& shape);
 

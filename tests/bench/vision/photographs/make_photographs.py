@@ -8,8 +8,8 @@ FOLDER/truth.txt has a line for every mark:
     CONDITION PHOTO KIND NAME X Y HIDDEN  PLACE-X PLACE-Y PLACE-Z  R11 R12 ... R33
 X and Y are where the mark's centroid is seen, px, pixel (0, 0) being around 0 0; HIDDEN is the part of its area that
 something covers; PLACE is that centroid in the camera's frame, mm, and R its axes: right, down and away from the camera
-when it is seen from the front. KIND is `shapes`, `4x4` or `36h11`. Of the condition `pair` the right image is PHOTO with
--right before its ending; its camera is 80 mm beside. A photo without marks has the NAME `-`.
+when it is seen from the front. KIND is `shapes`, `4x4` or `36h11`. Of `learning` and `pair` the right image is PHOTO
+with -right before its ending; its camera is 80 mm beside. A photo without marks has the NAME `-`.
 """
 
 import argparse
@@ -226,16 +226,21 @@ class Maker:
                     read_noise=ranges.draw("read_noise", random, (0.8, 2)), shot_noise=0.02)
 
     def learning(self):
-        """One photograph of the four from the front, half a metre away."""
+        """A photograph of the four from the front, half a metre away, by either camera of a pair."""
         random = np.random.default_rng([self.seed, 0])
         lens = camera.Camera()
-        image = np.full((camera.HEIGHT, camera.WIDTH, 3), 0.45, np.float32)
+        beside = camera.Camera(0, (BASE_LINE_MM, 0, 0))
+        left = np.full((camera.HEIGHT, camera.WIDTH, 3), 0.45, np.float32)
+        right = left.copy()
         for middle, name in zip([(160, 120), (480, 120), (160, 360), (480, 360)], LEARNED):
             place = lens.sights(np.array([middle[0] + 0.3]), np.array([middle[1] + 0.4]))[0, 0] * 500
             sheet = sheets.Sheet(sheets.shape_texture(name), np.eye(3), place)
-            sheet.paint(image, lens)
+            sheet.paint(left, lens)
+            sheet.paint(right, beside)
             self.note("learning", "learning.jpg", "shapes", name, sheet, lens)
-        self.write("learning.jpg", camera.photograph(image, self.look(Ranges(), random), random))
+        look = self.look(Ranges(), random)
+        self.write("learning.jpg", camera.photograph(left, look, random))
+        self.write("learning-right.jpg", camera.photograph(right, look, random))
 
     def scene(self, condition, number):
         ranges = CONDITIONS[condition]
