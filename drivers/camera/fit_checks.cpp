@@ -20,7 +20,6 @@ constexpr double most_row_error_px = 0.5;
 // The uncertainty that the views leave, as a part of the focal length or the base line. The deviations hold near the
 // truth; boards hardly tilted to one another may lead far from it.
 constexpr double most_deviation = 0.02;
-constexpr double least_tilts_deg = 15;
 constexpr double least_base_line_mm = 2;
 
 std::unexpected<Misfit> hopeless(std::string symbol, std::string sentence) {
@@ -43,7 +42,8 @@ std::unexpected<Misfit> uncertain(const std::string& what) {
                                    "far, and take those images as well");
 }
 
-// By how much the two boards differ that are tilted most differently, degrees.
+}  // namespace
+
 double tilts_deg(const std::vector<cv::Mat>& turns) {
   std::vector<cv::Vec3d> normals;
   for (const cv::Mat& turn : turns) {
@@ -57,8 +57,6 @@ double tilts_deg(const std::vector<cv::Mat>& turns) {
   }
   return std::acos(std::max(-1.0, least_cosine)) * 180 / CV_PI;
 }
-
-}  // namespace
 
 OddView worst_of(const std::vector<BoardView>& views, const std::vector<double>& errors_px) {
   const auto most = std::ranges::max_element(errors_px);

@@ -27,11 +27,15 @@ inline constexpr std::string_view pair_cause =
     "Do the images of each pair belong together? They are paired in the order of their names, and must be of one "
     "moment and at one zoom";
 
+inline constexpr double least_tilts_deg = 15;
+// By how much the two boards differ that are tilted most differently; `turns`: as OpenCV tells them.
+double tilts_deg(const std::vector<cv::Mat>& turns);
+
 OddView worst_of(const std::vector<BoardView>& views, const std::vector<double>& errors_px);
 
 // Failures: no-solution, misfit.
 Fit<void> check_errors(const FitErrors& fit, std::string_view cause);
-// `turns`: of the boards, as OpenCV tells them. Failure: uncertain.
+// Failure: uncertain.
 Fit<void> check_tilts(std::string_view what, const std::vector<cv::Mat>& turns);
 // Failure: uncertain.
 Fit<void> check_deviations(const StereoCalibration& calibration);

@@ -16,6 +16,7 @@ bool is_same(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& 
 }  // namespace
 
 Result<void> BoardViews::take(const ImagePair& pair, const std::string& name) {
+  newest_.reset();
   const cv::Size size = pair.left.size();
   if (!pair.right.empty() && pair.right.size() != size) {
     return fail("wrong-size",
@@ -23,6 +24,7 @@ Result<void> BoardViews::take(const ImagePair& pair, const std::string& name) {
   }
   Result<camera::BoardView> view = camera::find_board(pair.left, pair.right, board_);
   if (!view) return fail(view);
+  newest_ = *view;
   const Result<OneSize*> alike = with_size(size);
   if (!alike) return fail(alike);
   const double reach_px = least_motion_ * size.width;

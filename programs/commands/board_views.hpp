@@ -7,6 +7,8 @@
 //   Result<void> taken = views.take(pair, "left01.jpg right01.jpg");
 //   calibrate_pair(views.of_most().views, views.of_most().size, board);
 
+#include <optional>
+
 #include "drivers/camera/chessboard.hpp"
 #include "programs/commands/board_pairs.hpp"
 
@@ -26,6 +28,10 @@ class BoardViews {
   // there are more sizes than cameras have.
   Result<void> take(const ImagePair& pair, const std::string& name);
 
+  // The board in the image or pair that was given last, also where a view before shows the same; none where there is
+  // none.
+  const std::optional<camera::BoardView>& newest() const { return newest_; }
+
   // Of as many, those that came first.
   const OneSize& of_most() const;
   std::vector<const OneSize*> others() const;
@@ -36,6 +42,7 @@ class BoardViews {
   camera::CalibrationBoard board_;
   double least_motion_;
   std::vector<OneSize> sizes_;
+  std::optional<camera::BoardView> newest_;
 };
 
 }  // namespace pizarra::programs

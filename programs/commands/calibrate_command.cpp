@@ -7,11 +7,14 @@
 
 #include "drivers/camera/chessboard.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_pairs.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/board_views.hpp"
 #include "programs/commands/calibrate_report.hpp"
+#include "programs/commands/calibration_news.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/story/output_file.hpp"
 
@@ -31,6 +34,8 @@ struct CalibrateChoices {
   camera::CalibrationBoard board;
   std::size_t pairs = 20;
   bool json = false;
+  bool tell = false;  // a board how it goes:
+  BoardChoices board_to_tell;
 };
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -55,29 +60,36 @@ class NotedInterrupt {
 
 class Calibration {
  public:
-  Calibration(const CalibrateChoices& choices, BoardPairs& pairs)
+  // `news`: where it is told how it goes; null: nowhere.
+  Calibration(const CalibrateChoices& choices, BoardPairs& pairs, CalibrationNews* news)
       : choices_(choices),
         pairs_(pairs),
+        news_(news),
         views_(choices.board, pairs.chosen() ? least_motion_chosen : least_motion_seen),
         report_(choices.json, pairs.single()) {}
 
   int run() {
     if (pairs_.left_out() > 0) report_.without_partner(pairs_.left_out());
     const Result<void> gathered = gather();
-    if (!gathered) return complain_as(style(), gathered.error(), exit_unavailable);
+    if (!gathered) return refuse(gathered.error(), exit_unavailable);
     tell_other_sizes();
     const BoardViews::OneSize& seen = views_.of_most();
     const auto calibrate = pairs_.single() ? camera::calibrate_single : camera::calibrate_pair;
     const Result<camera::CalibratedPair> found =
-        calibrate(seen.views, seen.size, choices_.board, [this](const std::string& step) { report_.step(step); });
-    if (!found) return complain_as(style(), found.error(), interrupted != 0 ? exit_interrupted : exit_failed);
+        calibrate(seen.views, seen.size, choices_.board, [this](const std::string& step) {
+          report_.step(step);
+          tell_news("fitting", step);
+        });
+    if (!found) return refuse(found.error(), interrupted != 0 ? exit_interrupted : exit_failed);
     const std::string text = camera::write_calibration(found->calibration);
     const Result<camera::StereoCalibration> usable = camera::read_calibration(text, out());
-    if (!usable) return complain_as(style(), unusable(usable.error()), exit_failed);
+    if (!usable) return refuse(unusable(usable.error()), exit_failed);
     const Result<void> written =
         story::write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    if (!written) return complain_as(style(), written.error(), exit_unavailable);
+    if (!written) return refuse(written.error(), exit_unavailable);
     report_.result(out(), *found);
+    tell_news("done", fmt::format("{} written; reprojection error {:.2f} px", text_of_bytes(out()),
+                                  found->calibration.reprojection_px));
     return exit_reached;
   }
 
@@ -86,6 +98,11 @@ class Calibration {
   std::string out() const {
     if (!choices_.out.empty()) return choices_.out;
     return pairs_.single() ? "camera.calibration" : "pair.calibration";
+  }
+
+  int refuse(const Failure& why, ExitCode code) {
+    tell_news("failed", why.sentence);
+    return complain_as(style(), why, code);
   }
 
   // All that a person chose; of what cameras see as much as was asked for, or as came until Ctrl-C.
@@ -103,7 +120,11 @@ class Calibration {
       const std::string symbol = pair ? "" : pair.error().symbol;
       if (symbol == "ended") break;
       if (!pair && symbol != "corrupt-frame") return fail(pair);
-      tell(pair ? views_.take(*pair, pairs_.name()) : Result<void>(fail(pair)));
+      const Result<void> taken = pair ? views_.take(*pair, pairs_.name()) : Result<void>(fail(pair));
+      tell(taken);
+      seen_ = taken ? "taken" : taken.error().sentence;
+      if (taken) note_view();
+      tell_news("looking", {});
     }
     return {};
   }
@@ -131,6 +152,25 @@ class Calibration {
     report_.pair(pairs_.name(), taken, pairs_.chosen() ? "" : fmt::format(", {} of {}", count(), choices_.pairs));
   }
 
+  // What is told until another view comes.
+  void note_view() {
+    outlines_.push_back(CalibrationNews::outlines_of(*views_.newest(), choices_.board));
+    lacks_ = camera::lacks_of(views_.of_most().views, views_.of_most().size, choices_.board);
+  }
+
+  void tell_news(const std::string& state, const std::string& sentence) {
+    if (news_ == nullptr) return;
+    const std::optional<camera::BoardView>& newest = views_.newest();
+    news_->tell({.state = state,
+                 .sentence = sentence,
+                 .image = views_.of_most().size,
+                 .wanted = choices_.pairs,
+                 .seen = newest ? CalibrationNews::outlines_of(*newest, choices_.board) : Datum(),
+                 .seen_sentence = seen_,
+                 .taken = outlines_,
+                 .lacks = lacks_});
+  }
+
   void tell_other_sizes() const {
     const cv::Size most = views_.of_most().size;
     for (const BoardViews::OneSize* const other : views_.others()) {
@@ -147,11 +187,22 @@ class Calibration {
 
   const CalibrateChoices& choices_;
   BoardPairs& pairs_;
+  CalibrationNews* const news_;
   BoardViews views_;
   CalibrateReport report_;
   std::optional<std::chrono::steady_clock::time_point> told_;
   std::optional<Untold> untold_;  // the newest, where it waits
+  std::string seen_;              // what came of the newest image
+  std::vector<CalibrationNews::Outlines> outlines_;
+  std::vector<camera::Lack> lacks_ = camera::lacks_of({}, {}, {});
 };
+
+Result<std::unique_ptr<CalibrationNews>> news_for(const CalibrateChoices& choices) {
+  if (!choices.tell) return std::unique_ptr<CalibrationNews>();
+  const Result<Destination> to = destination(choices.board_to_tell);
+  if (!to) return fail(to);
+  return CalibrationNews::open(to->address, to->key);
+}
 
 Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
   if (choices.cell.empty()) {
@@ -175,7 +226,12 @@ int run_calibrate(const CalibrateChoices& choices) {
   }
   const Result<std::unique_ptr<BoardPairs>> pairs = pairs_of(choices);
   if (!pairs) return complain_as(style, pairs.error(), exit_usage);
-  return Calibration(choices, **pairs).run();
+  const Result<std::unique_ptr<CalibrationNews>> news = news_for(choices);
+  if (!news) return complain_as(style, news.error(), exit_unavailable);
+  const int status = Calibration(choices, **pairs, news->get()).run();
+  const Result<void> told = *news ? (*news)->finish() : Result<void>();
+  if (!told) fmt::print(stderr, "pizarra: the board was not told all of it: {}\n", told.error().sentence);
+  return status;
 }
 
 }  // namespace
@@ -209,6 +265,13 @@ void add_calibrate_command(CLI::App& app, int& status) {
                    "moved; Ctrl-C takes those there are")
       ->check(CLI::Range(camera::least_views, BoardPairs::most))
       ->capture_default_str();
+  CLI::Option* tell = word->add_flag("--tell", choices->tell,
+                                     "With --cell: also tell the board of the cell that runs here how it goes and what "
+                                     "is still missing; its console shows it live");
+  tell->needs("--cell");
+  word->add_option("--board", choices->board_to_tell.board, "With --tell: the board at this address instead")
+      ->needs(tell);
+  add_key_option(word, choices->board_to_tell.key);
   word->add_flag("--json", choices->json, "Print one JSON object a line");
   word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));
   word->callback([choices, &status] { status = run_calibrate(*choices); });

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <regex>
 
 #include "tests/agents/vision/photograph.hpp"
 #include "tests/drivers/camera/board_scene.hpp"
@@ -304,6 +305,32 @@ TEST_F(OwnPair, IsCalibratedThroughItsOwnCameras) {
   const Said said = run("calibrate --json --out live.calibration --cell " + cell);
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_TRUE(contains(said, "\"pairs\":14")) << said.text;
+}
+
+TEST_F(OwnPair, TellsABoardHowItIsCalibrated) {
+  const std::string cell =
+      cell_with("told", "(pair (images \"left*.png\") (images \"right*.png\")) (focal 400) (base-line 80)");
+  const std::string at = "ipc://" + scratch_folder() + "told";
+  const Running board({PIZARRA_BOARD, "--listen", at}, scratch_folder() + "told.log");
+  ASSERT_TRUE(wait_until([&] { return board.said().contains("ready"); }, std::chrono::seconds(60))) << board.said();
+  const Said said = run("calibrate --out told.calibration --cell " + cell + " --tell --board " + at);
+  EXPECT_EQ(said.status, 0) << said.text;
+  const auto asked = [&](const std::string& query) { return run("ask '" + query + "' --board " + at); };
+  const Said state = asked("(calibration ?state ?sentence 480 360 14 20)");
+  EXPECT_TRUE(contains(state, "?state = done")) << state.text;
+  EXPECT_TRUE(contains(state, "told.calibration written; reprojection error 0.")) << state.text;
+  const Said last = asked("(calibration-board 14 ?outlines)");
+  EXPECT_TRUE(std::regex_search(last.text, std::regex(R"(\(\((-?\d+ ?){8}\) \((-?\d+ ?){8}\)\))"))) << last.text;
+  EXPECT_FALSE(contains(asked("(agent ?name calibrate ?host)"), "?name =")) << "it has left";
+}
+
+TEST_F(OwnPair, IsNotCalibratedWhereTheBoardThatIsToBeToldIsNotThere) {
+  const std::string cell = cell_with("untold", "(single (images \"left*.png\"))");
+  const Said nowhere = run("calibrate --out untold.calibration --cell " + cell + " --tell --board ipc://" +
+                           scratch_folder() + "nowhere");
+  EXPECT_EQ(nowhere.status, 4) << nowhere.text;
+  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "untold.calibration"));
+  EXPECT_EQ(run("calibrate 'left*.png' --tell").status, 2) << "of files nothing is told";
 }
 
 // As a cell's camera pairs them: an image that one camera missed shifts nothing.

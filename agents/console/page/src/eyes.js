@@ -2,6 +2,7 @@
 
 import { clipped, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { showCalibration } from './calibration.js';
 import { LearnedObjects } from './learned_objects.js';
 import { sym, text } from './datum.js';
 import { Teaching } from './teach.js';
@@ -72,6 +73,7 @@ export function showEyes(connection, images, me) {
   images.onPoint((point) => teaching.take(point));
   const list = element('ul', { class: 'objects', 'aria-label': 'Learned objects' });
   panel.append(
+    showCalibration(connection),
     element('div', { class: 'row' }, mode, holders),
     element('div', { class: 'row' }, connect, disconnect, end),
     teaching.panel,
