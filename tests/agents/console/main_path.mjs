@@ -22,6 +22,7 @@ const begun = Date.now();
 const page = await openPage(browser, address);
 await page.waitForSelector('body[data-state=live]');
 await page.waitForFunction(() => /mm/.test(document.getElementById('readings').textContent));
+expect(/turned\s*(-?\d+\s+){3}°/.test(await text(page, '#readings')), "the grip's place and turns are shown");
 console.log(`the page was alive after ${Date.now() - begun} ms`);
 expect(!page.url().includes('#'), 'the token is not left in the address');
 expect((await page.evaluate(() => document.cookie)) === '', 'no script sees the cookie');

@@ -50,6 +50,17 @@ expect(facts.length === 4 && (await page.locator('#because ul ul ul > li').count
 await page.screenshot({ path: join(pictures, 'because.png') });
 await expectAccessible(page, scratch, 'the reasons');
 expect((await text(page, '#query-count')) === '1 answer', 'the question goes on');
+
+// Whom the board refused what.
+await ask(page, '(nobody-told ?this)');
+await page.waitForSelector('#query-wrong');
+await page.click('#tab-agents');
+await page.click('#agents .goals summary');
+const refusal = page.locator('#refusals tbody tr:has-text("undeclared-relation")');
+await refusal.waitFor();
+const refused = await refusal.innerText();
+expect(/console-\d+-\d+\s+undeclared-relation\s+\d+\s.*nobody-told/s.test(refused), `who was refused what: ${refused}`);
+await expectAccessible(page, scratch, 'the refusals');
 expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
 expect((await served.end()) === 0, 'it ends in order');
 await told.end();

@@ -1,12 +1,13 @@
-// Who is there, and what each offers.
+// Who is there, and what each offers; and whom the board refused what.
 
 import { clipped, element, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { showRefusals } from './refusals.js';
 import { text, write } from './datum.js';
 
 export function showAgents(connection) {
   const list = element('div', { class: 'timeline' });
-  find('agents').append(list);
+  find('agents').append(list, showRefusals(connection));
   let present = [];
   const contracts = new Map();
   const draw = () => {

@@ -146,6 +146,8 @@ function showReadings(connection, moved) {
         .slice(2, 5)
         .map((v) => v.toFixed(0))
         .join('  ')} mm`;
+    const turned = pose?.slice(5).map((v) => v.toFixed(0));
+    readings.turned = turned && `${turned.join('  ')} °`;
     show();
   });
   connection.follow('(gripper ?robot ?opening)', (answers) => {
