@@ -18,6 +18,11 @@ Datum joints_to_datum(const arm::Joints& joints) {
   return Datum::list(std::move(out));
 }
 
+arm::ArmTrouble trouble_of(const Datum& alarm) {
+  return {arm::ArmTrouble::Kind::fault,
+          {"not-in-control", "the controller has an alarm", alarm.size() > 1 ? alarm[1] : alarm, {}}};
+}
+
 bool finite(const std::vector<arm::Joints>& waypoints) {
   for (const arm::Joints& joints : waypoints) {
     for (const double angle : joints) {
@@ -32,10 +37,11 @@ bool finite(const std::vector<arm::Joints>& waypoints) {
 Task<Result<void>> SimulatedArm::command(Datum request) {
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (answer) co_return Result<void>();
-  const bool forgotten =
-      after_loss_ == AfterLoss::take_control && had_control_ && answer.error().symbol == "not-in-control";
+  // A number as subject is an alarm's code: whoever commands the arm says whether it may be reset.
+  const bool no_alarm = answer.error().symbol == "not-in-control" && !answer.error().subject.is_number();
+  const bool forgotten = after_loss_ == AfterLoss::take_control && had_control_ && no_alarm;
   if (!forgotten) co_return fail(answer);
-  // A world that began anew has forgotten who had control of its arm; it has no alarm that this could reset.
+  // A world that began anew has forgotten who had control of its arm.
   const Datum taking = list(device_, "take-control"_sym);
   const Result<Message> taken = co_await link_.call(taking, answer_time);
   if (!taken) co_return fail(taken);
@@ -83,7 +89,7 @@ Task<Result<arm::ArmReading>> SimulatedArm::read() {
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;
-  const bool shaped = head.size() == 5 && head[0].size() >= 1 && head[0].size() <= arm::most_axes;
+  const bool shaped = head.size() >= 5 && head.size() <= 6 && head[0].size() >= 1 && head[0].size() <= arm::most_axes;
   if (!shaped) co_return odd_answer(head);
   arm::ArmReading reading{};
   reading.joints = arm::Joints(head[0].size());
@@ -92,6 +98,7 @@ Task<Result<arm::ArmReading>> SimulatedArm::read() {
   reading.stopped = head[2].is_symbol("yes");
   reading.opening_mm = head[3].number();
   reading.gripper_moving = head[4].is_symbol("yes");
+  if (head.size() == 6) reading.trouble = trouble_of(head[5]);
   hear_state();
   co_return reading;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-// The simulated cell's arm and gripper as an ArmDriver: every call is one request over the device link.
+// The simulated cell's arm and gripper as an ArmDriver: every call is one request over the device link. A reading may
+// have a sixth item, (alarm CODE): an alarm that take_control() alone resets.
 //
 //   SimulatedArm arm(link);
 //   Result<void> control = co_await arm.take_control();
@@ -12,8 +13,8 @@ namespace pizarra::simulation {
 
 class SimulatedArm : public arm::ArmDriver {
  public:
-  // The reaction where the other end has forgotten that this arm has control. A world that began anew gives control
-  // again, and has no alarm that this could reset. Of a real arm its commander says whether it may be taken.
+  // The reaction where the other end has forgotten that this arm has control and has no alarm. A world that began anew
+  // gives control again. Of a real arm its commander says whether it may be taken.
   enum class AfterLoss : std::uint8_t { take_control, fail };
 
   // The link outlives it. The device is `arm` or `second-arm`.

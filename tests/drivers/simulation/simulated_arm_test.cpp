@@ -25,6 +25,44 @@ TEST(SimulatedArm, ObeysOnlyWhoHasControl) {
   EXPECT_TRUE(run(executor, arm.start_move({config.arm.home}, 0.5)));
 }
 
+// A controller that has an alarm, and notes what it is asked for.
+class AlarmedLink : public Link {
+ public:
+  Task<Result<Message>> call(Datum request, Duration) override {
+    asked.emplace_back(request[1].text());
+    if (asked.back() == "read") {
+      const Datum joints = list(0.0, 1.0);
+      const Datum reading = alarm ? list(joints, "no"_sym, "yes"_sym, 20.0, "no"_sym, list("alarm"_sym, 4107))
+                                  : list(joints, "no"_sym, "yes"_sym, 20.0, "no"_sym);
+      co_return Message{reading, {}};
+    }
+    if (asked.back() == "take-control") alarm = false;
+    if (alarm) co_return fail("not-in-control", "the controller has an alarm", to_datum(4107));
+    co_return Message{};
+  }
+  bool alarm = false;
+  std::vector<std::string> asked;
+};
+
+TEST(SimulatedArm, AnAlarmIsToldAndNoMotionResetsIt) {
+  VirtualExecutor executor;
+  AlarmedLink link;
+  SimulatedArm arm(link);
+  ASSERT_TRUE(run(executor, arm.take_control()));
+  link.alarm = true;
+  link.asked.clear();
+  EXPECT_EQ(run(executor, arm.start_gripper(10)).error().symbol, "not-in-control");
+  EXPECT_EQ(run(executor, arm.start_move({arm::Joints(2)}, 0.5)).error().subject, to_datum(4107));
+  EXPECT_EQ(link.asked, (std::vector<std::string>{"gripper", "move"}));
+  const Result<arm::ArmReading> alarmed = run(executor, arm.read());
+  ASSERT_TRUE(alarmed && alarmed->trouble);
+  EXPECT_EQ(alarmed->trouble->kind, arm::ArmTrouble::Kind::fault);
+  EXPECT_EQ(alarmed->trouble->why.subject, to_datum(4107));
+  ASSERT_TRUE(run(executor, arm.take_control()));
+  EXPECT_FALSE(run(executor, arm.read())->trouble);
+  EXPECT_TRUE(run(executor, arm.start_gripper(10)));
+}
+
 TEST(SimulatedArm, RefusesBadMoves) {
   Bench bench(four_cubes());
   const auto refused = [&](std::vector<arm::Joints> path, double speed) {
