@@ -22,6 +22,7 @@ struct ChaosCell::Agent {
   DeviceLine line;
   std::unique_ptr<wire::Transport> wires;
   std::unique_ptr<client::RemoteBoard> board;
+  std::unique_ptr<Board> mistaken;
   std::unique_ptr<Board> planted;
   std::unique_ptr<launcher::BuiltAgent> agent;
   Job job;
@@ -76,9 +77,16 @@ Result<void> ChaosCell::start(const std::string& kind) {
   if (!board) return fail(board);
   agent->board = std::move(*board);
   const std::string life = kind + std::to_string(++lives_[kind]);
-  if (!plant_.empty()) agent->planted = std::make_unique<PlantedBoard>(*agent->board, kind, plant_);
-  Board& seen = agent->planted != nullptr ? *agent->planted : *agent->board;
-  runtime::AgentContext context{kind, "localhost", agent->process, seen, random_.split(life)};
+  Board* seen = agent->board.get();
+  if (kind == "vision") {
+    agent->mistaken = std::make_unique<MistakenEyes>(*seen, time_, names_);
+    seen = agent->mistaken.get();
+  }
+  if (!plant_.empty()) {
+    agent->planted = std::make_unique<PlantedBoard>(*seen, kind, plant_);
+    seen = agent->planted.get();
+  }
+  runtime::AgentContext context{kind, "localhost", agent->process, *seen, random_.split(life)};
   Result<std::unique_ptr<launcher::BuiltAgent>> built =
       launcher::build_agent(kind, std::move(context), description_, agent->line, &streams_);
   if (!built) return fail(built);
@@ -129,12 +137,20 @@ void ChaosCell::pause(const std::string& kind, Duration length) {
   });
 }
 
+void ChaosCell::exchange_names(std::string one, std::string other, Duration length) {
+  names_ = {.until = time_.now() + length, .one = std::move(one), .other = std::move(other)};
+}
+
 void ChaosCell::heal() {
+  names_ = {};
   network_.set_delay(usual_delay);
   disk_.fail(false);
   disk_.set_capacity(simulated::SimulatedDisk::plenty);
   disk_.set_flush_time({});
+  // An alarm stays until somebody resets it.
+  const bool alarm = world_->faults.alarm;
   world_->faults = {};
+  world_->faults.alarm = alarm;
   for (auto& [kind, until] : away_until_) until = {};
   board_away_until_ = {};
   constexpr std::uint64_t never = ~std::uint64_t{0};

@@ -18,6 +18,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/simulated/board_process.hpp"
 #include "programs/chaos/device_line.hpp"
+#include "programs/chaos/mistaken_eyes.hpp"
 
 namespace pizarra::chaos {
 
@@ -43,6 +44,8 @@ class ChaosCell {
   void kill(const std::string& kind, Duration away, std::uint64_t after_steps = 1);
   void kill_board(Duration away, bool power);
   void pause(const std::string& kind, Duration length);
+  // What the eyes tell of the one is of the other.
+  void exchange_names(std::string one, std::string other, Duration length);
   void heal();
 
   Executor& time() { return time_; }
@@ -86,6 +89,7 @@ class ChaosCell {
   Random clock_draws_;
   const Clocks clocks_;
   const std::string plant_;
+  ExchangedNames names_;
   simulated::Network network_;
   simulated::SimulatedDisk disk_;
   std::unique_ptr<WorldProcess> world_;

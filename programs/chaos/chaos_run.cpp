@@ -42,11 +42,11 @@ class Play {
                    [this](Time when, const std::string& kind, const std::string& sentence) {
                      narrator_.say(when, kind, sentence);
                    }),
-        player_(cell, bystander_, std::move(faults),
-                [this](const std::string& fault) { narrator_.say(cell_.time().now(), "fault", fault); }),
         context_{"director", "localhost", director_.process, *director_.board, Random(story.seed).split("director")},
         service_(context_, runtime::contract_from_text("(contract director)").value()),
-        caller_(context_, service_) {}
+        caller_(context_, service_),
+        player_(cell, bystander_, caller_, std::move(faults),
+                [this](const std::string& fault) { narrator_.say(cell_.time().now(), "fault", fault); }) {}
 
   Task<void> run() {
     co_await play();
@@ -214,10 +214,10 @@ class Play {
   ChaosCell::Client director_;
   ChaosCell::Client bystander_;
   Observers observers_;
-  FaultPlayer player_;
   runtime::AgentContext context_;
   runtime::Service service_;
   runtime::Caller caller_;
+  FaultPlayer player_;
   RunResult result_;
   Time begun_{};
   std::optional<Time> quiet_;

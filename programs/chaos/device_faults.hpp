@@ -18,6 +18,7 @@ struct DeviceFaults {
   Time acks_late_until{};  // what it answers to commands comes after `ack_delay`
   Duration ack_delay{};
   Time pendant_until{};       // it takes no motion
+  bool alarm = false;         // nor before control of it is taken anew
   Time sensor_stuck_until{};  // the gripper's opening reads as it did
   std::optional<double> stuck_at_mm;
   Time frames_dropped_until{};  // none comes
@@ -28,6 +29,8 @@ struct DeviceFaults {
   double hidden_at = 0;  // where it begins, of its width
   Time jumps_until{};    // the image is shifted by so many pixels
   int jump_px = 0;
+  Time light_until{};  // the image is so many times as bright
+  double light = 1;
 };
 
 }  // namespace pizarra::chaos

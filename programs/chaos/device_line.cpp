@@ -1,6 +1,7 @@
 #include "programs/chaos/device_line.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "blackboard/time/latch.hpp"
 
@@ -41,9 +42,29 @@ Message at_rest(const Message& reading) {
   return {Datum::list(std::move(items)), reading.images};
 }
 
+constexpr std::int64_t alarm_code = 4107;
+
+// A person asks for control, which resets an alarm. Before that the arm moves for nobody, and says why.
+Result<void> heeds_alarm(DeviceFaults& faults, const Datum& request) {
+  if (request[1].is_symbol("take-control")) faults.alarm = false;
+  if (!faults.alarm || !is_motion(request)) return {};
+  return fail("not-in-control", "the controller has an alarm", to_datum(alarm_code));
+}
+
+Message with_alarm(const Message& reading) {
+  std::vector<Datum> items(reading.head.items().begin(), reading.head.items().end());
+  items.push_back(list("alarm"_sym, alarm_code));
+  return {Datum::list(std::move(items)), reading.images};
+}
+
+void brighten(std::span<std::uint8_t> pixels, double light) {
+  for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(std::min(255.0, pixel * light));
+}
+
 // As far as they are told of the world, both images of a pair.
 std::shared_ptr<const Image> disturbed(const Image& image, const DeviceFaults& faults, Time now) {
   auto out = std::make_shared<Image>(image);
+  if (now < faults.light_until) brighten(out->pixels, faults.light);
   const auto row_bytes = static_cast<std::ptrdiff_t>(image.width) * image.channels;
   for (int y = 0; y < image.height; ++y) {
     const auto row = out->pixels.begin() + y * row_bytes;
@@ -89,7 +110,8 @@ void disturb(Message& frame, WorldProcess& world, Time now) {
   }
   world.frozen_left.reset();
   world.frozen_right.reset();
-  if (now >= world.faults.jumps_until && now >= world.faults.hidden_until) return;
+  const Time changed = std::max({world.faults.jumps_until, world.faults.hidden_until, world.faults.light_until});
+  if (now >= changed) return;
   for (auto& image : frame.images) image = disturbed(*image, world.faults, now);
 }
 
@@ -113,6 +135,8 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   if (is_motion(request) && now < world.faults.pendant_until) {
     co_return fail("not-in-control", "the pendant has control", list("pendant"_sym));
   }
+  const Result<void> heeded = heeds_alarm(world.faults, request);
+  if (!heeded) co_return fail(heeded);
   if (swallows(world, request)) co_return Message{};
   Result<Message> answer = co_await world.world->handle(request);
   const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 5;
@@ -122,7 +146,8 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
     world.faults.stuck_at_mm = answer->head[3].number();
   }
   if (world.plant == "arrives-at-once") answer = at_rest(*answer);
-  if (world.faults.stuck_at_mm) co_return with_opening(*answer, *world.faults.stuck_at_mm);
+  if (world.faults.stuck_at_mm) answer = with_opening(*answer, *world.faults.stuck_at_mm);
+  if (world.faults.alarm) answer = with_alarm(*answer);
   co_return answer;
 }
 

@@ -1,6 +1,7 @@
 #include "programs/chaos/draw_faults.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace pizarra::chaos {
 
@@ -23,6 +24,12 @@ struct Draw {
     return Datum::symbol(words[random.below(N)]);
   }
   Datum cube() { return Datum::symbol(cell.cubes[random.below(cell.cubes.size())].name); }
+  std::pair<Datum, Datum> two_cubes() {
+    Datum one = cube();
+    Datum other = cube();
+    while (other == one) other = cube();
+    return {one, other};
+  }
   double x() { return seconds(cell.row.x_mm - 25, cell.row.x_mm + 25); }
   double y() { return seconds(cell.row.y_low_mm, cell.row.y_high_mm); }
   // At any time of the phase, or when the servo is in some state during some operation.
@@ -49,9 +56,7 @@ Datum network(Draw& draw) {
 }
 
 Datum hand(Draw& draw) {
-  const Datum cube = draw.cube();
-  Datum other = draw.cube();
-  while (other == cube) other = draw.cube();
+  const auto [cube, other] = draw.two_cubes();
   switch (draw.random.below(7)) {
     case 0:
       return list(word("hand"), word("push"), cube, draw.seconds(-20, 20), draw.seconds(-60, 60));
@@ -97,6 +102,11 @@ Datum sight(Draw& draw) {
   return list(word("jumps"), draw.random.below(40) + 1, draw.seconds(0.1, 0.4));
 }
 
+Datum swap(Draw& draw) {
+  const auto [one, other] = draw.two_cubes();
+  return list(word("swap"), one, other, draw.seconds(0.2, 2));
+}
+
 Datum arm(Draw& draw) {
   switch (draw.random.below(3)) {
     case 0:
@@ -129,7 +139,10 @@ Datum what(const std::string& kind, Draw& draw) {
   if (kind == "slip") return list(word("slip"));
   if (kind == "misplace") return list(word("misplace"), draw.seconds(0.1, 0.5));
   if (kind == "hand") return hand(draw);
-  return list(word("stop"), draw.seconds(0.3, 5));
+  if (kind == "stop") return list(word("stop"), draw.seconds(0.3, 5));
+  if (kind == "swap") return swap(draw);
+  if (kind == "alarm") return list(word("alarm"), draw.seconds(0.3, 5));
+  return list(word("light"), draw.seconds(0.5, 1.5), draw.seconds(0.5, 6));
 }
 
 }  // namespace

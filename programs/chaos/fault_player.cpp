@@ -11,6 +11,7 @@ namespace {
 
 constexpr Duration poll_pause = 20ms;
 constexpr Duration busy_pause = 200ms;
+constexpr Duration reset_timeout = 5s;
 constexpr int most_tries = 100;
 
 Duration seconds(double s) { return Duration(static_cast<Duration::rep>(std::llround(s * 1e6))); }
@@ -18,9 +19,9 @@ Duration seconds(const Datum& s) { return seconds(s.number()); }
 
 }  // namespace
 
-FaultPlayer::FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, std::vector<Fault> faults,
-                         std::function<void(const std::string&)> tell)
-    : cell_(cell), bystander_(bystander), faults_(std::move(faults)), tell_(std::move(tell)) {}
+FaultPlayer::FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, runtime::Caller& caller,
+                         std::vector<Fault> faults, std::function<void(const std::string&)> tell)
+    : cell_(cell), bystander_(bystander), caller_(caller), faults_(std::move(faults)), tell_(std::move(tell)) {}
 
 FaultPlayer::~FaultPlayer() = default;
 
@@ -37,7 +38,7 @@ Task<void> FaultPlayer::end() {
   bool acting = true;
   while (acting) {
     co_await sleep(cell_.time(), poll_pause);
-    acting = hands_ > 0 || stops_ > 0;
+    acting = hands_ > 0 || stops_ > 0 || alarms_ > 0;
   }
 }
 
@@ -63,7 +64,7 @@ void FaultPlayer::happen(const Fault& fault) {
   const Datum& what = fault.what;
   if (fault.kind == "network" || fault.kind == "reply") return do_to_network(what);
   if (fault.kind == "disk") return do_to_disk(what);
-  if (fault.kind == "frames" || fault.kind == "sight") return do_to_camera(what);
+  if (fault.kind == "frames" || fault.kind == "sight" || fault.kind == "light") return do_to_camera(what);
   if (fault.kind == "arm" || fault.kind == "pendant" || fault.kind == "sensor") return do_to_arm(what);
   if (fault.kind == "agent") {
     const auto steps = static_cast<std::uint64_t>(what[2].integer());
@@ -72,6 +73,10 @@ void FaultPlayer::happen(const Fault& fault) {
   if (fault.kind == "pause") return cell_.pause(std::string(what[1].text()), seconds(what[2]));
   if (fault.kind == "board") return cell_.kill_board(seconds(what[1]), what.is_form("power-cut"));
   if (fault.kind == "stop") return acting_.push_back(cell_.time().spawn(stop_for(seconds(what[1]))));
+  if (fault.kind == "alarm") return acting_.push_back(cell_.time().spawn(alarm_for(seconds(what[1]))));
+  if (fault.kind == "swap") {
+    return cell_.exchange_names(std::string(what[1].text()), std::string(what[2].text()), seconds(what[3]));
+  }
   if (what.is_form("borrow")) return acting_.push_back(cell_.time().spawn(borrow(what)));
   if (what.is_form("hand")) return acting_.push_back(cell_.time().spawn(move_hand(what)));
   if (what.is_form("slip")) return acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "slip"_sym))));
@@ -111,6 +116,10 @@ void FaultPlayer::do_to_camera(const Datum& what) {
   if (what.is_form("late")) {
     faults.frames_late_until = until;
     faults.frame_delay = seconds(what[1]);
+  }
+  if (what.is_form("light")) {
+    faults.light_until = until;
+    faults.light = what[1].number();
   }
   if (what.is_form("hidden")) {
     faults.hidden_until = until;
@@ -187,6 +196,26 @@ Task<void> FaultPlayer::stop_for(Duration length) {
     co_await sleep(cell_.time(), busy_pause);
   }
   --stops_;
+}
+
+Task<void> FaultPlayer::alarm_for(Duration length) {
+  ++alarms_;
+  bool& alarm = cell_.world().faults.alarm;
+  alarm = true;
+  const Datum stop = list("arm"_sym, "stop"_sym);
+  co_await ask_world(stop);
+  const Time until = cell_.time().now() + length;
+  while (cell_.time().now() < until) {
+    if (ending_) break;
+    co_await sleep(cell_.time(), poll_pause);
+  }
+  // Another person may have reset it meanwhile.
+  const Datum reset = list("get-control"_sym);
+  while (alarm) {
+    [[maybe_unused]] const Result<Datum> asked = co_await caller_.call("robot", reset, reset_timeout);
+    co_await sleep(cell_.time(), busy_pause);
+  }
+  --alarms_;
 }
 
 }  // namespace pizarra::chaos

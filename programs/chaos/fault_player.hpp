@@ -2,7 +2,7 @@
 
 // Lets the faults of a run happen, each at its time, and ends them all.
 //
-//   FaultPlayer player(cell, faults, tell);
+//   FaultPlayer player(cell, bystander, caller, faults, tell);
 //   player.begin();                       // the fault phase
 //   player.end();                         // the quiet phase: all is well again, and nobody interferes
 
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/runtime/service.hpp"
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
 #include "programs/chaos/fault.hpp"
@@ -18,9 +19,9 @@ namespace pizarra::chaos {
 
 class FaultPlayer {
  public:
-  // `tell` hears of each fault as it happens. The cell and `bystander`, with whose session people stop the cell,
-  // outlive it.
-  FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, std::vector<Fault> faults,
+  // `tell` hears of each fault as it happens. The cell, `bystander`, with whose session people stop the cell, and
+  // `caller`, with which they reset an alarm, outlive it.
+  FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, runtime::Caller& caller, std::vector<Fault> faults,
               std::function<void(const std::string&)> tell);
   ~FaultPlayer();
   FaultPlayer(const FaultPlayer&) = delete;
@@ -46,16 +47,19 @@ class FaultPlayer {
   Task<void> move_hand(Datum request);
   Task<void> borrow(Datum what);
   Task<void> stop_for(Duration length);
+  Task<void> alarm_for(Duration length);
   Task<void> ask_world(Datum request);
 
   ChaosCell& cell_;
   ChaosCell::Client& bystander_;
+  runtime::Caller& caller_;
   const std::vector<Fault> faults_;
   const std::function<void(const std::string&)> tell_;
   Coverage coverage_;
   std::size_t happened_ = 0;
   int hands_ = 0;
   int stops_ = 0;
+  int alarms_ = 0;
   Time hand_moved_{};
   bool ending_ = false;
   std::vector<Job> waiting_;

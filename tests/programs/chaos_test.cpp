@@ -29,8 +29,8 @@ TEST(Chaos, WithoutFaultsTheGoalIsReached) {
 }
 
 // They say nothing of the goal, which stays wanted until they are over.
-TEST(Chaos, AStopThePendantAndAFullDiskHoldTheCellUpAndTheGoalIsReached) {
-  for (const char* kind : {"stop", "pendant", "disk"}) {
+TEST(Chaos, AStopThePendantAnAlarmAndAFullDiskHoldTheCellUpAndTheGoalIsReached) {
+  for (const char* kind : {"stop", "pendant", "alarm", "disk"}) {
     const Said said = run("--runs 2 --first-seed 1 --no-shrink --only " + std::string(kind));
     EXPECT_EQ(said.status, 0) << said.text;
   }
