@@ -1,7 +1,7 @@
 #pragma once
 
-// What the views of a chessboard so far leave open, for a person who still holds the board: which part of an image no
-// board came to, and whether the boards are tilted to one another.
+// Tells a person who holds a chessboard which views are still missing: which part of an image no board came to, and
+// whether the boards are tilted to one another.
 //
 //   for (const Lack& lack : lacks_of(views, image, board)) print(lack.sentence);
 //

@@ -44,7 +44,7 @@ class ChaosCell {
   void kill(const std::string& kind, Duration away, std::uint64_t after_steps = 1);
   void kill_board(Duration away, bool power);
   void pause(const std::string& kind, Duration length);
-  // What the eyes tell of the one is of the other.
+  // The eyes take one object for the other meanwhile.
   void exchange_names(std::string one, std::string other, Duration length);
   void heal();
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Tells a board how a calibration goes, for its console to show it: docs/facts/calibration.md. What is told goes on a
-// thread of its own, so that no image is missed for it; where the board is slow, only the newest is told.
+// Tells a board how a calibration goes, for its console to show it: docs/facts/calibration.md. A thread of its
+// own tells the facts, so that no image is missed meanwhile. Where the board is slow, it tells only the newest.
 //
 //   Result<std::unique_ptr<CalibrationNews>> news = CalibrationNews::open(*to);
 //   (*news)->tell({.state = "looking", .wanted = 20});
@@ -39,7 +39,7 @@ class CalibrationNews {
     std::vector<camera::Lack> lacks;
   };
 
-  // What was told of a calibration before is taken back. Failures: those of the board and the key.
+  // Takes back the facts of an earlier calibration. Failures: those of the board and the key.
   static Result<std::unique_ptr<CalibrationNews>> open(const std::string& address, const std::string& key);
   CalibrationNews(const CalibrationNews&) = delete;
   CalibrationNews& operator=(const CalibrationNews&) = delete;
