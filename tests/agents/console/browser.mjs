@@ -142,15 +142,16 @@ export function say(words, folder) {
 // What is waited for comes sooner or later, also on a machine that is busy elsewhere: this long means that it does not.
 const never = 180_000;
 
-// A board that holds a story which nobody lives: what it tells of is declared, and told by `tell`.
-export function storyBoard(board, folder) {
+// A board that holds a story which nobody lives: what it tells of is declared, and told by `tell` or another word of the
+// teller's. `options` are the board's.
+export function storyBoard(board, folder, ...options) {
   if (spawnSync('/usr/bin/python3', ['-c', 'import zmq']).status !== 0)
     skip('python3-zmq is not there to tell facts with');
   const at = `ipc://${folder}/board`;
-  const kept = start([board, '--listen', at], folder);
+  const kept = start([board, '--listen', at, ...options], folder);
   const teller = (word) => say(['/usr/bin/python3', join(here, 'story_teller.py'), source, at, word], folder);
   teller('declare');
-  return { at, tell: () => teller('tell'), end: kept.end };
+  return { at, tell: (word = 'tell') => teller(word), end: kept.end };
 }
 
 // A page that counts what a page of ours must never do.
@@ -172,6 +173,24 @@ export async function openPage(browser, address, size = { width: 1280, height: 8
   });
   await page.goto(address);
   return page;
+}
+
+// How many pixels of what an element shows are of that colour, or near it.
+export async function pixelsLike(page, selector, colour) {
+  const picture = (await page.locator(selector).screenshot()).toString('base64');
+  return page.evaluate(
+    async ([bytes, like]) => {
+      const blob = new Blob([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], { type: 'image/png' });
+      const bitmap = await createImageBitmap(blob);
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) if (like.every((value, k) => Math.abs(data[i + k] - value) < 24)) ++count;
+      return count;
+    },
+    [picture, colour],
+  );
 }
 
 export const text = (page, selector) => page.locator(selector).innerText();

@@ -1,5 +1,7 @@
-"""story_teller.py TREE BOARD declare|tell: declares what it tells, and tells how it begins; tells a story with two goals,
-a plan that was made anew, facts because of facts, of which one has gone, and an arm that moves."""
+"""story_teller.py TREE BOARD declare|tell|work|serve|more: declares what it tells, and tells how it begins; tells a story
+with two goals, a plan that was made anew, facts because of facts, of which one has gone, and an arm that moves; tells
+260 entries of work, of which the newest 200 stand, as a coordinator does; tells a plan of which a part was done by
+somebody else; tells one entry more."""
 
 import sys
 
@@ -19,7 +21,18 @@ RELATIONS = POSTS[:-1] + [
     "(relation contract ((name symbol) (form datum)) (key name))",
     "(relation goal ((n integer) (facts list)) (key n) (durable))",
     "(relation goal-state ((n integer) (state symbol) (detail list)) (key n) (durable))",
+    "(relation plan ((n integer) (operations list)) (key) (durable))",
+    "(relation operation ((index integer) (operation list) (state symbol)) (key) (durable))",
+    "(relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)"
+    " (m0 number) (m1 number) (m2 number)) (key eyes name num) (durable))",
 ]
+# As a coordinator's contract: its predicates are what it posts and reads of symbols.
+PURSUES = (
+    "(contract teller (offers (goal (fact list) ...)) (posts (relation on ((upper symbol) (lower symbol)) (key upper))"
+    " (relation clear ((ob symbol)) (key ob)) (relation arm-empty () (key)) (relation told ((ob symbol)) (key ob)))"
+    " (reads on clear arm-empty))"
+)
+KEPT = 200
 BEFORE = "(PICK-UP triangle) (STACK triangle square) (PICK-UP circle) (STACK circle triangle)"
 AFTER = "(UNSTACK cross triangle) (PUT-DOWN cross) (PICK-UP circle) (STACK circle triangle)"
 STORY = [
@@ -66,6 +79,52 @@ def tell_all(board):
     board.transact(steps=[retract("(place square ?x ?y ?z ?frame)")])
 
 
+def tell_event(board, number, event):
+    steps = [tell(f"(event {number} {event})")]
+    if number >= KEPT:
+        steps.append(retract(f"(event {number - KEPT} ?kind ?sentence ?detail)"))
+    board.transact(steps=steps)
+
+
+def work(board):
+    events = [
+        'operation "picks up" (PICK-UP circle)',
+        'servo "circle was moved during the approach: following it" circle',
+        'difference "(clear circle) does not hold" ((clear circle))',
+        'plan "the plan in hand still serves, from operation 2 on" (plan 1 ((STACK circle triangle)))',
+        'operation "(STACK circle triangle) failed: it slipped" (fail slipped "it slipped" circle)',
+        'agent "vision has gone" vision',
+    ]
+    for number in range(1, 261):
+        tell_event(board, number, events[number % len(events)])
+    board.tell("(goal 1 ((on circle triangle)))")
+    board.tell("(goal-state 1 reached ())")
+
+
+def more(board):
+    tell_event(board, 261, 'result "goal 1 is reached" ()')
+    tell_event(board, 262, 'missing "the cross is not seen" cross')
+
+
+def serve(board):
+    plan = ["(PICK-UP triangle)", "(STACK triangle square)", "(PICK-UP circle)", "(STACK circle triangle)"]
+    board.tell(f"(contract teller {PURSUES})")
+    for name in ("circle", "square", "triangle", "end-effector"):
+        board.tell(f'(learned eyes "{name}" 1 100 40 4 1 1 1)')
+    board.tell(f"(plan 1 ({' '.join(plan)}))")
+    story = [
+        f'plan "plan" (plan 1 ({" ".join(plan)}))',
+        f'operation "first" {plan[0]}',
+        f'difference "somebody else did {plan[1]}: it is skipped" ({plan[1]})',
+        f'plan "the plan in hand still serves, from operation 3 on" (plan 1 ({" ".join(plan[2:])}))',
+        f'operation "third" {plan[2]}',
+    ]
+    for number, event in enumerate(story, 1):
+        tell_event(board, number, event)
+    board.tell(f"(operation 2 {plan[2]} running)")
+
+
+WORDS = {"declare": declare, "tell": tell_all, "work": work, "more": more, "serve": serve}
 with Board(sys.argv[2], "teller") as client:
-    (declare if sys.argv[3] == "declare" else tell_all)(client)
+    WORDS[sys.argv[3]](client)
     print("done", flush=True)

@@ -15,6 +15,7 @@ told.tell();
 const served = start([cell, 'console', '--board', told.at], folder);
 const page = await openPage(browser, await served.line);
 await page.waitForSelector('body[data-state=live]');
+page.on('websocket', () => page.troubles.push('the connection was lost'));
 
 // The plan that was made anew, beside the one before.
 const entry = (number) => page.locator(`#story details[data-number="${number}"]`);

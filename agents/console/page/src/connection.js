@@ -13,6 +13,7 @@ export class Connection {
   #watches = new Map();
   #requests = new Map();
   #looks = new Map();
+  #shared = new Map(); // what is followed, by its query
   #pause = 500;
   #heard = 0;
   #stamp = 0;
@@ -95,6 +96,8 @@ export class Connection {
       this.onPulse(message);
     } else if (message.reply) {
       this.#requests.get(message.reply)?.take(message);
+      // A question that the console refuses to take up.
+      this.#asked.get(message.reply)?.(message);
     }
   }
 
@@ -124,13 +127,27 @@ export class Connection {
     };
   }
 
-  // All answer how to end it. What is to be known of now, whatever moment is shown, is always followed.
+  // What is to be known of now, whatever moment is shown, is always followed. Whoever asks the same shares the answers.
   follow(query, listener) {
-    return this.#begin(query, false, listener, () => {});
+    this.#share(query, listener, false);
   }
   followAlways(query, listener) {
-    return this.#begin(query, false, listener, () => {}, true);
+    this.#share(query, listener, true);
   }
+  #share(query, listener, always) {
+    const key = `${always} ${query}`;
+    const shared = this.#shared.get(key) ?? { listeners: [], told: null };
+    shared.listeners.push(listener);
+    if (shared.told) listener(...shared.told);
+    if (this.#shared.has(key)) return;
+    this.#shared.set(key, shared);
+    const take = (...told) => {
+      shared.told = told;
+      for (const each of shared.listeners) each(...told);
+    };
+    this.#begin(query, false, take, () => {}, always);
+  }
+  // Answers how to end it.
   watch(query, listener, refused) {
     return this.#begin(query, true, listener, refused);
   }
@@ -143,6 +160,20 @@ export class Connection {
       };
       const end = this.#begin(write(query), true, take, () => take([]), true);
     });
+  }
+
+  // What held at that time, asked once; throws a failure.
+  async askThen(query, microseconds) {
+    const number = this.#next++;
+    const answer = await this.#then(number, query, microseconds);
+    this.#asked.delete(number);
+    if (answer.error) throw answer.error;
+    return answer.added;
+  }
+
+  // The moment that is shown, in microseconds; null: now.
+  get moment() {
+    return this.#moment;
   }
 
   // Shows what held at that time, everywhere; null: what holds now, and goes on. Answers a failure where there is one.

@@ -3,8 +3,12 @@
 export const find = (id) => document.getElementById(id);
 
 // element('button', { class: 'quiet', title: 'why' }, 'Cancel', child)
-export function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
+export const element = (tag, attributes, ...children) => filled(document.createElement(tag), attributes, children);
+// drawn('rect', { x: 3, y: 4, class: 'mark' }), within an `svg`
+export const drawn = (tag, attributes, ...children) =>
+  filled(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
+
+function filled(made, attributes = {}, children = []) {
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
     else if (value === true) made.setAttribute(name, '');

@@ -96,7 +96,7 @@ export function showImages(connection) {
   const showMoment = (then) => {
     moment = then;
     const isShown = () => moment === then;
-    for (const view of views) if (then !== null) drawKept(connection, view, then, isShown);
+    for (const view of views) if (then !== null && view.stream) drawKept(connection, view, then, isShown);
   };
   // The stream that tells most of a moment.
   const telling = () => views[1].stream || views[0].stream;

@@ -7,6 +7,7 @@ export function keptPicture(connection, stream, moment) {
   const canvas = element('canvas', { role: 'img', 'aria-label': `What was seen at ${clock(moment)}`, hidden: true });
   const note = element('figcaption', { class: 'quiet' }, 'looking for the picture …');
   const load = async () => {
+    if (!stream) return (note.textContent = 'no stream of images is told');
     try {
       const kept = await connection.picture(stream, moment);
       drawPicture(canvas, kept);

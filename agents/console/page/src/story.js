@@ -1,5 +1,6 @@
-// The story as a timeline, newest first: what was wanted, planned, done, seen otherwise. An entry opens its detail, what
-// it was told because of, and what was seen then; above them the coordinator says why it does what it does.
+// The story: over time as a picture, and as a list, newest first: what was wanted, planned, done, seen otherwise. An entry
+// opens its detail, what it was told because of, and what was seen then; above them the coordinator says why it does
+// what it does.
 
 import { clipped, clock, eachFrame, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
@@ -7,7 +8,9 @@ import { goalHistory } from './goal_history.js';
 import { keptPicture } from './kept_picture.js';
 import { planChange, planIn } from './plan_change.js';
 import { provenanceButton, toldBy } from './provenance.js';
+import { showWork } from './work.js';
 import { text, write } from './datum.js';
+import { keyOf } from './work_entries.js';
 
 const shown = 200;
 
@@ -51,7 +54,7 @@ function entryOf({ connection, images, goTo }, events, answer) {
   );
 }
 
-export function showStory(connection, images, goTo) {
+export function showStory(connection, entries, images, goTo) {
   const list = element('div', { class: 'timeline' });
   const why = element('pre', { class: 'answer', hidden: true });
   const ask = async () => {
@@ -64,24 +67,25 @@ export function showStory(connection, images, goTo) {
       why.textContent = failureText(failure);
     }
   };
+  const told = () => entries.until(connection.moment ?? Infinity);
+  const entry = (answer) => entryOf({ connection, images, goTo }, told(), answer);
+  const work = showWork(connection, entries, entry);
   find('story').append(
     element('div', { class: 'row' }, element('button', { type: 'button', id: 'why', onclick: ask }, 'Why this, now?')),
     why,
+    work.panel,
     goalHistory(connection),
     list,
   );
 
-  let answers = [];
-  const entries = new Map();
+  const made = new Map();
   const draw = eachFrame(() => {
-    const newest = answers.toSorted((a, b) => fact(b)[1] - fact(a)[1]).slice(0, shown);
-    const ids = new Set(newest.map((answer) => answer.ids[0]));
-    for (const id of entries.keys()) if (!ids.has(id)) entries.delete(id);
-    for (const answer of newest) if (!entries.has(answer.ids[0])) entries.set(answer.ids[0], entryOf({ connection, images, goTo }, answers, answer));
-    list.replaceChildren(...newest.map((answer) => entries.get(answer.ids[0])));
+    const newest = told().reverse().slice(0, shown);
+    const keys = new Set(newest.map(keyOf));
+    for (const key of made.keys()) if (!keys.has(key)) made.delete(key);
+    for (const answer of newest) if (!made.has(keyOf(answer))) made.set(keyOf(answer), entry(answer));
+    list.replaceChildren(...newest.map((answer) => made.get(keyOf(answer))));
+    work.draw();
   });
-  connection.follow('(event ?n ?kind ?sentence ?detail)', (held) => {
-    answers = held;
-    draw();
-  });
+  entries.onChange(draw);
 }

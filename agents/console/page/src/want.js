@@ -1,19 +1,26 @@
 // What is wanted: goals typed, the plan with the operation in hand, and what became of it.
 
-import { clipped, element, failureText, find } from './dom.js';
+import { clipped, eachFrame, element, failureText, find } from './dom.js';
+import { completes } from './completion.js';
 import { fact } from './live_answers.js';
+import { nextWords } from './goal_words.js';
+import { planStates } from './plan_states.js';
 import { showTowers } from './towers.js';
 import { text, write } from './datum.js';
 
-// `done` before the one in hand, its state for that one.
-function showPlan(plan, inHand) {
+const carried = 'end-effector';
+
+// What is worth a second look in the list.
+const classOf = { 'still serves': 'serves' };
+
+function showPlan(plan, states) {
   const list = find('plan');
   list.replaceChildren();
   find('plan-note').textContent = plan ? `for goal ${plan[1]}` : 'none yet';
   if (!plan) return;
   plan[2].forEach((operation, index) => {
-    const state = !inHand || index > inHand[1] ? '' : index < inHand[1] ? 'done' : text(inHand[3]);
-    const item = element('li', { class: state }, element('code', {}, clipped(write(operation), 80)));
+    const state = states[index];
+    const item = element('li', { class: classOf[state] ?? state }, element('code', {}, clipped(write(operation), 80)));
     if (state) item.append(element('span', { class: 'mark' }, state));
     if (state === 'running') item.setAttribute('aria-current', 'step');
     list.append(item);
@@ -23,9 +30,35 @@ function showPlan(plan, inHand) {
   if (current) list.scrollTop = current.offsetTop - list.offsetTop - list.clientHeight / 2;
 }
 
-export function showWant(connection) {
+// What is wrong with what was typed is marked in the field: `goal:LINE:COLUMN`, of its one line.
+function markPlace(field, failure) {
+  const column = Number(failure.place?.match(/^goal:1:(\d+)/)?.[1] ?? 0);
+  field.setAttribute('aria-invalid', 'true');
+  if (column === 0) return;
+  const word = field.value.slice(column - 1).match(/^[()]|^[^\s()]+/)?.[0] ?? ' ';
+  field.focus();
+  field.setSelectionRange(column - 1, column - 1 + word.length);
+}
+
+// The domain's predicates: what whoever pursues goals both posts and reads of symbols alone, and keeps nowhere.
+function predicatesIn(contracts) {
+  const found = new Map();
+  for (const [, , contract] of contracts.map(fact)) {
+    const part = (name) => contract.filter((each) => text(each[0]) === name).flatMap((each) => each.slice(1));
+    if (!part('offers').some((offer) => text(offer[0]) === 'goal')) continue;
+    const read = new Set(part('reads').map(text));
+    for (const [, name, args, ...rest] of part('posts')) {
+      const isPredicate = read.has(text(name)) && args.every(([, type]) => text(type) === 'symbol');
+      if (isPredicate && !rest.some((option) => text(option[0]) === 'durable')) found.set(text(name), args.length);
+    }
+  }
+  return found;
+}
+
+export function showWant(connection, entries) {
   const towers = showTowers();
   const answer = find('goal-answer');
+  const goalText = find('goal-text');
   const say = (sentence, kind = '') => {
     answer.hidden = false;
     answer.className = kind;
@@ -34,6 +67,7 @@ export function showWant(connection) {
 
   const accepted = async (typed) => {
     say('asking …');
+    goalText.removeAttribute('aria-invalid');
     try {
       const [number] = await connection.goal(typed, (end) => {
         if (end.error) say(failureText(end.error), 'bad');
@@ -42,11 +76,12 @@ export function showWant(connection) {
       say(`goal ${number} accepted`);
     } catch (failure) {
       say(failureText(failure), 'bad');
+      markPlace(goalText, failure);
     }
   };
   find('goal-form').addEventListener('submit', (event) => {
     event.preventDefault();
-    accepted(find('goal-text').value);
+    accepted(goalText.value);
   });
   find('cancel').addEventListener('click', async () => {
     try {
@@ -58,13 +93,17 @@ export function showWant(connection) {
 
   let plan;
   let inHand;
-  const show = () => showPlan(plan, inHand && plan ? inHand : undefined);
+  const show = eachFrame(() => {
+    const events = entries.until(connection.moment ?? Infinity);
+    showPlan(plan, plan ? planStates(plan, inHand, events) : []);
+  });
+  entries.onChange(show);
   connection.follow('(plan ?n ?operations)', (answers) => {
     plan = answers.length ? fact(answers[0]) : undefined;
     show();
   });
   connection.follow('(operation ?i ?operation ?state)', (answers) => {
-    inHand = answers.length ? fact(answers[0]) : undefined;
+    inHand = answers[0];
     show();
   });
 
@@ -79,11 +118,15 @@ export function showWant(connection) {
     find('cancel').disabled = state !== 'running';
   });
 
-  // What may be typed: a pair of what has been learned.
+  // What may be typed: the domain's predicates, of what has been learned and of what else they were seen to hold.
+  let learned = [];
+  let placed = [];
+  let predicates = new Map();
+  connection.follow('(contract ?name ?form)', (answers) => (predicates = predicatesIn(answers)));
+  connection.follow('(believed ?fact)', (answers) => (placed = answers.flatMap((believed) => fact(believed)[1].slice(1).map(text))));
   connection.follow('(learned ?eyes ?name 1 ? ? ? ? ? ?)', (answers) => {
-    const names = [...new Set(answers.map((learned) => text(fact(learned)[2])))].slice(0, 12);
-    const goals = names.flatMap((a) => names.filter((b) => b !== a).map((b) => `(on ${a} ${b})`));
-    towers.setNames(names.filter((name) => name !== 'end-effector'));
-    find('goal-words').replaceChildren(...goals.map((goal) => element('option', { value: goal })));
+    learned = answers.map((one) => text(fact(one)[2])).filter((name) => name !== carried);
+    towers.setNames([...new Set(learned)].slice(0, 12));
   });
+  completes(goalText, (source) => nextWords(source, { predicates, names: [...new Set([...learned, ...placed])].sort() }));
 }
