@@ -1,9 +1,11 @@
 #include "agents/coordinator/act/aim.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
+#include "agents/coordinator/geometry/sight_lines.hpp"
 #include "agents/coordinator/geometry/spots.hpp"
 
 namespace pizarra::coordinator {
@@ -12,6 +14,8 @@ namespace {
 
 // A mark that a moment's noise hides is taken to be where it was for as many looks.
 constexpr std::uint64_t tolerated_looks = 3;
+// A cube comes to lie so far off the spot that it was meant for.
+constexpr double off_spot_mm = 8;
 
 }  // namespace
 
@@ -51,6 +55,30 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
   return Eigen::Vector3d(front + (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ());
 }
 
+// What is laid down should hide nothing, nor be hidden. Where no such spot is free, one that the camera shows will do.
+std::optional<Eigen::Vector2d> Aims::free_spot_among(const std::vector<Eigen::Vector3d>& others,
+                                                     double from_y_mm) const {
+  const double cube = domain_.cube_mm();
+  SightLines lines;
+  for (const Eigen::Vector3d& eye : scene_.view()->eyes()) lines.eyes_mm.emplace_back(eye.head<2>());
+  lines.cube_mm = cube;
+  lines.mark_half_mm = options_.gripper.outline.mark_half_mm;
+  lines.margin_mm = off_spot_mm;
+  const Shown shown = [&](const Eigen::Vector2d& spot) {
+    return scene_.view()->shows(*on_table(spot.x(), spot.y()), lines.mark_half_mm);
+  };
+  const Shown in_sight = [&](const Eigen::Vector2d& spot) {
+    const Eigen::Vector3d centre(spot.x(), spot.y(), cube / 2);
+    const auto crosses = [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); };
+    return shown(spot) && std::ranges::none_of(others, crosses);
+  };
+  std::vector<Eigen::Vector2d> occupied;
+  for (const Eigen::Vector3d& other : others) occupied.emplace_back(other.head<2>());
+  const TableArea area = TableArea::of(options_.row, cube);
+  const std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, from_y_mm, in_sight);
+  return spot ? spot : free_spot(area, occupied, from_y_mm, shown);
+}
+
 Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
   if (!spot_) {
     std::vector<Eigen::Vector3d> centres;
@@ -58,12 +86,7 @@ Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
       if (name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
     }
     const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
-    const std::vector<Eigen::Vector2d> occupied = spots_of(centres, grip, domain_.cube_mm());
-    const Shown shown = [this](const Eigen::Vector2d& spot) {
-      const double mark_mm = options_.gripper.outline.mark_half_mm;
-      return scene_.view()->shows(*on_table(spot.x(), spot.y()), mark_mm);
-    };
-    spot_ = free_spot(TableArea::of(options_.row, domain_.cube_mm()), occupied, grip ? grip->y() : 0, shown);
+    spot_ = free_spot_among(standing(std::move(centres), grip, domain_.cube_mm()), grip ? grip->y() : 0);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
   return on_table(spot_->x(), spot_->y());

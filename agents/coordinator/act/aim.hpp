@@ -31,6 +31,7 @@ class Aims {
   Result<Eigen::Vector3d> grip() const;
   Result<Eigen::Vector3d> on_top_of(std::string_view lower) const;
   Result<Eigen::Vector3d> free_spot_for(std::string_view held);
+  std::optional<Eigen::Vector2d> free_spot_among(const std::vector<Eigen::Vector3d>& others, double from_y_mm) const;
   Result<Eigen::Vector3d> on_table(double x_mm, double y_mm) const;
 
   const CoordinatorOptions& options_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/coordinator/geometry/sight_lines.hpp"
+
 namespace pizarra::coordinator {
 
 namespace {
@@ -22,20 +24,9 @@ bool within_reach(const ElbowRoom& room, const Eigen::Vector2d& point) {
   return point.norm() >= room.reach_low_mm && point.norm() <= room.reach_high_mm;
 }
 
-// Whether the one nearer the camera covers some of the other's mark, for one of the eyes.
-bool covers(const ElbowRoom& room, const Eigen::Vector3d& nearer, const Eigen::Vector3d& other) {
-  const double half = room.cube_mm / 2;
-  if (nearer.x() - other.x() < half || nearer.z() < other.z() - 0.75 * room.cube_mm) return false;
-  const double face_x = other.x() + half;
-  for (const Eigen::Vector2d& eye : room.eyes_mm) {
-    for (const double mark_edge : {other.y() - room.mark_half_mm, other.y() + room.mark_half_mm}) {
-      for (const double x : {std::max(face_x, nearer.x() - half), nearer.x() + half}) {
-        const double y = mark_edge + (x - face_x) / (eye.x() - face_x) * (eye.y() - mark_edge);
-        if (std::abs(y - nearer.y()) < half + room.margin_mm) return true;
-      }
-    }
-  }
-  return false;
+SightLines sight_lines(const ElbowRoom& room) {
+  return {
+      .eyes_mm = room.eyes_mm, .cube_mm = room.cube_mm, .mark_half_mm = room.mark_half_mm, .margin_mm = room.margin_mm};
 }
 
 bool is_shown(const ElbowRoom& room, const Eigen::Vector3d& centre) { return !room.shown || room.shown(centre); }
@@ -49,6 +40,7 @@ std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& 
   const double before = half + room.finger_half_mm + 2 * room.margin_mm;
   const double pusher_half = room.pusher_mm / 2 + room.finger_mm;
   // A push ends a few millimetres off.
+  const SightLines lines = sight_lines(room);
   ElbowRoom ample = room;
   ample.margin_mm += 5;
   for (double length = step_mm; length <= longest_mm; length += step_mm) {
@@ -56,9 +48,7 @@ std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& 
       if (sign > 0 && centre.z() > room.cube_mm) continue;
       const Eigen::Vector3d after = centre + Eigen::Vector3d(sign * length, 0, 0);
       if (!is_shown(room, after) || is_crowded(ample, after, others)) continue;
-      const auto cover_each_other = [&](const Eigen::Vector3d& other) {
-        return covers(room, after, other) || covers(room, other, after);
-      };
+      const auto cover_each_other = [&](const Eigen::Vector3d& other) { return lines.cross(after, other); };
       if (seen && std::ranges::any_of(others, cover_each_other)) continue;
       const double from_x = centre.x() - sign * before;
       const auto in_the_way = [&](const Eigen::Vector3d& other) {

@@ -44,14 +44,11 @@ std::optional<Eigen::Vector2d> free_spot_at(double x_mm, const TableArea& area,
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> spots_of(const std::vector<Eigen::Vector3d>& centres,
-                                      const std::optional<Eigen::Vector3d>& grip, double cube_mm) {
-  std::vector<Eigen::Vector2d> spots;
-  for (const Eigen::Vector3d& centre : centres) {
-    const bool hangs = grip && (centre - *grip).norm() < cube_mm;
-    if (!hangs) spots.emplace_back(centre.head<2>());
-  }
-  return spots;
+std::vector<Eigen::Vector3d> standing(std::vector<Eigen::Vector3d> centres, const std::optional<Eigen::Vector3d>& grip,
+                                      double cube_mm) {
+  const auto hangs = [&](const Eigen::Vector3d& centre) { return grip && (centre - *grip).norm() < cube_mm; };
+  std::erase_if(centres, hangs);
+  return centres;
 }
 
 std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,

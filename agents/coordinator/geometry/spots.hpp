@@ -44,10 +44,10 @@ struct TableArea {
 // Whether a cube that stands there has its mark in both images.
 using Shown = std::function<bool(const Eigen::Vector2d& spot)>;
 
-// Where cubes with these centres stand. An object that hangs in the gripper at `grip`, whatever it is taken for, stands
-// nowhere.
-std::vector<Eigen::Vector2d> spots_of(const std::vector<Eigen::Vector3d>& centres,
-                                      const std::optional<Eigen::Vector3d>& grip, double cube_mm);
+// Those of the cubes with these centres that stand somewhere. An object that hangs in the gripper at `grip`, whatever
+// it is taken for, stands nowhere.
+std::vector<Eigen::Vector3d> standing(std::vector<Eigen::Vector3d> centres, const std::optional<Eigen::Vector3d>& grip,
+                                      double cube_mm);
 
 // The free spot nearest `from_y_mm` that is comfortably away from `occupied`; without one the roomiest of those that
 // leave the least room. Where the row is full, one as near the row as there is, rather behind it, as seen from the

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "agents/coordinator/plan/primitives.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra::coordinator {
@@ -89,6 +90,14 @@ Result<TaskDomain> TaskDomain::read(const std::string& file) {
 void TaskDomain::use_cubes(double cube_mm) {
   cube_mm_ = cube_mm;
   perception_.set_constant("cube", cube_mm);
+}
+
+std::vector<std::string> TaskDomain::objects_in(const std::vector<Datum>& goal) const {
+  std::vector<std::string> names = forms::objects_in(goal);
+  std::erase_if(names, [this](const std::string& name) {
+    return std::ranges::find(domain_.objects, name, &forms::TypedName::name) != domain_.objects.end();
+  });
+  return names;
 }
 
 Result<GroundOperation> TaskDomain::ground(const Datum& operation) const {

@@ -26,6 +26,8 @@ class TaskDomain {
   // The cell's cubes, in place of those that the domain was written for.
   void use_cubes(double cube_mm);
 
+  // The objects that a goal names and the eyes must see: all but the domain's own.
+  std::vector<std::string> objects_in(const std::vector<Datum>& goal) const;
   // Failures: unknown-operator, wrong-arity.
   Result<GroundOperation> ground(const Datum& operation) const;
   // The predicates as relations, every argument key.

@@ -48,6 +48,7 @@ Task<void> Pursuit::run() {
 
 Task<Result<void>> Pursuit::pursue_once(Goal goal) {
   hold_up_.went_on();
+  set_aside_ = 0;
   while (true) {
     const Result<void> outcome = co_await attempt(goal);
     const bool held_up = !outcome && is_hold_up(outcome.error());

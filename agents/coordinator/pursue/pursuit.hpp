@@ -116,7 +116,7 @@ class Pursuit {
   // False where the board has no room for it.
   Task<bool> end(Goal goal, Result<void> outcome);
   Task<Result<Revision>> tell_outcome(std::int64_t number, std::string_view state, Datum detail);
-  std::vector<std::string> objects_of(const Goal& goal) const;
+  std::vector<std::string> objects_of(const Goal& goal) const { return domain_.objects_in(goal.facts); }
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
@@ -134,6 +134,7 @@ class Pursuit {
 
   std::optional<Goal> current_;
   std::int64_t last_number_ = 0;
+  int set_aside_ = 0;             // how often something was, in search of what the goal in hand names
   std::int64_t planned_for_ = 0;  // the number of the goal for which the planner may have a plan
 };
 

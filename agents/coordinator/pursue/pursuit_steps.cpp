@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/coordinator/perceive/missing_objects.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal_formula.hpp"
@@ -17,7 +18,8 @@ constexpr int planner_tries = 3;
 constexpr int most_attempts = 12;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
-constexpr int tries_to_set_aside = 3;  // a try that failed may have moved it to where it can be grasped
+constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
+constexpr int tries_to_set_aside = 3;       // a try that failed may have moved it to where it can be grasped
 constexpr Duration look_behind = 1500ms;
 
 bool is_in_hand(const Datum& state) { return state.is_symbol("running") || state.is_symbol("kept"); }
@@ -42,32 +44,19 @@ bool is_verdict(const Failure& failure) {
 
 }  // namespace
 
-std::vector<std::string> Pursuit::objects_of(const Goal& goal) const {
-  std::vector<std::string> names = forms::objects_in(goal.facts);
-  const std::vector<forms::TypedName>& fixed = domain_.domain().objects;
-  std::erase_if(names, [&](const std::string& name) {
-    return std::ranges::find(fixed, name, &forms::TypedName::name) != fixed.end();
-  });
-  return names;
-}
-
-// Steps b and c: all that are missing are named. Objects seen while tracked need no search of the whole image.
+// Steps b and c: each object is found, whatever was seen of it lately, and all that are missing are named.
 Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
-  std::vector<Datum> missing;
+  std::vector<std::string> missing;
   for (const std::string& name : objects) {
     const Time deadline = context_.executor.now() + options_.missing_patience;
     const Result<void> there = co_await look_once_for(name, deadline);
     const bool unseen = !there && there.error().symbol == "missing-object";
     if (!there && !unseen) co_return there;
-    if (unseen) missing.push_back(Datum::symbol(name));
+    if (unseen) missing.push_back(name);
   }
   if (missing.empty()) co_return Result<void>();
-  std::string names;
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    names += (i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ") + std::string(missing[i].text());
-  }
-  const std::string sentence = fmt::format("{} {} not seen", names, missing.size() == 1 ? "is" : "are");
-  co_return fail("missing-object", sentence, missing.size() == 1 ? missing.front() : Datum::list(missing));
+  const Failure why = missing_objects(missing);
+  co_return fail(why);
 }
 
 // Where it does not show by itself, what may hide it is set aside, one thing after another.
@@ -77,10 +66,11 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool looked_behind = false;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   const auto lately = static_cast<std::uint64_t>(options_.grace_looks);
-  while (!surroundings_.scene().sightings().recent(object, lately)) {
+  while (true) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
+    if (surroundings_.scene().sightings().recent(object, lately)) co_return Result<void>();
     // The arm itself may hide it, if it stands low before it.
     const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
     const bool low = grip && grip->z() < options_.travel_height_mm - 10;
@@ -89,7 +79,8 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
       const Result<void> raised = co_await runner_.raise();
       if (!raised) co_return raised;
     }
-    if (set_aside.done.size() < most_set_aside && context_.executor.now() > doubtful) {
+    const bool may_set_aside = set_aside.done.size() < most_set_aside && set_aside_ < most_set_aside_of_goal;
+    if (may_set_aside && context_.executor.now() > doubtful) {
       const Result<bool> cleared = co_await clear_view(object, set_aside);
       if (!cleared) co_return fail(cleared);
       doubtful = context_.executor.now() + look_behind;
@@ -100,12 +91,12 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
     // Found in one image alone, it has no place, and that is as good as not seen. While the eyes or the board were away
     // nobody looked, so that the time alone is no proof.
     if (context_.executor.now() > deadline) {
-      co_return fail("missing-object", fmt::format("{} is not seen", object), Datum::symbol(object));
+      const Failure why = missing_objects({object});
+      co_return fail(why);
     }
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
   }
-  co_return Result<void>();
 }
 
 // Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
@@ -115,6 +106,7 @@ Task<Result<bool>> Pursuit::clear_view(std::string missing, SetAside& set_aside)
   const std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done);
   const bool may_hide = done && before && *before != missing;
   if (may_hide) {
+    ++set_aside_;
     done = co_await rescues_.set_aside(*before);
     const bool in_vain = !done && ++set_aside.failed[*before] == tries_to_set_aside;
     if (done || in_vain) set_aside.done.insert(*before);

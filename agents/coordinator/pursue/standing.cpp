@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "agents/coordinator/perceive/missing_objects.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal_formula.hpp"
@@ -15,13 +16,6 @@ constexpr Duration missing_pause = 1s;
 constexpr Duration watch_pause = 300ms;
 // How long nothing is tried of a kept goal that cannot be had as things are.
 constexpr Duration hopeless_pause = 10s;
-
-std::vector<std::string> names_in(const Datum& missing) {
-  if (missing.is_symbol()) return {std::string(missing.text())};
-  std::vector<std::string> names;
-  for (const Datum& name : missing.items()) names.emplace_back(name.text());
-  return names;
-}
 
 }  // namespace
 
@@ -64,7 +58,7 @@ Task<Result<void>> Pursuit::pursue_patiently(Goal goal, Duration patience) {
 }
 
 Task<Result<void>> Pursuit::await_missing(std::int64_t goal, Failure missing, Duration patience) {
-  const std::vector<std::string> names = names_in(missing.subject);
+  const std::vector<std::string> names = names_of_missing(missing);
   std::vector<Datum> detail{"missing"_sym};
   for (const std::string& name : names) detail.push_back(Datum::symbol(name));
   const double seconds = std::chrono::duration<double>(patience).count();

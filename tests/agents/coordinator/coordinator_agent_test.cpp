@@ -240,6 +240,17 @@ TEST_F(Coordinator, RefusesWhenThePlannerStaysAway) {
   EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "absent"_sym);
 }
 
+// Step b of the thesis.
+TEST_F(Coordinator, FindsEachObjectOfTheGoalBeforeItPlansWhateverWasSeenLately) {
+  want("(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(plan 2 ?)", 30s));
+  EXPECT_GE(cell.times_told("(request ? vision (find \"circle\"))"), 2);
+  EXPECT_GE(cell.times_told("(request ? vision (find \"triangle\"))"), 1);
+  EXPECT_EQ(cell.times_told("(request ? vision (find \"square\"))"), 0);
+}
+
 // The planner hands out what follows from what is seen, and one request makes a plan.
 TEST_F(Coordinator, AsksForEachThingOnce) {
   want("(goal (on circle triangle) (on triangle square))");
@@ -411,6 +422,38 @@ TEST(CrowdedCell, SetsAsideWhatStandsBeforeThePlaceWhereAMissingCubeWasSeenLast)
   ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
   cell.hidden.clear();
   ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
+// Far out to the side the eyes look along a slanting line: what hides a cube there stands nearer the middle than it.
+TEST(CrowdedCell, LaysWhatItSetsAsideWhereItHidesTheMissingCubeNoMore) {
+  FakeCell cell("blocks.scm", {{"circle", {289, -239, 30}}, {"triangle", {450, 0, 30}}, {"square", {450, 150, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["square"] = {450, -190, 30};
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& before = cell.cubes["square"];
+    const Eigen::Vector3d& circle = cell.cubes["circle"];
+    const double looks_past = circle.y() * (1330 - before.x()) / (1330 - circle.x());
+    return name == "circle" && circle.z() < 60 && before.z() < 60 && std::abs(before.y() - looks_past) < 52;
+  };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
+}
+
+TEST(CrowdedCell, RefusesWhatShowsOnlyWhileTheCubeBeforeItIsHeldUp) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell](const std::string& name) { return name == "circle" && cell.cubes["triangle"].z() < 60; };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 refused ?)", 400s));
+  EXPECT_EQ(cell.facts("(goal-state 2 refused ?)")[0][3][1], "missing-object"_sym);
+  EXPECT_LE(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 10);
 }
 
 TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereTheArmWasStoppedTheFirstTime) {

@@ -267,11 +267,13 @@ Task<Result<Datum>> FakeCell::handle_vision(Datum operation) {
   }
   if (operation.is_form("find")) {
     const std::string name(operation[1].text());
-    const bool seen = cubes.contains(name) && !hidden.contains(name);
+    const bool seen = cubes.contains(name) && shows(name);
     text = fmt::format("(FIND \"{}\" {})", name, seen ? "OK (100, 100)" : "FAIL");
   }
   co_return list(text);
 }
+
+bool FakeCell::shows(const std::string& name) const { return !hidden.contains(name) && !covered(name); }
 
 // Ten frames a second, told a moment after they were taken.
 Task<void> FakeCell::look() {
@@ -284,8 +286,8 @@ Task<void> FakeCell::look() {
     std::string text = fmt::format("(TRACK {}", marks.size());
     for (const auto& [name, place] : marks) {
       const Sight sight = view_.sight(place);
-      const bool covered = hidden.contains(name) || (name == "end-effector" && mark_hidden());
-      const bool seen = !covered && sight.y_px > 0;
+      const bool shown = name == "end-effector" ? !mark_hidden() : shows(name);
+      const bool seen = shown && sight.y_px > 0;
       text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)
                    : fmt::format(" (\"{}\" FAIL)", name);
     }

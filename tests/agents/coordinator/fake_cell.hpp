@@ -57,9 +57,11 @@ class FakeCell {
   Cubes cubes;                                               // where they are now; the test may move them
   std::set<std::string> hidden;                              // from the eyes
   std::function<bool()> mark_hidden = [] { return false; };  // the end effector's, as a cube before it does
-  bool tells_pose = true;                                    // the robot, as a fact
-  Eigen::Vector3d pose_error_mm{0, 0, 0};                    // of the arm's own word for where it is
-  Eigen::Vector3d grip{370, 0, 410};                         // the grip centre
+  // Whether something stands before a cube.
+  std::function<bool(const std::string& name)> covered = [](const std::string&) { return false; };
+  bool tells_pose = true;                  // the robot, as a fact
+  Eigen::Vector3d pose_error_mm{0, 0, 0};  // of the arm's own word for where it is
+  Eigen::Vector3d grip{370, 0, 410};       // the grip centre
   double opening_mm = 100;
   std::string held;                // between the fingers
   double lowest_mm = 0;            // what is in the way stops the arm on its way further down,
@@ -73,6 +75,7 @@ class FakeCell {
   struct Agents;
   friend struct Agents;
 
+  bool shows(const std::string& name) const;
   Task<void> look();
   Task<Result<Datum>> handle_robot(Datum operation);
   Task<Result<Datum>> handle_vision(Datum operation);

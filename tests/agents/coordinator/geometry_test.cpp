@@ -5,6 +5,7 @@
 #include "agents/coordinator/act/aim.hpp"
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "agents/coordinator/geometry/elbow_room.hpp"
+#include "agents/coordinator/geometry/sight_lines.hpp"
 #include "agents/coordinator/geometry/spots.hpp"
 #include "blackboard/time/random.hpp"
 #include "lisp/guile/scheme.hpp"
@@ -156,12 +157,24 @@ TEST(FreeSpot, IsFoundBetweenRowsWhereNoRowHasOne) {
   EXPECT_TRUE(usable(area, *spot, occupied)) << *spot;
 }
 
+TEST(SightLines, RunFromEachEyePastWhatStandsAsideOfThem) {
+  const SightLines lines{.eyes_mm = {{1330, -45}, {1330, 45}}};
+  const Eigen::Vector3d far_aside(289, -239, 30);
+  EXPECT_TRUE(lines.covers({450, -170, 30}, far_aside)) << "nearer the middle by more than a cube";
+  EXPECT_FALSE(lines.covers({450, -100, 30}, far_aside));
+  EXPECT_FALSE(lines.covers({450, -280, 30}, far_aside));
+  EXPECT_FALSE(lines.covers(far_aside, {450, -170, 30})) << "it stands behind";
+  EXPECT_TRUE(lines.cross(far_aside, {450, -170, 30}));
+  EXPECT_FALSE(lines.covers({450, -170, 30}, {289, -239, 150})) << "the eyes look over it";
+  EXPECT_FALSE(SightLines().covers({450, 0, 30}, {300, 0, 30})) << "without eyes nothing is covered";
+}
+
 // A tower's two cubes between the fingers are no reason to keep holding them.
 TEST(FreeSpot, IsNotTakenByWhatHangsInTheGripper) {
   const std::vector<Eigen::Vector3d> centres{{450, 0, 30}, {440, -158, 300}, {430, -150, 270}};
   const Eigen::Vector3d grip(440, -158, 300);
-  EXPECT_EQ(spots_of(centres, grip, 60), (std::vector<Eigen::Vector2d>{{450, 0}}));
-  EXPECT_EQ(spots_of(centres, std::nullopt, 60).size(), 3u);
+  EXPECT_EQ(standing(centres, grip, 60), (std::vector<Eigen::Vector3d>{{450, 0, 30}}));
+  EXPECT_EQ(standing(centres, std::nullopt, 60).size(), 3u);
 }
 
 TEST(FreeSpot, IsWhereItsMarkIsShown) {

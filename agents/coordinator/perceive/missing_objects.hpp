@@ -1,0 +1,17 @@
+#pragma once
+
+// Objects that are looked for and not seen, as the failure `missing-object`: its subject is the name, or the list of
+// the names.
+
+#include <string>
+#include <vector>
+
+#include "lisp/result.hpp"
+
+namespace pizarra::coordinator {
+
+// At least one name.
+Failure missing_objects(const std::vector<std::string>& names);
+std::vector<std::string> names_of_missing(const Failure& failure);
+
+}  // namespace pizarra::coordinator
