@@ -17,6 +17,13 @@ namespace {
 
 constexpr Duration accept_timeout = 120s;
 
+// (why not GOAL ...) as the coordinator is asked it.
+Datum why_not_of(const Datum& form) {
+  std::vector<Datum> items{"why-not"_sym};
+  for (const Datum& part : form.items().subspan(2)) items.push_back(forms::without_variables(part));
+  return Datum::list(std::move(items));
+}
+
 }  // namespace
 
 Task<Evaluation> Interpreter::goal(Datum form) {
@@ -109,6 +116,8 @@ Task<Evaluation> Interpreter::why_fact(Datum pattern) {
 }
 
 Task<Evaluation> Interpreter::why(Datum form) {
+  const bool is_why_not = form.size() > 2 && form[1].is_symbol("not");
+  if (form.size() > 2 && !is_why_not) co_return usage("why");
   if (form.size() == 2) {
     const Evaluation shown = co_await why_fact(form[1]);
     co_return shown;
@@ -119,7 +128,9 @@ Task<Evaluation> Interpreter::why(Datum form) {
     const Failure alone{"absent", "no coordinator is present, so nobody knows why; (agents) shows who is", {}, {}};
     co_return show(alone);
   }
-  const Evaluation outcome = co_await request(coordinator, form);
+  const bool of_a_goal = form.size() > 2;
+  const Datum asked = of_a_goal ? why_not_of(form) : form;
+  const Evaluation outcome = co_await request(coordinator, asked);
   co_return outcome;
 }
 

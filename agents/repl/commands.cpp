@@ -7,8 +7,9 @@ std::span<const Command> Command::all() {
       {"goal", "(goal FACT ...)", "build it: (goal (on circle triangle) (on triangle square))", &Interpreter::goal},
       {"cancel", "(cancel)", "give the goal up", &Interpreter::cancel},
       {"plan", "(plan)", "the plan in use and the operation in hand", &Interpreter::plan},
-      {"why", "(why) (why PATTERN)",
-       "why the plan is what it is: which sighting broke which expectation; why facts that fit stand",
+      {"why", "(why) (why PATTERN) (why not GOAL ...)",
+       "why the plan is what it is: which sighting broke which expectation; why facts that fit stand; why a goal does "
+       "not hold, and what would bring it about",
        &Interpreter::why},
       {"objects", "(objects)", "the learned objects and where they are seen", &Interpreter::objects},
       {"agents", "(agents)", "the agents that are present and what they offer", &Interpreter::agents},

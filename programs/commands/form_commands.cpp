@@ -40,8 +40,9 @@ constexpr FormWord form_words[] = {
     {"goal", "GOAL", "Facts that shall hold, quoted for the shell",
      "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs", "goal '(on circle triangle)'",
      true},
-    {"why", "PATTERN", "Facts; without it the coordinator says what it does and why",
-     "Ask the coordinator for its reasons, or why the facts that match are on the board", "why", true},
+    {"why", "PATTERN", "Facts, or `not GOAL`; without it the coordinator says what it does and why",
+     "Ask the coordinator for its reasons, why the facts that match are on the board, or why a goal does not hold",
+     "why not '(on circle triangle)'", true},
 };
 
 struct FormChoices {

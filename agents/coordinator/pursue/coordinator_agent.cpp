@@ -3,6 +3,7 @@
 #include "agents/coordinator/perceive/role_changes.hpp"
 #include "agents/coordinator/pursue/coordinator_contract.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
+#include "agents/coordinator/pursue/why_not.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal.hpp"
 
@@ -24,7 +25,8 @@ struct Life {
         planning(context, options, domain, roles, surroundings),
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
         rescues(domain, surroundings.scene(), story, arm, runner, options.gripper.openings.wide_mm),
-        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
+        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil),
+        why_not(options, domain, surroundings, eyes, planning) {}
 
   TaskDomain domain;
   runtime::Caller caller;
@@ -39,16 +41,22 @@ struct Life {
   TaskRunner runner;
   Rescues rescues;
   Pursuit pursuit;
+  WhyNot why_not;
   Job changing, pursuing;
 };
 
-Task<Result<Datum>> take_goal(Life& life, Datum operation) {
+// The goal of (OPERATION FORM ...), checked.
+Task<Result<std::vector<Datum>>> goal_of(Life& life, Datum operation) {
   const Result<std::vector<std::string>> known = co_await life.eyes.objects();
   if (!known) co_return fail(known);
   std::vector<std::pair<std::string, std::string>> objects;
   for (const std::string& name : *known) objects.emplace_back(name, life.domain.perception().sees());
   const std::vector<Datum> wanted(operation.items().begin() + 1, operation.items().end());
-  Result<std::vector<Datum>> facts = forms::goal_from_data(life.domain.domain(), wanted, objects);
+  co_return forms::goal_from_data(life.domain.domain(), wanted, objects);
+}
+
+Task<Result<Datum>> take_goal(Life& life, Datum operation) {
+  Result<std::vector<Datum>> facts = co_await goal_of(life, std::move(operation));
   if (!facts) co_return fail(facts);
   const Result<std::int64_t> number = co_await life.pursuit.submit(std::move(*facts));
   if (!number) co_return fail(number);
@@ -61,16 +69,29 @@ Task<Result<Datum>> take_cancel(Life& life) {
   co_return Datum();
 }
 
-Task<Result<Datum>> tell_why(Life& life) {
-  const std::vector<std::string> sentences = co_await life.story.why();
+Datum as_texts(const std::vector<std::string>& sentences) {
   std::vector<Datum> told;
   for (const std::string& sentence : sentences) told.push_back(to_datum(sentence));
-  co_return Datum::list(std::move(told));
+  return Datum::list(std::move(told));
+}
+
+Task<Result<Datum>> tell_why(Life& life) {
+  const std::vector<std::string> sentences = co_await life.story.why();
+  co_return as_texts(sentences);
+}
+
+Task<Result<Datum>> tell_why_not(Life& life, Datum operation) {
+  Result<std::vector<Datum>> goal = co_await goal_of(life, std::move(operation));
+  if (!goal) co_return fail(goal);
+  const Result<std::vector<std::string>> sentences = co_await life.why_not.tell(std::move(*goal));
+  if (!sentences) co_return fail(sentences);
+  co_return as_texts(*sentences);
 }
 
 Task<Result<Datum>> handle(Life& life, Datum operation) {
   if (operation.is_form("goal")) return take_goal(life, std::move(operation));
   if (operation.is_form("cancel")) return take_cancel(life);
+  if (operation.is_form("why-not")) return tell_why_not(life, std::move(operation));
   return tell_why(life);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view contract_form = R"scheme(
 (contract coordinator
-  (offers (goal (fact list) ...) (cancel) (why))
+  (offers (goal (fact list) ...) (cancel) (why) (why-not (fact list) ...))
   (posts (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
          (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role))
          (relation goal ((n integer) (facts list)) (key n) (durable))

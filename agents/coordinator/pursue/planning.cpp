@@ -61,10 +61,14 @@ Datum Planning::holding(std::string_view head) const {
   return Datum::list(std::move(items));
 }
 
-Task<Result<std::vector<Datum>>> Planning::make_plan(std::int64_t goal, std::vector<Datum> facts) {
-  facts.insert(facts.begin(), "goals"_sym);
-  const Datum question =
-      list("make-plan"_sym, goal, operators(), types(), holding("initials"), Datum::list(std::move(facts)));
+// (HEAD ... (OPERATOR ...) (types ...) (initials ...) (goals ...)), from what is believed now.
+Datum Planning::question(std::vector<Datum> head, std::vector<Datum> goal) const {
+  goal.insert(goal.begin(), "goals"_sym);
+  head.insert(head.end(), {operators(), types(), holding("initials"), Datum::list(std::move(goal))});
+  return Datum::list(std::move(head));
+}
+
+Task<Result<std::vector<Datum>>> Planning::plan_of(Datum question) {
   const Result<Datum> reply = co_await ask(question, planning_timeout);
   if (!reply) co_return fail(reply);
   std::vector<Datum> operations;
@@ -73,6 +77,14 @@ Task<Result<std::vector<Datum>>> Planning::make_plan(std::int64_t goal, std::vec
     operations.insert(operations.end(), step.items().begin(), step.items().end());
   }
   co_return operations;
+}
+
+Task<Result<std::vector<Datum>>> Planning::make_plan(std::int64_t goal, std::vector<Datum> facts) {
+  return plan_of(question({"make-plan"_sym, to_datum(goal)}, std::move(facts)));
+}
+
+Task<Result<std::vector<Datum>>> Planning::try_plan(std::vector<Datum> facts) {
+  return plan_of(question({"try-plan"_sym}, std::move(facts)));
 }
 
 Task<Result<NextOperation>> Planning::next(std::int64_t goal) {

@@ -9,6 +9,7 @@
 #include "agents/planner/agent/replanner.hpp"
 #include "agents/planner/agent/running_plan.hpp"
 #include "agents/runtime/service.hpp"
+#include "blackboard/time/turns.hpp"
 
 namespace pizarra::planner {
 
@@ -22,7 +23,8 @@ constexpr std::string_view contract_text = R"(
     (get-plan)
     (start-plan)
     (make-plan (n integer) (operators list) (types list) (initials list) (goals list))
-    (next-operation (n integer) (holding list)))
+    (next-operation (n integer) (holding list))
+    (try-plan (operators list) (types list) (initials list) (goals list)))
   (posts (relation planner ((state symbol) (detail datum)) (key))
          (relation plan ((n integer) (operations list)) (key) (durable))
          (relation plan-needs ((n integer) (needs list)) (key) (durable)))
@@ -51,6 +53,16 @@ struct Search {
   Result<GoalPlan> result = GoalPlan{};
 };
 
+std::shared_ptr<Search> search_for(std::vector<PlanningOperator> operators, PlanningFacts facts, Budget budget,
+                                   std::shared_ptr<SharedReplanner> shared) {
+  auto search = std::make_shared<Search>();
+  search->task = PlanningTask{std::move(operators), std::move(facts.objects), std::move(facts.initials), {}};
+  search->goals = std::move(facts.goals);
+  search->budget = std::move(budget);
+  search->shared = std::move(shared);
+  return search;
+}
+
 std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search> search) {
   return [search = std::move(search)](const std::function<bool()>& cancelled) {
     const auto stopped = [&] { return search->abandoned || cancelled(); };
@@ -63,7 +75,7 @@ std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search
 
 struct PlannerAgent::State {
   State(runtime::AgentContext agent_context, Budget search_budget)
-      : context(std::move(agent_context)), budget(std::move(search_budget)) {}
+      : context(std::move(agent_context)), budget(std::move(search_budget)), trying(context.executor) {}
 
   Task<Result<void>> run();
   Task<Result<Datum>> handle(Datum operation);
@@ -73,6 +85,7 @@ struct PlannerAgent::State {
   Task<Result<Datum>> start_plan();
   Task<Result<Datum>> make_plan(Datum operation);
   Task<Result<Datum>> next_operation(std::int64_t number, Datum holding);
+  Task<Result<Datum>> try_plan(Datum operation);
   // From the operators and facts that were given: the steps.
   Task<Result<Datum>> plan_for(std::int64_t number);
   Task<void> resume();
@@ -89,6 +102,7 @@ struct PlannerAgent::State {
   const std::shared_ptr<SharedReplanner> shared = std::make_shared<SharedReplanner>();
   std::optional<RunningPlan> plan;
   bool started = false;
+  Turns trying;
 };
 
 PlannerAgent::PlannerAgent(runtime::AgentContext context, Budget budget)
@@ -155,6 +169,7 @@ Task<Result<Datum>> PlannerAgent::State::handle(Datum operation) {
   if (name == "get-plan") return get_plan();
   if (name == "start-plan") return start_plan();
   if (name == "make-plan") return make_plan(std::move(operation));
+  if (name == "try-plan") return try_plan(std::move(operation));
   return next_operation(operation[1].integer(), operation[2]);
 }
 
@@ -199,11 +214,7 @@ Task<Result<Datum>> PlannerAgent::State::make_plan(Datum operation) {
 
 Task<Result<Datum>> PlannerAgent::State::plan_for(std::int64_t number) {
   drop_plan();
-  const std::shared_ptr<Search> mine = std::make_shared<Search>();
-  mine->task = PlanningTask{*operators, facts->objects, facts->initials, {}};
-  mine->goals = facts->goals;
-  mine->budget = budget;
-  mine->shared = shared;
+  const std::shared_ptr<Search> mine = search_for(*operators, *facts, budget, shared);
   search = mine;
   co_await tell_state("planning", Datum::list(facts->goals));
   std::function<void(const std::function<bool()>&)> work = work_of(mine);
@@ -241,6 +252,22 @@ Task<Result<Datum>> PlannerAgent::State::next_operation(std::int64_t number, Dat
   const std::optional<std::size_t> next = plan->next(facts_now);
   if (!next) co_return fail("off-plan", "no end of the plan serves from what holds now", Datum::integer(number));
   co_return plan->from(*next);
+}
+
+// Learns nothing from the plan in use, and one at a time, whoever asks.
+Task<Result<Datum>> PlannerAgent::State::try_plan(Datum operation) {
+  Result<std::vector<PlanningOperator>> given = operators_from_list(operation[1]);
+  if (!given) co_return fail(as_asked(given.error()));
+  Result<PlanningFacts> read = facts_from_forms(operation[2], operation[3], operation[4]);
+  if (!read) co_return fail(read);
+  const Turns::Turn turn = co_await trying.take();
+  const std::shared_ptr<Search> tried =
+      search_for(std::move(*given), std::move(*read), budget, std::make_shared<SharedReplanner>());
+  std::function<void(const std::function<bool()>&)> work = work_of(tried);
+  co_await context.executor.offload(std::move(work), search_cost);
+  if (!tried->result) co_return fail(as_asked(tried->result.error()));
+  const Datum steps = steps_to_datum(tried->result->plan.steps);
+  co_return list(steps);
 }
 
 }  // namespace pizarra::planner

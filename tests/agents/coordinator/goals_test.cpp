@@ -56,6 +56,46 @@ TEST_F(Goals, NoPlanIsProvedOfEveryWay) {
   EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "no-plan"_sym);
 }
 
+TEST_F(Goals, WhyNotNamesWhatDoesNotHoldAndThePlanThatWouldBringItAbout) {
+  cell.cubes["square"] = {450, -150, 90};
+  EXPECT_EQ(want("(why-not (on circle triangle) (on-table triangle))"),
+            "(ok \"(on circle triangle) does not hold; what is seen: (bare triangle) (clear triangle) "
+            "(on square circle) (on-table circle) (on-table triangle)\" "
+            "\"a plan leads there: (UNSTACK square circle) (PUT-DOWN square) (PICK-UP circle) "
+            "(STACK circle triangle)\")");
+  EXPECT_EQ(want("(why-not (on square circle))"), "(ok \"(on square circle) holds\")");
+  EXPECT_TRUE(cell.facts("(goal ? ?)").empty());
+}
+
+TEST_F(Goals, WhyNotSaysWhoIsMissingAndThatThereIsNoPlan) {
+  cell.hidden = {"circle", "square"};
+  EXPECT_TRUE(want("(why-not (on circle square))").ends_with("\"circle and square are not seen\")"));
+  cell.hidden.clear();
+  const std::string none = want("(why-not (on circle square) (on square circle))");
+  EXPECT_NE(none.find("(on square circle) does not hold"), std::string::npos) << none;
+  EXPECT_NE(none.find("no plan"), std::string::npos) << none;
+}
+
+TEST_F(Goals, WhyNotOfWhatCanBeHadInSeveralWaysNamesWhatTheNearestLacks) {
+  cell.cubes["square"] = {450, -150, 90};
+  const std::string said =
+      want("(why-not (then (forall (<x> OBJECT) (on-table <x>)) (exists (<x> OBJECT) (on <x> square))))");
+  EXPECT_NE(said.find("stage 1: (forall (<x> OBJECT) (on-table <x>)) does not hold: the nearest way to it lacks "
+                      "(on-table square); "),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("stage 2: a plan leads there: "), std::string::npos) << said;
+  EXPECT_EQ(want("(why-not (on circle star))").substr(0, 6), "(fail ");
+}
+
+TEST_F(Goals, WhyNotLeavesThePlanInUseAlone) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation 0 ? running)", 30s));
+  EXPECT_TRUE(want("(why-not (on square circle))").starts_with("(ok "));
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  EXPECT_EQ(cell.times_told("(request ? planner (make-plan ? ? ? ? ?))"), 1);
+}
+
 TEST_F(Goals, StagesAreReachedOneAfterAnother) {
   want("(goal (then (on circle triangle) (on triangle circle)))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 running (stage 2))", 60s));

@@ -121,6 +121,19 @@ TEST(PlannerAgent, MakesAPlanInOneRequestAndHandsOutWhatFollowsFromWhatHolds) {
   EXPECT_EQ(cell.refusal(fmt::format("(next-operation 4 {})", begun)), "not-ready 4");
 }
 
+TEST(PlannerAgent, TriesAPlanAndGoesOnWithTheOneInUse) {
+  Cell cell;
+  cell.call(make_plan());
+  const Datum given = form(facts_form("(on square cross)"));
+  const Datum tried = list("try-plan"_sym, form(operators)[1], given[1], given[2], given[3]);
+  EXPECT_EQ(cell.call(write(tried)), "(ok (((UNSTACK square circle)) ((STACK square cross))))");
+  EXPECT_TRUE(cell.find("(plan 3 ?operations)"));
+  EXPECT_TRUE(cell.call(fmt::format("(next-operation 3 {})", begun)).starts_with("(ok 0 ((UNSTACK square circle) "));
+  const Datum impossible = form(facts_form("(on square square)"));
+  const Datum in_vain = list("try-plan"_sym, form(operators)[1], impossible[1], impossible[2], impossible[3]);
+  EXPECT_TRUE(cell.refusal(write(in_vain)).starts_with("no-plan "));
+}
+
 TEST(PlannerAgent, GoesOnWithItsPlanAfterItWasKilled) {
   Cell cell;
   cell.call(make_plan());

@@ -7,6 +7,7 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
 #include "tests/blackboard/passing_board.hpp"
 
 namespace pizarra::repl {
@@ -285,6 +286,24 @@ TEST_F(ReplOfEyes, HelpKnowsWhatAnAgentOffers) {
 TEST_F(Repl, NobodyKnowsWhyWithoutACoordinator) {
   EXPECT_EQ(type("(why)"), Evaluation::failed);
   EXPECT_EQ(shown, "no coordinator is present, so nobody knows why; (agents) shows who is\n");
+}
+
+Task<Result<Datum>> repeat(Datum operation) { co_return list(write(operation)); }
+
+TEST_F(Repl, WhyNotAsksTheCoordinatorAboutAGoal) {
+  const std::unique_ptr<Board> its_view = board.view("coordinator");
+  runtime::AgentContext its_context{"coordinator", "localhost", executor, *its_view, Random(1)};
+  constexpr std::string_view contract = "(contract coordinator (offers (why-not (fact list) ...)))";
+  runtime::Service coordinator(its_context, runtime::contract_from_text(contract).value());
+  const Job answering = executor.spawn([](runtime::Service& served) -> Task<void> {
+    const Result<void> started = co_await served.start();
+    EXPECT_TRUE(started.has_value());
+    const Result<void> ended = co_await served.serve(repeat);
+  }(coordinator));
+  executor.run_for(1s);
+  EXPECT_EQ(type("(why not (on a b) (exists (?x OBJECT) (on ?x b)))"), Evaluation::done);
+  EXPECT_EQ(shown, "(why-not (on a b) (exists (<x> OBJECT) (on <x> b)))\n");
+  EXPECT_EQ(type("(why so (on a b))"), Evaluation::malformed);
 }
 
 TEST_F(Repl, AFactOfAnotherShapeIsToldInOrdinaryWords) {
