@@ -25,7 +25,7 @@ class WhyNot {
  private:
   Task<Result<void>> look();
   std::string unmet(const Datum& part) const;
-  // What to do for a stage that does not hold: who is missing, the plan, or why there is none.
+  // The way to a stage: who is missing, the plan, or why there is none.
   Task<std::string> way_to(std::vector<Datum> stage);
 
   const CoordinatorOptions& options_;
