@@ -9,7 +9,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const chromium = '/usr/bin/chromium';
-const here = dirname(fileURLToPath(import.meta.url));
+export const here = dirname(fileURLToPath(import.meta.url));
 export const source = resolve(here, '../../..');
 export const pageFolder = join(source, 'agents/console/page');
 
@@ -40,7 +40,7 @@ export function modulesFolder(scratch) {
   return folder;
 }
 
-export async function launch(scratch) {
+export async function launch(scratch, more = []) {
   if (!existsSync(chromium)) skip(`there is no ${chromium}: Debian's package chromium`);
   const { chromium: driver } = createRequire(join(modulesFolder(scratch), 'x.js'))('playwright-core');
   return driver.launch({
@@ -57,6 +57,7 @@ export async function launch(scratch) {
       '--disable-background-networking',
       '--disable-component-update',
       '--disable-sync',
+      ...more,
     ],
   });
 }
@@ -78,10 +79,10 @@ function eachLine(stream, take) {
   });
 }
 
-// A program that runs until the test ends it; `line` is the first that it says, `ended` its status, `said` what it says
+// A program that runs until the test ends it, in whatever way this process ends; `line` is the first that it says, `ended` its status, `said` what it says
 // behind a word of it, `next` the address for the browser that comes after so many.
 export function start(words, folder) {
-  const child = spawn(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
+  const child = spawn('setpriv', ['--pdeathsig', 'TERM', ...words], { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
   const lines = [];
   const waiting = new Set();
   const hear = (line) => {
@@ -120,7 +121,6 @@ export function start(words, folder) {
     process.stderr.write(`${said}\n`);
     hear(said);
   });
-  process.on('exit', () => child.kill('SIGKILL'));
   const end = () => {
     child.kill('SIGINT');
     return ended;

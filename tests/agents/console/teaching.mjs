@@ -43,11 +43,19 @@ await page.waitForFunction(() => /frame \d/.test(document.querySelector('figcapt
 await clickAt(x, y);
 expect(/Switch training on/.test(await text(page, '#teach-hint')), 'without training a click learns nothing');
 await page.click('#training');
+expect((await text(page, '#training')) === 'Training: on', 'training is on');
 await clickAt(x, y);
 await page.waitForSelector('#learned-window:not([hidden]) dl');
 const table = await text(page, '#learned-window dl');
 expect(/Area/.test(table) && /Perimeter/.test(table) && /NF/.test(table) && /M2/.test(table), 'Table C.1 is shown before it is named');
 await page.screenshot({ path: join(pictures, 'learned.png') });
+await page.click('#reject');
+await hint('Rejected');
+expect(await page.isHidden('#learned-window'), 'what is rejected is asked about no more');
+await page.waitForFunction(() => ![...document.querySelectorAll('.objects strong')].some((one) => one.textContent.startsWith('unnamed')));
+expect(!(await objects()).includes('square'), 'and is not known');
+await clickAt(x, y);
+await page.waitForSelector('#learned-window:not([hidden]) dl');
 await page.fill('#new-name', 'square');
 await page.click('#learned-window button:text("Accept")');
 await hint('square is accepted');
@@ -75,6 +83,10 @@ expect(/like one that is learned/.test(await text(page, '#teach-hint')), 'what l
 await clickAt(4, 4);
 await page.waitForFunction(() => /FAIL.*(background|ground)/.test(document.getElementById('teach-hint').textContent));
 expect(true, 'the ground is nothing to learn');
+
+await page.click('#training');
+await clickAt(4, 4);
+expect(/Switch training on/.test(await text(page, '#teach-hint')), 'with training off again a click learns nothing');
 
 await page.click('.objects li:has(strong:text-is("square")) button:text("Track")');
 await page.waitForFunction(() => /TRACK/.test(document.querySelector('[aria-label="What TRACK says"]').textContent));

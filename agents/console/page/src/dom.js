@@ -18,6 +18,16 @@ function filled(made, attributes = {}, children = []) {
   return made;
 }
 
+// Makes these the children of `parent`. One that stays is not taken out meanwhile: it may be under the pointer.
+export function arrange(parent, children) {
+  const wanted = new Set(children);
+  for (const child of [...parent.children]) if (!wanted.has(child)) child.remove();
+  children.forEach((child, index) => {
+    const there = parent.children[index];
+    if (there !== child) parent.insertBefore(child, there ?? null);
+  });
+}
+
 export const clipped = (text, most = 300) =>
   text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text;
 

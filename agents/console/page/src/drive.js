@@ -57,7 +57,7 @@ function variablesForm(connection, hands, log) {
     const names = answers.map(fact).filter((saved) => text(saved[1]) === hands.robot);
     known.replaceChildren(...names.map((saved) => element('option', { value: text(saved[2]) })));
   });
-  return { parts: [name, known, save, go], controls: [name, save, go] };
+  return { parts: [name, known, save, go], name, save, go };
 }
 
 function actionForm(log) {
@@ -77,7 +77,36 @@ function actionForm(log) {
   return { form, controls: [input, go] };
 }
 
-function takeButton(hands, controls) {
+// Whether the robot's agent is there. Why nothing moves now is `why`, '' where something may.
+function showService(connection, hands, changed) {
+  const light = element('span', { id: 'service-light', class: 'chip', role: 'status' });
+  let present = new Set();
+  const why = () => (present.has(hands.robot) ? '' : 'No robot is present');
+  const show = () => {
+    light.textContent = why() || 'In service';
+    light.className = `chip ${why() ? 'bad' : 'good'}`;
+    changed();
+  };
+  connection.followAlways('(agent ?name robot ?host)', (answers) => {
+    present = new Set(answers.map((answer) => text(fact(answer)[1])));
+    show();
+  });
+  return { light, why };
+}
+
+// `moving` need an arm that is in service, too.
+function gate(hands, controls, moving, why) {
+  for (const control of controls) control.dataset.title = control.title;
+  return () => {
+    for (const control of controls) {
+      const reason = hands.mine ? (moving.has(control) ? why() : '') : 'Take the arm in hand first';
+      control.disabled = reason !== '';
+      control.title = reason || control.dataset.title;
+    }
+  };
+}
+
+function takeButton(hands) {
   const note = element('span', { class: 'quiet' });
   const take = element('button', { type: 'button', id: 'take-arm', class: 'strong' }, 'Take the arm in hand');
   take.addEventListener('click', () => hands.toggle().catch((failure) => (note.textContent = failureText(failure))));
@@ -92,11 +121,6 @@ function takeButton(hands, controls) {
       : holder
         ? hands.asking ? `${holder} is asked for it.` : ''
         : 'Anybody may move the arm: a goal, a prompt.';
-    for (const control of controls) {
-      control.disabled = !mine;
-      if (!control.dataset.title) control.dataset.title = control.title || ' ';
-      control.title = mine ? control.dataset.title.trim() : 'Take the arm in hand first';
-    }
   });
   return element('div', { class: 'row' }, take, ask, note);
 }
@@ -110,16 +134,13 @@ export function showDrive(connection, hands) {
   );
   const send = (form) => log.send(form);
   const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
-  const commands = [
-    button('Home', '(home)'),
-    button('Ready', '(ready)'),
-    button('Get control', '(get-control)'),
-    button('Finish: stop', '(finish stop)'),
-  ];
+  const poses = [button('Home', '(home)'), button('Ready', '(ready)')];
+  const service = [button('Get control', '(get-control)')];
   // Open to all.
   const questions = [
     button('Monitor', '(monitor)'),
     button('Finish: report', '(finish report)'),
+    button('Finish: stop', '(finish stop)'),
     button('Status', '(get-status)'),
   ];
   const jog = makeJog(connection, hands, log);
@@ -128,17 +149,22 @@ export function showDrive(connection, hands) {
   const percent = settingSlide(speed, send);
   const variables = variablesForm(connection, hands, log);
   const action = actionForm(log);
-  const controls = [
-    ...commands,
+  const moving = [
+    ...poses,
     ...jog.buttons,
-    ...[...springs, opening, percent].map((slide) => slide.input),
-    ...variables.controls,
+    ...[...springs, opening].map((slide) => slide.input),
+    variables.go,
     ...action.controls,
   ];
+  const still = [...service, percent.input, variables.name, variables.save];
+  let show = () => {};
+  const { light, why } = showService(connection, hands, () => show());
+  show = gate(hands, [...moving, ...still], new Set(moving), why);
 
   find('drive').append(
-    takeButton(hands, controls),
-    element('div', { class: 'row' }, ...commands, ...questions),
+    takeButton(hands),
+    element('div', { class: 'row' }, light, ...service, ...poses),
+    element('div', { class: 'row' }, ...questions),
     element(
       'div',
       { class: 'driving' },
@@ -150,6 +176,7 @@ export function showDrive(connection, hands) {
     element('h2', {}, 'Commands received'),
     log.list,
   );
+  hands.onChange(show);
   connection.follow('(robot-speed ?robot ?percent)', (answers) => {
     const told = answers.map(fact).find((row) => text(row[1]) === hands.robot);
     if (told) percent.put(told[2]);

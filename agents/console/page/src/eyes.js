@@ -1,6 +1,6 @@
 // The eyes: their mode and who holds it, teaching, and FIND, TRACK and END TRACK of what is known.
 
-import { clipped, element, failureText, find } from './dom.js';
+import { arrange, clipped, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { showCalibration } from './calibration.js';
 import { LearnedObjects } from './learned_objects.js';
@@ -83,23 +83,23 @@ export function showEyes(connection, images, me) {
   );
 
   const tracked = new Map();
-  const states = new Map(); // what is written of each; a row that is replaced under the pointer is not clicked
+  const rows = new Map(); // of each name; made anew only where what it shows, `of`, has changed
   const showStates = () => {
-    for (const [name, state] of states) {
+    for (const [name, { state }] of rows) {
       const seen = tracked.get(name);
       state.textContent = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
     }
   };
-  const row = (name, why) => {
+  const row = (name) => {
     const samples = objects.samples(name);
+    const of = JSON.stringify([samples, objects.alike(name)]);
+    if (rows.get(name)?.of === of) return rows.get(name);
     const state = element('span', {});
-    states.set(name, state);
     const track = button('Track', sym('track'), name);
     const forget = button('Forget', sym('forget'), name);
-    set(track, why.track);
-    set(forget, why.forget);
+    const more = element('button', { type: 'button', onclick: () => teaching.more(name) }, 'Add sample');
     const alike = objects.alike(name).map((sentence) => element('small', { class: 'warn' }, clipped(sentence, 160)));
-    return element(
+    const item = element(
       'li',
       {},
       element(
@@ -116,8 +116,11 @@ export function showEyes(connection, images, me) {
       ),
       button('Find', sym('find'), name),
       track,
+      more,
       forget,
     );
+    rows.set(name, { of, item, state, more, track, forget });
+    return rows.get(name);
   };
   const draw = () => {
     const why = reasons(present, held, me());
@@ -127,8 +130,15 @@ export function showEyes(connection, images, me) {
     set(end, why.end);
     set(teaching.training, why.train);
     holders.textContent = held.map(([client, holds]) => `${client}: ${holds}`).join(', ');
-    states.clear();
-    list.replaceChildren(...objects.names().slice(0, 64).map((name) => row(name, why)));
+    const names = objects.names().slice(0, 64);
+    for (const name of rows.keys()) if (!names.includes(name)) rows.delete(name);
+    const shown = names.map(row);
+    for (const { more, track, forget } of shown) {
+      set(more, why.train);
+      set(track, why.track);
+      set(forget, why.forget);
+    }
+    arrange(list, shown.map(({ item }) => item));
     showStates();
   };
   objects.onChange(draw);

@@ -2,9 +2,12 @@
 // the plain one says where and in which frame, to who asked first for such points and takes this one. Of a moment that has
 // gone by they show what was kept.
 
-import { clock, element, failureText, find } from './dom.js';
+import { clipped, clock, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
+
+// Why none come.
+const closed = { closed: 'the camera is closed: Connect, in Eyes, opens it', opening: 'the camera opens', lost: 'the camera is lost' };
 
 const wanted = [
   { kinds: ['colour', 'left'], title: 'Camera' },
@@ -85,6 +88,14 @@ export function showImages(connection) {
       view.end = name ? connection.look(name, (picture) => moment === null && draw(view, picture)) : () => {};
       if (!name) view.note.textContent = 'no such stream';
     });
+  });
+  // What is shown stays while no images come, and the note says why.
+  connection.followAlways('(camera-state ?eyes ?state ?trouble)', (answers) => {
+    const [, , state, trouble] = answers.length ? fact(answers[0]) : [];
+    const why = state === undefined ? 'no eyes are present' : closed[text(state)];
+    if (!why || moment !== null) return;
+    const said = clipped([why, text(trouble ?? '')].filter(Boolean).join(': '), 120);
+    for (const view of views) view.note.textContent = said;
   });
   const takers = [];
   const [plain] = views;

@@ -8,6 +8,9 @@
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+// The triangle on the gripper: the first of every list.
+export const endEffector = 'end-effector';
+
 const parameters = ['Area', 'Perimeter', 'NF', 'M0', 'M1', 'M2'];
 
 export class LearnedObjects {
@@ -39,7 +42,8 @@ export class LearnedObjects {
   }
 
   names() {
-    return [...new Set(this.#learned.map((row) => text(row[2])))].sort();
+    const names = [...new Set(this.#learned.map((row) => text(row[2])))].sort();
+    return names.includes(endEffector) ? [endEffector, ...names.filter((name) => name !== endEffector)] : names;
   }
   samples(name) {
     return this.#learned.filter((row) => text(row[2]) === name).map((row) => this.#shown(row));

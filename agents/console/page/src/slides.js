@@ -1,15 +1,44 @@
-// Slides. A spring slide shows its value while it is held, and sends it and goes back to zero when it is let go; a
-// setting stays where it is put.
+// Slides. A spring slide shows its value while it is held, by the pointer or by keys, and sends it and goes back to zero
+// when it is let go; a setting stays where it is put.
 
 import { element } from './dom.js';
+
+const steps = /^(Arrow\w+|Page\w+|Home|End)$/;
 
 function rowOf(label, unit, range) {
   const shown = element('output', {}, '');
   const input = element('input', { type: 'range', 'aria-label': label, ...range });
-  const show = () => (shown.textContent = `${input.value} ${unit}`);
+  const show = () => {
+    shown.textContent = `${input.value} ${unit}`;
+    input.setAttribute('aria-valuetext', shown.textContent);
+  };
   input.addEventListener('input', show);
   show();
   return { row: element('label', { class: 'slide' }, element('span', {}, label), input, shown), input, show };
+}
+
+// Says `letGo` once the pointer or the last key is up, and `drop` where the hand leaves without that.
+function follow(input, { letGo, drop }) {
+  let by = ''; // what holds it
+  input.addEventListener('pointerdown', () => (by = 'pointer'));
+  input.addEventListener('keydown', (event) => {
+    if (steps.test(event.key)) by = 'key';
+  });
+  const end = () => {
+    by = '';
+    letGo();
+  };
+  // Each step of a key is a change to the browser, too.
+  input.addEventListener('change', () => by !== 'key' && end());
+  input.addEventListener('keyup', () => by === 'key' && end());
+  input.addEventListener('pointerup', () => (by = ''));
+  for (const loss of ['pointercancel', 'blur']) {
+    input.addEventListener(loss, () => {
+      by = '';
+      drop();
+    });
+  }
+  return () => by !== '';
 }
 
 // Where the hand leaves without letting go in the slide, nothing is sent.
@@ -21,26 +50,27 @@ export function springSlide({ label, unit, most, form }, send) {
     show();
     return value;
   };
-  input.addEventListener('change', () => {
+  const letGo = () => {
     const value = spring();
     if (value !== 0) send(form(value));
-  });
-  input.addEventListener('pointercancel', spring);
-  input.addEventListener('blur', spring);
+  };
+  follow(input, { letGo, drop: spring });
+  input.addEventListener('keydown', (event) => event.key === 'Escape' && spring());
   return { row, input };
 }
 
 // `put` shows what the board says, except under the hand.
 export function settingSlide({ label, unit, least, most, value, form }, send) {
   const { row, input, show } = rowOf(label, unit, { min: least, max: most, step: 1, value });
-  let held = false;
-  input.addEventListener('pointerdown', () => (held = true));
-  for (const end of ['pointerup', 'pointercancel']) input.addEventListener(end, () => (held = false));
-  input.addEventListener('change', () => send(form(Number(input.value))));
-  const put = (given) => {
-    if (held) return;
-    input.value = given;
+  let told = value;
+  const showTold = () => {
+    input.value = told;
     show();
+  };
+  const isHeld = follow(input, { letGo: () => send(form(Number(input.value))), drop: showTold });
+  const put = (given) => {
+    told = given;
+    if (!isHeld()) showTold();
   };
   return { row, input, put };
 }

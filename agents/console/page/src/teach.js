@@ -3,12 +3,12 @@
 // of that object.
 
 import { clipped, element, failureText } from './dom.js';
+import { endEffector } from './learned_objects.js';
 import { sym } from './datum.js';
 import { templatePicture } from './template_picture.js';
 
-const first = 'end-effector';
-// What marks are mostly called, for who has a mouse alone.
-const usual = [first, 'circle', 'triangle', 'square', 'cross'];
+// What marks are mostly called: a press names one without a keyboard.
+const usual = [endEffector, 'circle', 'triangle', 'square', 'cross'];
 
 // (LEARN "name" OK) is no failure of the request where it says FAIL.
 const isLearned = (values) => /^\(LEARN ".*" OK\)$/.test(values[0] ?? '');
@@ -72,9 +72,15 @@ export class Teaching {
     const names = this.#objects.names().filter((name) => name !== this.#provisional());
     this.#known.replaceChildren(...names.map((name) => element('option', { value: name })));
     if (this.#busy) return;
-    const begin = names.includes(first) ? '' : ' Begin with the end-effector: the triangle on the gripper.';
+    const begin = names.includes(endEffector) ? '' : ' Begin with the end-effector: the triangle on the gripper.';
     this.#say(this.#on ? `Click on a mark in the camera’s image.${begin}` : 'Switch training on, and click on a mark.');
-    if (this.#on && begin && this.#name.value === '') this.#name.value = first;
+    if (this.#on && begin && this.#name.value === '') this.#name.value = endEffector;
+  }
+
+  // The next click is one more sample of that object.
+  more(name) {
+    this.#switch(true);
+    this.#name.value = name;
   }
 
   // Answers whether the click was taken.
@@ -114,17 +120,17 @@ export class Teaching {
       spellcheck: 'false',
       pattern: '[A-Za-z][A-Za-z0-9\\-]*',
       title: 'a letter, then letters, digits and hyphens',
-      list: 'new-names',
       value: isNew ? '' : name,
     });
     const known = this.#objects.names();
-    const free = usual.filter((one) => !known.includes(one)).map((one) => element('option', { value: one }));
+    const take = (one) => element('button', { type: 'button', class: 'small', onclick: () => (named.value = one) }, one);
+    const free = isNew ? usual.filter((one) => !known.includes(one)).map(take) : [];
     const form = element(
       'form',
       { class: 'row' },
       element('label', { for: 'new-name' }, 'Name it'),
       named,
-      element('datalist', { id: 'new-names' }, ...free),
+      ...free,
       element('button', { type: 'submit', class: 'strong' }, 'Accept'),
       element('button', { type: 'button', id: 'reject', onclick: () => this.#reject() }, 'Reject'),
     );

@@ -1,0 +1,91 @@
+// node lost_line.mjs PIZARRA-CELL SCRATCH: a line that falls silent in mid-jog, and then brings at once what was stuck on
+// it: the arm stops by itself, and does not move for what comes late. A page that is there without that line sees it.
+
+import { connect, createServer } from 'node:net';
+import { join } from 'node:path';
+import { expect, here, launch, openPage, ownFolder, start } from './browser.mjs';
+import { distance, Driving, jogs } from './driving.mjs';
+
+const [cell, scratch] = process.argv.slice(2);
+const folder = ownFolder();
+const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
+const address = await served.line;
+const { port } = new URL(address);
+
+// What goes through it waits while the line is lost.
+const links = new Set();
+const relay = createServer({ noDelay: true }, (near) => {
+  const far = connect({ host: '127.0.0.1', port: Number(port), noDelay: true });
+  for (const end of [near, far]) {
+    links.add(end);
+    end.on('error', () => end.destroy());
+    end.on('close', () => links.delete(end));
+  }
+  near.pipe(far).pipe(near);
+});
+await new Promise((listening) => relay.listen(0, '127.0.0.1', listening));
+const lose = () => links.forEach((end) => end.pause());
+const restore = () => links.forEach((end) => end.resume());
+
+const browser = await launch(scratch, [`--host-resolver-rules=MAP 127.0.0.1:${port} 127.0.0.1:${relay.address().port}`]);
+const page = await openPage(browser, address);
+await page.waitForSelector('body[data-state=live]');
+expect(links.size > 0, 'the page comes by the line that will be lost');
+const driving = new Driving(page);
+await driving.begin();
+expect((await driving.driven('Ready', '(ready)')) === 'true', 'READY');
+
+const direct = await launch(scratch);
+const witness = await openPage(direct, await served.next(1));
+await witness.waitForSelector('body[data-state=live]');
+const readings = () => witness.locator('#readings').innerText();
+const place = (said) => said.match(/grip\s*([-\d]+)\s+([-\d]+)\s+([-\d]+) mm/).slice(1).map(Number);
+const seen = (pattern) =>
+  witness.waitForFunction((words) => new RegExp(words).test(document.getElementById('readings').innerText), pattern);
+
+// A machine that is busy elsewhere may be too late by itself: then once more.
+let way = 'left';
+async function moving() {
+  for (let attempt = 0; attempt < 30; ++attempt) {
+    way = way === 'left' ? 'right' : 'left';
+    await page.hover(jogs(way));
+    await page.mouse.down();
+    await seen(`arm\\s*moving\\s*\\(jog ${way}|arm\\s*stopped\\s*\\(jog ${way}`);
+    const begun = await page.evaluate((told) => window.newest(told).answer === null, `(jog ${way})`);
+    if (begun) return;
+    await page.mouse.up();
+  }
+  throw new Error('the page was never quick enough to jog');
+}
+await moving();
+lose();
+const at = place(await readings());
+await seen('arm\\s*stopped');
+const stood = place(await readings());
+// What is shown may be a tenth of a second old, and rounded.
+expect(distance(at, stood) <= 15, `the arm stands by itself, ${distance(at, stood).toFixed(0)} mm further`);
+
+// The page goes on holding, unheard, and says it all at once when the line is back.
+await page.evaluate(() => new Promise((later) => setTimeout(later, 1500)));
+restore();
+const { answer } = await driving.answered(`(jog ${way})`);
+expect(/has not renewed its hold/.test(answer), `the operator is told why: ${answer}`);
+await page.mouse.up();
+// A question whose answer comes after all that was stuck.
+await driving.standing();
+const after = place(await readings());
+expect(distance(stood, after) <= 1, 'nothing moves for what comes late');
+expect(/arm\s*stopped/.test(await readings()), 'and the arm stands as it was stopped');
+
+// A line that ends for good: what stands under the page goes with it.
+await moving();
+for (const end of links) end.destroy();
+await seen('arm\\s*stopped');
+await witness.waitForSelector('#arm-chip', { state: 'hidden' });
+expect(true, 'a connection that ends stops the arm, and lets it go');
+
+for (const each of [page, witness]) expect(each.troubles.length === 0, `nothing went wrong: ${each.troubles.join('; ')}`);
+relay.close();
+for (const each of [browser, direct]) await each.close();
+expect((await served.end()) === 0, 'it ends in order');
+process.exit(0);

@@ -1,0 +1,96 @@
+// node screens.mjs PIZARRA-CELL SCRATCH: the page on a 13-inch laptop and on a tablet, upright and across: nothing sticks
+// out, every control can be reached and is large enough for a finger, and a finger holds a jog.
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, expectAccessible, here, launch, openPage, ownFolder, start } from './browser.mjs';
+import { Driving, jogs } from './driving.mjs';
+
+const [cell, scratch] = process.argv.slice(2);
+const browser = await launch(scratch);
+const folder = ownFolder();
+const pictures = join(scratch, 'console-screenshots');
+mkdirSync(pictures, { recursive: true });
+const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
+let next = await served.line;
+
+const screens = [
+  { name: 'laptop', width: 1280, height: 720, touch: false },
+  { name: 'tablet-across', width: 1024, height: 768, touch: true },
+  { name: 'tablet-upright', width: 820, height: 1180, touch: true },
+];
+
+// Of every control that is shown: what sticks out of the window once it is scrolled to, is covered, or too small.
+const awkward = (page) =>
+  page.evaluate(() => {
+    const wrong = [];
+    for (const control of document.querySelectorAll('button, input, summary, [role=tab]')) {
+      if (!control.checkVisibility() || control.closest('dialog')) continue;
+      control.scrollIntoView({ block: 'center', inline: 'nearest' });
+      const box = control.getBoundingClientRect();
+      const name = control.getAttribute('aria-label') || control.textContent || control.id;
+      const size = `${Math.round(box.width)} x ${Math.round(box.height)}`;
+      // WCAG 2.2, 2.5.8; a check box has its label, too, and a range its whole length.
+      const small = control.type === 'checkbox' || control.type === 'range' ? 12 : 24;
+      if (box.height < small || box.width < small) wrong.push(`${name} is small: ${size}`);
+      if (box.left < 0 || box.right > innerWidth + 1) wrong.push(`${name} sticks out: ${Math.round(box.left)} to ${Math.round(box.right)}`);
+      const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+      if (!at || !(control.contains(at) || at.contains(control))) wrong.push(`${name} is covered by ${at?.id || at?.tagName}`);
+    }
+    return wrong;
+  });
+
+for (const [index, { name, width, height, touch }] of screens.entries()) {
+  const context = await browser.newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch });
+  const page = await openPage({ newPage: () => context.newPage() }, next);
+  await page.waitForSelector('body[data-state=live]');
+  if (index === 0) {
+    await page.waitForFunction(() => /the camera is closed/.test(document.querySelector('figcaption').textContent));
+    expect(true, 'where no image comes the page says why');
+  }
+  await page.click('#tab-eyes');
+  await page.click('#eyes button:text-is("Connect")');
+  await page.waitForFunction(() => document.querySelector('figure canvas').dataset.frame);
+  for (const tab of await page.locator('[role=tab]').allInnerTexts()) {
+    await page.click(`[role=tab]:text-is("${tab}")`);
+    await page.screenshot({ path: join(pictures, `${name}-${tab.toLowerCase()}.png`), fullPage: touch });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(wide <= 0, `${name}, ${tab}: nothing scrolls sideways`);
+    const wrong = await awkward(page);
+    expect(wrong.length === 0, `${name}, ${tab}: every control can be reached ${wrong.join('; ')}`);
+    const stop = await page.locator('#stop').boundingBox();
+    expect(stop && stop.y >= 0 && stop.y + stop.height <= height && stop.height >= 40, `${name}, ${tab}: STOP is there, and big`);
+  }
+  await expectAccessible(page, scratch, name);
+
+  if (touch) {
+    const driving = new Driving(page);
+    await driving.begin();
+    await driving.driven('Ready', '(ready)');
+    const finger = await context.newCDPSession(page);
+    const button = page.locator(jogs('up'));
+    for (let attempt = 0; ; ++attempt) {
+      await button.scrollIntoViewIfNeeded();
+      const box = await button.boundingBox();
+      const touchPoints = [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
+      await finger.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
+      await page.waitForFunction(
+        () => window.newest('(jog up)').answer || /arm\s*moving\s*\(jog/.test(document.getElementById('readings').innerText),
+      );
+      await finger.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+      const { answer } = await driving.answered('(jog up)');
+      if (answer === 'true') break;
+      // A machine that is busy elsewhere.
+      if (attempt === 20) throw new Error(`the page was never quick enough to jog: ${answer}`);
+    }
+    expect(true, `${name}: a finger holds a jog, and ends it`);
+    await page.screenshot({ path: join(pictures, `${name}-in-hand.png`), fullPage: true });
+  }
+  expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
+  await context.close();
+  next = await served.next(index + 1);
+}
+
+expect((await served.end()) === 0, 'it ends in order');
+await browser.close();
+process.exit(0);
