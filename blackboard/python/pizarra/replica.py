@@ -3,17 +3,18 @@
     board.replicate("(relation seen ((name string) (x number)) (key name))")
     board.ask('(seen "circle" ?x)')          # from here; as fast as a dictionary where the key is given
 
-One pattern is answered from here; whatever else is asked goes to the board. A client reads its own writes: a board says
-with every reply at which revision it is, and whether all changes up to there have come here before. Where they have
-not, it is asked.
+Patterns of that one relation, with `not` and comparisons, are answered from here; whatever else is asked goes to the
+board. A client reads its own writes: a board says with every reply at which revision it is, and whether all changes up
+to there have come here before. Where they have not, it is asked.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, List, Optional
 
-from pizarra.answers import Answer, Answers, Fact
-from pizarra.datum import Symbol, is_variable, match
+from pizarra.answers import Answers, Fact, relations_of
+from pizarra.datum import Symbol, is_variable
+from pizarra.evaluate import Conjunction
 from pizarra.feed import Feed
 from pizarra.relation import Relation
 from pizarra.writer import write
@@ -54,14 +55,13 @@ class Replica(Feed):
     def _key(self, datum: Any) -> str:
         return write([datum[place + 1] for place in self.relation.key])
 
-    def look(self, pattern: List[Any]) -> List[Answer]:
+    def look(self, pattern: List[Any]) -> List[Fact]:
+        """Those that may fit, by their ids."""
         keys = [pattern[place + 1] for place in self.relation.key]
-        if not any(map(_has_variables, keys)):
-            found = self._by_key.get(write(keys))
-            facts = [found] if found else []
-        else:
-            facts = [fact for _, fact in sorted(self._facts.items())]
-        return [Answer([pattern], [fact]) for fact in facts if match(pattern, fact.datum, {})]
+        if any(map(_has_variables, keys)):
+            return [fact for _, fact in sorted(self._facts.items())]
+        found = self._by_key.get(write(keys))
+        return [found] if found else []
 
 
 class Replicas:
@@ -91,17 +91,26 @@ class Replicas:
         self._unsure = False
 
     def holds(self, query: List[Any]) -> bool:
-        return isinstance(query[0], Symbol) and str(query[0]) in self._all
+        return self._concerned(query) is not None
+
+    def _concerned(self, query: List[Any]) -> Optional[Replica]:
+        """The one that the whole query is about."""
+        try:
+            names = set(relations_of(query))
+        except (IndexError, TypeError):  # what is no query a board refuses in its own words
+            return None
+        return self._all.get(names.pop()) if len(names) == 1 else None
 
     def ask(self, query: List[Any]) -> Optional[Answers]:
         """Nothing where the board must be asked; so is it where it would refuse the question, in its own words."""
-        replica = self._all.get(str(query[0]))
-        if replica is None or not replica.whole or self._unsure or not replica.relation.fits_pattern(query):
+        replica = self._concerned(query)
+        if replica is None or not replica.whole or self._unsure:
             return None
+        conjunction = Conjunction.of(query, replica.relation)
         revision = max(replica.revision, self._caught_up)
-        if revision < self._done:
+        if conjunction is None or revision < self._done:
             return None
-        answers = Answers(replica.look(query))
+        answers = Answers(conjunction.answers(replica.look))
         answers.revision = revision
         return answers
 
