@@ -145,6 +145,10 @@
 (check "an agent has a file" (complaint '(agent belt (time 50))) '(1 malformed (0 2 3)))
 (check "an agent has a name of its own"
        (complaint '(agent robot (scheme "b.scm"))) '(1 repeated (0 2 1)))
+(check "an agent is called like none of the processes that a cell runs besides"
+       (map (lambda (name) (complaint `(agent ,name (scheme "b.scm"))))
+            '(board world log door console arm-plugin camera-plugin narrator))
+       (make-list 8 '(1 repeated (0 2 1))))
 (check "no two agents have one name"
        (complaint '(agent a (scheme "b.scm")) '(agent a (scheme "c.scm"))) '(1 repeated (0 3)))
 (check "limits are within their bounds" (complaint '(agent a (scheme "b.scm") (time 5))) '(1 out-of-range (0 2 3 1)))

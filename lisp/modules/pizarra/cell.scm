@@ -32,6 +32,8 @@
 ;; Those that a cell has only where it says so.
 (define further-kinds '(speech slave follower))
 (define known-kinds (append kinds further-kinds))
+;; What `up` runs beside the agents; each has a log of its name, and is on the board under it.
+(define processes '(board world log door console arm-plugin camera-plugin narrator))
 (define heads '(ptu46-17.5 ptu46-70))
 (define baud-rates '(9600 19200 38400 57600 115200))
 ;; Smaller marks are not recognised, and the fingers do not open wider.
@@ -264,6 +266,8 @@
          (file (section-in found 'scheme)))
     (when (and name (memq (kind-of-agent name) known-kinds))
       (complain! (node-ref node 1) 'repeated "the cell has an agent ~a of its own: take another name" name))
+    (when (memq name processes)
+      (complain! (node-ref node 1) 'repeated "~a is a process that `up` runs by itself: take another name" name))
     (unless file
       (complain-missing! inside '(scheme) "the agent needs its file: (scheme \"FILE\")"))
     (and name file
