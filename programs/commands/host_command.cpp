@@ -32,16 +32,19 @@ std::string default_service_folder() {
   return base + "/systemd/user";
 }
 
-// Of systemd: `%` begins a specifier, and a word with blanks is quoted.
-std::string word_of_systemd(const std::string& word) {
+// Of systemd: `%` begins a specifier, and a word with blanks is quoted. In the arguments of a program, and there alone,
+// `$` begins a variable.
+std::string word_of_systemd(const std::string& word, std::string_view doubled = "%") {
   std::string text;
   for (const char c : word) {
-    if (c == '%') text += '%';
+    if (doubled.find(c) != std::string_view::npos) text += c;
     if (c == '"' || c == '\\') text += '\\';
     text += c;
   }
   return '"' + text + '"';
 }
+
+std::string argument_of_systemd(const std::string& word) { return word_of_systemd(word, "%$"); }
 
 std::string service_of(const JoinChoices& choices, const std::string& cell_name, const std::string& secret) {
   const std::string cell = files::absolute(choices.cell).lexically_normal().string();
@@ -51,7 +54,8 @@ std::string service_of(const JoinChoices& choices, const std::string& cell_name,
       "[Service]\nEnvironment={}\nExecStart={} up {} --host {}\nRestart=always\nRestartSec=2\n\n"
       "[Install]\nWantedBy=default.target\n",
       choices.host, cell_name, word_of_systemd("PIZARRA_KEY=" + secret),
-      word_of_systemd(beside_this_program("pizarra-cell")), word_of_systemd(cell), word_of_systemd(choices.host));
+      word_of_systemd(beside_this_program("pizarra-cell")), argument_of_systemd(cell),
+      argument_of_systemd(choices.host));
 }
 
 // One that is there is kept: the board may know it already.

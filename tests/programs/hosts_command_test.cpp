@@ -115,6 +115,19 @@ TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
   EXPECT_EQ(text_of(service_), service);
 }
 
+// `%` is a specifier of systemd wherever it stands, `$` a variable in the arguments of a program alone.
+TEST_F(HostsOfACell, HaveAServiceThatTakesTheNamesOfFilesAsTheyAre) {
+  const std::string odd = folder_ + "$HOME 50%/";
+  files::create_directories(odd);
+  files::copy_file(cell_, odd + "cell.scm");
+  const Said joined =
+      run("host join '" + odd + "cell.scm' --host desk --dir '" + odd + "keys' --service-dir " + folder_ + "units");
+  ASSERT_EQ(joined.status, 0) << joined.text;
+  EXPECT_EQ(line_of_service("Environment"), "\"PIZARRA_KEY=" + folder_ + "$HOME 50%%/keys/desk.secret\"");
+  const std::string arguments = line_of_service("ExecStart");
+  EXPECT_TRUE(arguments.ends_with(" \"" + folder_ + "$$HOME 50%%/cell.scm\" --host \"desk\"")) << arguments;
+}
+
 TEST_F(HostsOfACell, AreNotMadeOfAHostThatTheCellDoesNotHaveNorOfTheBoards) {
   const Said board = join("bench");
   EXPECT_EQ(board.status, 2) << board.text;
