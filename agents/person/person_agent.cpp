@@ -11,7 +11,9 @@ namespace {
 
 constexpr const char* contract_text = R"((contract person
   (offers (teach (name string)))
-  (posts (relation person ((state symbol) (detail datum)) (key) (durable)))
+  (posts (relation person ((state symbol) (detail datum)) (key) (durable))
+         (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
+         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
   (reads agent bound learned vision-failed wired)))";
 
 constexpr const char* end_effector = "end-effector";
@@ -20,6 +22,7 @@ constexpr Duration pause_between_tries = 500ms;
 constexpr Duration look_timeout = 2s;
 constexpr Duration arm_timeout = 30s;
 constexpr Duration vision_timeout = 10s;
+constexpr Duration longest_wait = 10s;  // for a robot, and for eyes
 // The arm comes down by these steps until its mark is in the image, and no lower than that many.
 constexpr std::int64_t step_down_mm = 50;
 constexpr int most_steps_down = 6;
@@ -39,7 +42,8 @@ PersonAgent::PersonAgent(runtime::AgentContext context, simulation::Link& link, 
       link_(link),
       names_(std::move(names)),
       service_(context_, runtime::contract_from_text(contract_text).value()),
-      caller_(context_, service_) {}
+      caller_(context_, service_),
+      roles_(context_, service_, caller_, {runtime::robot_role(), runtime::eyes_role()}) {}
 
 Task<void> PersonAgent::say(Datum state, Datum detail) {
   Datum fact = list("person"_sym, std::move(state), std::move(detail));
@@ -47,17 +51,8 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
   static_cast<void>(told);
 }
 
-// Where its key does not let it read who that is, the usual one.
-Task<std::string> PersonAgent::serving(runtime::Role role) {
-  const std::string usual = role.usual;
-  const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, std::move(role));
-  co_return holder ? holder->server : usual;
-}
-
 Task<Result<bool>> PersonAgent::known(std::string name) {
-  const runtime::Role eyes_role = runtime::eyes_role();
-  const std::string eyes = co_await serving(eyes_role);
-  Datum pattern = learned_pattern(eyes, Datum::string(name));
+  Datum pattern = learned_pattern(roles_.holder("eyes").server, Datum::string(name));
   // Vision may have yet to come and declare what it tells.
   const Result<std::vector<Fact>> samples = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
   if (!samples) co_return fail(samples);
@@ -68,9 +63,7 @@ Task<Result<bool>> PersonAgent::known(std::string name) {
 Task<Result<void>> PersonAgent::move_arm(Datum operation) {
   Result<Datum> moved = fail("stopped", "the arm was not moved");
   for (int n = 0; n < tries; ++n) {
-    const runtime::Role robot_role = runtime::robot_role();
-    const std::string robot = co_await serving(robot_role);
-    moved = co_await caller_.call(robot, operation, arm_timeout);
+    moved = co_await roles_.call("robot", operation, arm_timeout);
     if (moved) co_return {};
     if (moved.error().symbol != "stopped") break;
   }
@@ -78,9 +71,7 @@ Task<Result<void>> PersonAgent::move_arm(Datum operation) {
 }
 
 Task<Result<Datum>> PersonAgent::ask_eyes(Datum operation) {
-  const runtime::Role role = runtime::eyes_role();
-  const std::string eyes = co_await serving(role);
-  co_return co_await caller_.call(eyes, std::move(operation), vision_timeout);
+  co_return co_await roles_.call("eyes", std::move(operation), vision_timeout);
 }
 
 Task<Result<void>> PersonAgent::show_end_effector() {
@@ -118,8 +109,7 @@ Task<Result<void>> PersonAgent::teach_once(std::string name) {
 // has renamed it since it was taught.
 Task<bool> PersonAgent::renamed(std::string name) {
   const Datum any = "?"_sym;
-  const runtime::Role role = runtime::eyes_role();
-  const std::string eyes = co_await serving(role);
+  const std::string eyes = roles_.holder("eyes").server;
   const std::string reply = fmt::format("(LEARN \"{}\" FAIL)", name);
   const Datum pattern = list("vision-failed"_sym, Datum::symbol(eyes), any, reply, "ambiguous"_sym, any);
   const Result<std::vector<Fact>> ambiguous = co_await context_.board.facts(pattern);
@@ -147,6 +137,10 @@ Task<Result<void>> PersonAgent::teach(std::string name) {
 }
 
 Task<Result<void>> PersonAgent::teach_cell() {
+  // Nobody can be taught before somebody has come.
+  const Time deadline = context_.executor.now() + longest_wait;
+  co_await roles_.wait_for("robot", deadline);
+  co_await roles_.wait_for("eyes", deadline);
   Result<void> shown = fail("not-seen", "the end effector was not shown");
   for (int n = 0; n < tries; ++n) {
     shown = co_await show_end_effector();
@@ -186,6 +180,7 @@ Task<Result<void>> PersonAgent::run() {
   names_.insert(names_.begin(), end_effector);
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
+  roles_.start();
   const Job teaching = context_.executor.spawn(teach_all());
   runtime::Handler handler = [this](Datum operation) { return serve(std::move(operation)); };
   co_return co_await service_.serve(std::move(handler));

@@ -3,8 +3,8 @@
 // The scripted person: clicks on each object in the camera's image and names it, as a user would at the console.
 //
 // It has eyes, which is the device link's `where-seen`, and asks like any user: the arm to show its end effector,
-// vision to connect and to learn. Before each request it looks up which agents play its roles `robot` and `eyes`.
-// Objects that those eyes know already are not taught again, so a restarted person goes on.
+// the eyes to connect and to learn: those that play its roles `robot` and `eyes`. Objects that these eyes know already
+// are not taught again, so a restarted person goes on.
 //
 //   PersonAgent person(context, link, {"circle", "triangle"});
 //   Job job = executor.spawn(...person.run()...);
@@ -31,7 +31,6 @@ class PersonAgent : public runtime::Agent {
   Task<Result<void>> teach_cell();
   Task<Result<void>> teach(std::string name);
   Task<Result<void>> teach_once(std::string name);
-  Task<std::string> serving(runtime::Role role);
   Task<Result<Datum>> ask_eyes(Datum operation);
   Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
@@ -45,6 +44,7 @@ class PersonAgent : public runtime::Agent {
   std::vector<std::string> names_;
   runtime::Service service_;
   runtime::Caller caller_;
+  runtime::Roles roles_;
 };
 
 }  // namespace pizarra::person

@@ -137,6 +137,8 @@ TEST(Person, AsksTheRobotAndTheEyesThatPlayItsRoles) {
   EXPECT_EQ(room.facts(Datum::list(learned)), "");
   learned[1] = "vision-2"_sym;
   EXPECT_NE(room.facts(Datum::list(learned)), "");
+  EXPECT_EQ(room.facts(list("holder"_sym, "person"_sym, "?"_sym, "?"_sym, "?"_sym)),
+            "(holder person robot robot-2 stands-in)\n(holder person eyes vision-2 wired)\n");
 }
 
 Task<void> rename(Board& board, std::string name, std::string new_name) {
