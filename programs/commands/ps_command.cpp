@@ -1,6 +1,7 @@
 // `ps`: the processes and agents of the cells that run here.
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "agents/launcher/run_directory.hpp"
@@ -16,6 +17,9 @@
 namespace pizarra::programs {
 
 namespace {
+
+// Processes that tell the board of no agent.
+constexpr std::array<std::string_view, 6> no_agents{"board", "world", "log", "door", "arm-plugin", "camera-plugin"};
 
 struct OnBoard {
   std::vector<Fact> agents;
@@ -96,8 +100,7 @@ void print_run(const launcher::RunState& run, bool json) {
   for (const launcher::RunProcess& process : run.processes) {
     const auto fact =
         std::ranges::find_if(agents, [&](const Fact& agent) { return agent.datum[1].text() == process.name; });
-    const bool infrastructure = process.name == "board" || process.name == "world";
-    const std::string_view absent = infrastructure ? "" : "(absent)";
+    const std::string_view absent = std::ranges::count(no_agents, process.name) > 0 ? "" : "(absent)";
     print(process.name, fact == agents.end() ? absent : fact->datum[2].text(), run.host, &process);
     if (fact != agents.end()) agents.erase(fact);
   }

@@ -182,6 +182,30 @@ TEST_F(SmallDevices, ACellFileNamesTheDoorAndUpStartsItAgain) {
   EXPECT_EQ(up.end(patience), 0) << up.said();
 }
 
+// The door and its devices come to the cell's address each with the device's key, also on the board's own host.
+TEST_F(SmallDevices, ADoorOfACellWhoseBoardAsksForKeysLetsInWhoHasOne) {
+  make("board", "");
+  make("desk", "");
+  EmulatedDevice barrier(PIZARRA_LIGHT_BARRIER, "barrier", token("barrier-1"));
+  // An address that was free a moment ago.
+  open_board({"--listen", "tcp://127.0.0.1:*", "--keys", keys_});
+  board_.reset();
+  const std::string cell = folder_ + "keyed-cell.scm";
+  std::ofstream(cell) << "(cell keyed-cell (board \"localhost\" \"" << address_
+                      << "\" (keys \"device-keys\")) (door (serial \"" << barrier.line()
+                      << "\") (keys \"device-keys\")) (host \"localhost\" (agents planner)))";
+  Running up({PIZARRA_CELL, "up", cell}, folder_ + "keyed-up.log");
+  key_ = " --key " + keys_ + "/desk.secret";
+  const std::string log = said_behind(up, "logs        ") + "/door.log";
+  EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1")) << up.said() << text_of(log);
+  barrier.type("block");
+  EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1")) << text_of(log);
+  std::filesystem::remove(keys_ + "/barrier-1.key");
+  EXPECT_TRUE(goes("(watching ?b)")) << text_of(log);
+  up.signal(SIGINT);
+  EXPECT_EQ(up.end(patience), 0) << up.said();
+}
+
 TEST(DoorWord, RefusesPlacesThatOthersReachAndWhatIsNoPlace) {
   const std::string word = std::string(PIZARRA_DOOR) + " door --board ipc:///tmp/none --keys /tmp ";
   for (const char* place : {"0.0.0.0:7801", "192.168.0.2:7801"}) {
