@@ -40,12 +40,15 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-// Where the line from the middle of a box towards another point leaves the box.
-Point edge_of(Point middle, Point towards) {
-  const double dx = towards.x - middle.x, dy = towards.y - middle.y;
-  const double part =
-      std::min(half_width_px / std::max(std::abs(dx), 1e-6), half_height_px / std::max(std::abs(dy), 1e-6));
-  return {middle.x + dx * part, middle.y + dy * part};
+// Where a line from a point inside the box around `middle` leaves it on its way to `towards`.
+Point edge_of(Point middle, Point inside, Point towards) {
+  const double dx = towards.x - inside.x, dy = towards.y - inside.y;
+  const auto part = [](double half, double off, double d) {
+    return std::abs(d) < 1e-6 ? 1.0 : (std::copysign(half, d) - off) / d;
+  };
+  const double way =
+      std::min(part(half_width_px, inside.x - middle.x, dx), part(half_height_px, inside.y - middle.y, dy));
+  return {inside.x + dx * way, inside.y + dy * way};
 }
 
 const char* colour_of(const std::string& pattern) {
@@ -59,13 +62,14 @@ std::string arrow(Point from, Point to, const Connection& connection) {
   const double length = std::max(std::hypot(to.x - from.x, to.y - from.y), 1.0);
   const double lane = connection.pattern == "PUSH" ? 5 : 13;
   const Point aside{(to.y - from.y) / length * lane, -(to.x - from.x) / length * lane};
-  const Point begin = edge_of(from, to), end = edge_of(to, from);
-  const Point a{begin.x + aside.x, begin.y + aside.y}, b{end.x + aside.x, end.y + aside.y};
+  const Point from_aside{from.x + aside.x, from.y + aside.y}, to_aside{to.x + aside.x, to.y + aside.y};
+  const Point a = edge_of(from, from_aside, to_aside), b = edge_of(to, to_aside, from_aside);
   const char* colour = colour_of(connection.pattern);
   return fmt::format(
       "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" marker-end=\"url(#{})\"/>"
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\" font-size=\"9\">{}</text>\n",
-      a.x, a.y, b.x, b.y, colour, connection.pattern, a.x + (b.x - a.x) * 0.62, a.y + (b.y - a.y) * 0.62 - 2, colour,
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\" font-size=\"9\" text-anchor=\"middle\" paint-order=\"stroke\" "
+      "stroke=\"white\" stroke-width=\"4\">{}</text>\n",
+      a.x, a.y, b.x, b.y, colour, connection.pattern, a.x + (b.x - a.x) * 0.62, a.y + (b.y - a.y) * 0.62 + 3, colour,
       escaped(connection.pattern));
 }
 

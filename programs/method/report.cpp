@@ -74,12 +74,13 @@ std::string connections_text(const System& system) {
   const auto figure = [&](double value, int digits) {
     return system.seconds > 0 ? fmt::format("{:.{}f}", value, digits) : std::string("-");
   };
+  const auto measured = [&](double ms) { return ms > 0 ? figure(ms, 2) : std::string("-"); };
   for (const Connection& connection : system.connections) {
     const double rate = system.seconds > 0 ? static_cast<double>(connection.count) / system.seconds : 0;
     out += fmt::format("  {:<30} {:<7} {:>9} {:>8} {:>8} {:>9} {:>9}  {}\n",
                        fmt::format("{} -> {}", connection.from, connection.to), connection.pattern, figure(rate, 2),
-                       figure(connection.bytes, 0), figure(connection.bytes_back, 0), figure(connection.p50_ms, 2),
-                       figure(connection.p99_ms, 2), connection.recommended);
+                       figure(connection.bytes, 0), figure(connection.bytes_back, 0), measured(connection.p50_ms),
+                       measured(connection.p99_ms), connection.recommended);
   }
   return out;
 }

@@ -141,6 +141,37 @@ TEST(Method, APictureShowsNamesAsTheyAreTold) {
   EXPECT_NE(svg.find("&lt;script&gt;"), std::string::npos);
 }
 
+// An arrow whose head is behind a box shows no direction.
+TEST(Method, APictureShowsEachArrowBetweenItsBoxes) {
+  System system;
+  for (const char* name : {"a", "b", "c", "d", "e"}) system.components.emplace_back().name = name;
+  for (const Component& from : system.components) {
+    for (const Component& to : system.components) {
+      if (&from != &to) system.connections.push_back({from.name, to.name, "QUERY", {}});
+    }
+  }
+  const std::string svg = svg_of(system);
+  const auto number = [&svg](std::size_t at, const std::string& name) {
+    return std::stod(svg.substr(svg.find(name + "=\"", at) + name.size() + 2));
+  };
+  std::vector<std::array<double, 4>> boxes;
+  for (std::size_t at = svg.find("<rect x="); at != std::string::npos; at = svg.find("<rect x=", at + 1)) {
+    const double x = number(at, "x"), y = number(at, "y");
+    boxes.push_back({x, y, x + number(at, "width"), y + number(at, "height")});
+  }
+  ASSERT_EQ(boxes.size(), 5U);
+  std::size_t arrows = 0;
+  for (std::size_t at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1), ++arrows) {
+    for (const auto& [left, top, right, bottom] : boxes) {
+      for (const char* end : {"1", "2"}) {
+        const double x = number(at, std::string("x") + end), y = number(at, std::string("y") + end);
+        EXPECT_FALSE(x > left + 0.2 && x < right - 0.2 && y > top + 0.2 && y < bottom - 0.2) << x << " " << y;
+      }
+    }
+  }
+  EXPECT_EQ(arrows, 20U);
+}
+
 TEST(Method, SaysOfACellFileWhatItsContractsPromise) {
   const programs::Said said =
       programs::shell(std::string(PIZARRA_CELL) + " method " + source_dir() + "/examples/01-blocks/cell.scm --json");
