@@ -58,6 +58,8 @@ Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   console->access_ = std::make_unique<Access>(std::move(door));
   const Result<void> kept = console->keep_pictures();
   if (!kept) return fail(kept);
+  const Result<void> wired = console->tell_wiring();
+  if (!wired) return fail(wired);
   return console;
 }
 
@@ -81,6 +83,13 @@ Result<void> Console::keep_pictures() {
   return {};
 }
 
+Result<void> Console::tell_wiring() {
+  Result<std::unique_ptr<Board>> board = setup_.board(Wiring::client, "");
+  if (!board) return fail(board);
+  wiring_ = std::make_unique<Wiring>(setup_.executor, std::move(*board));
+  return {};
+}
+
 // Behind the #, so that no log and no other server ever sees it.
 std::string Console::address() const {
   if (setup_.abroad) return fmt::format("https://{}/", host());
@@ -100,6 +109,7 @@ Task<void> Console::close() {
   for (const auto& [number, session] : sessions_) session->leave();
   const Time deadline = setup_.executor.now() + longest_goodbye;
   if (!sessions_.empty()) co_await emptied_.wait(deadline);
+  co_await wiring_->leave();
 }
 
 HttpAnswer Console::answer(const HttpRequest& request) {

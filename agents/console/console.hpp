@@ -26,6 +26,7 @@
 #include "agents/console/page_files.hpp"
 #include "agents/console/picture_keeper.hpp"
 #include "agents/console/session.hpp"
+#include "agents/console/wiring.hpp"
 
 namespace pizarra::console {
 
@@ -65,7 +66,7 @@ class Console {
     std::function<void(const Failure&)> trouble = nullptr;  // pictures are not kept
   };
 
-  // Failures: unreadable-file, cannot-listen, those of a board that refuses to keep pictures.
+  // Failures: unreadable-file, cannot-listen, those of a board that refuses this console.
   static Result<std::unique_ptr<Console>> open(Setup setup);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -82,6 +83,7 @@ class Console {
  private:
   Console(Setup setup, PageFiles page);
   Result<void> keep_pictures();
+  Result<void> tell_wiring();
   HttpAnswer answer(const HttpRequest& request);
   HttpAnswer exchange(const HttpRequest& request);
   HttpAnswer open_page(const HttpRequest& request);
@@ -96,6 +98,7 @@ class Console {
   PageFiles page_;
   ImageFeeds images_;
   std::unique_ptr<PictureKeeper> keeper_;
+  std::unique_ptr<Wiring> wiring_;
   std::unique_ptr<HttpServer> server_;
   std::unique_ptr<Access> access_;
   int next_page_ = 1;

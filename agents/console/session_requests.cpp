@@ -4,6 +4,7 @@
 
 #include "agents/console/change_text.hpp"
 #include "agents/console/session.hpp"
+#include "agents/console/wiring.hpp"
 #include "agents/runtime/declared.hpp"
 #include "agents/runtime/roles.hpp"
 #include "lisp/forms/goal.hpp"
@@ -58,11 +59,11 @@ void Session::request(const Datum& form) {
   begin_request(form[1].integer(), ask_agent(form[1].integer(), std::string(form[2].text()), form[3]));
 }
 
-// A page knows arms and eyes by their names, and the coordinator by its role alone.
+// A page is told who plays the other roles, as it follows what those tell.
 Task<void> Session::ask_agent(Number number, std::string agent, Datum operation) {
   const runtime::Role role = runtime::coordinator_role();
   if (agent == role.name) {
-    const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, role);
+    const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, Wiring::client, role);
     if (holder) agent = holder->server;
   }
   const Result<Datum> answer = co_await answer_of(std::move(agent), std::move(operation));
@@ -94,7 +95,7 @@ Task<void> Session::pursue(Number number, std::string text) {
     co_return;
   }
   const runtime::Role role = runtime::coordinator_role();
-  const Result<runtime::Holder> coordinator = co_await runtime::holder_of(context_.board, context_.name, role);
+  const Result<runtime::Holder> coordinator = co_await runtime::holder_of(context_.board, Wiring::client, role);
   if (!coordinator || !coordinator->is_present()) {
     refuse(number, "absent", "no coordinator is present, so nobody would pursue a goal");
     co_return;

@@ -77,6 +77,29 @@ TEST_F(ConsoleTest, AsksTheCoordinatorThatPlaysTheRole) {
   EXPECT_TRUE(has(said(*client, "(request 3 coordinator (why))"), "nothing is wanted"));
 }
 
+TEST_F(ConsoleTest, IsServedInItsRolesByWhoeverIsWired) {
+  const std::unique_ptr<Board> view = board_.view("vision-2");
+  runtime::AgentContext context{"vision-2", "localhost", executor_, *view, Random(1)};
+  runtime::Service service(
+      context, runtime::contract_from_text("(contract vision (offers (end-track)) (posts) (reads))").value());
+  const Job served = executor_.spawn([](runtime::Service& eyes) -> Task<void> {
+    const Result<void> started = co_await eyes.start();
+    EXPECT_TRUE(started);
+  }(service));
+  const auto holds = [&](const Datum& fact) {
+    const Result<Answers> answers = board_.ask(query_for(fact));
+    return answers && !answers->answers.empty();
+  };
+  executor_.run_until(
+      [&] { return holds(list("holder"_sym, "console"_sym, "eyes"_sym, "vision-2"_sym, "stands-in"_sym)); });
+  ASSERT_TRUE(run(executor_, here_->tell(list("wired"_sym, "console"_sym, "eyes"_sym, "vision-2"_sym))));
+  executor_.run_until(
+      [&] { return holds(list("holder"_sym, "console"_sym, "eyes"_sym, "vision-2"_sym, "wired"_sym)); });
+  const Job closing = executor_.spawn(console_->close());
+  executor_.run_until([&] { return closing.done(); });
+  EXPECT_FALSE(holds(list("holder"_sym, "console"_sym, "eyes"_sym, "?"_sym, "?"_sym)));
+}
+
 TEST_F(ConsoleTest, TellsAStopWhateverElseIsInHand) {
   declare("(relation agent ((name symbol) (kind symbol) (host string)) (key name))");
   ASSERT_TRUE(run(executor_, here_->tell(list("agent"_sym, "robot"_sym, "robot"_sym, "localhost"))));
@@ -225,11 +248,13 @@ TEST_F(ConsoleTest, OpensSoManyPagesAndNoMore) {
 
 TEST_F(ConsoleTest, ClosesWithEveryPageGoneFromTheBoard) {
   const auto client = page(cookie());
-  const auto here = [&] { return run(executor_, here_->facts(list("agent"_sym, "?"_sym, "console"_sym, "?"_sym))); };
-  ASSERT_EQ(here()->size(), 1u);
+  const auto here = [&](const Datum& name) {
+    return run(executor_, here_->facts(list("agent"_sym, name, "console"_sym, "?"_sym)));
+  };
+  ASSERT_EQ(here("console-1"_sym)->size(), 1u);
   const Job closing = executor_.spawn(console_->close());
   executor_.run_until([&] { return closing.done(); });
-  EXPECT_TRUE(here()->empty());
+  EXPECT_TRUE(here("?"_sym)->empty());
   EXPECT_EQ(console_->pages(), 0u);
 }
 

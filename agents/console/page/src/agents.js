@@ -1,13 +1,14 @@
-// Who is there, and what each offers; and whom the board refused what.
+// Who is there, and what each offers; who serves whom; and whom the board refused what.
 
 import { clipped, element, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { showRefusals } from './refusals.js';
+import { showServed } from './served.js';
 import { text, write } from './datum.js';
 
 export function showAgents(connection) {
   const list = element('div', { class: 'timeline' });
-  find('agents').append(list, showRefusals(connection));
+  find('agents').append(list, showRefusals(connection), showServed(connection));
   let present = [];
   const contracts = new Map();
   const draw = () => {

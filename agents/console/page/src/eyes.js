@@ -30,13 +30,13 @@ function set(control, reason) {
   control.title = reason;
 }
 
-export function showEyes(connection, images, me) {
+export function showEyes(connection, images, roles, me) {
   const panel = find('eyes');
   const answer = element('pre', { class: 'answer', id: 'eyes-answer', role: 'status', hidden: true });
   const mode = element('span', { id: 'eyes-mode', class: 'chip' }, 'no eyes');
   const holders = element('span', { class: 'quiet' });
   const tracking = element('pre', { class: 'answer', 'aria-label': 'What TRACK says', hidden: true });
-  const objects = new LearnedObjects(connection);
+  const objects = new LearnedObjects(roles);
   let eyes = 'vision';
   let present = false;
   let held = [];
@@ -142,9 +142,8 @@ export function showEyes(connection, images, me) {
     showStates();
   };
   objects.onChange(draw);
-  connection.follow('(vision-mode ?eyes ?mode ?connected)', (answers) => {
-    present = answers.length > 0;
-    const told = present ? fact(answers[0]) : undefined;
+  roles.follow('eyes', '(vision-mode ?eyes ?mode ?connected)', ([told]) => {
+    present = Boolean(told);
     eyes = told ? text(told[1]) : eyes;
     const doing = told ? text(told[2]) : 'no eyes';
     mode.textContent = told ? `${eyes}: ${doing}` : doing;
@@ -152,17 +151,17 @@ export function showEyes(connection, images, me) {
     document.body.dataset.eyes = doing;
     draw();
   });
-  connection.follow('(vision-held ?eyes ?client ?mode)', (answers) => {
-    held = answers.map(fact).map((one) => [text(one[2]), text(one[3])]);
+  roles.follow('eyes', '(vision-held ?eyes ?client ?mode)', (facts) => {
+    held = facts.map((one) => [text(one[2]), text(one[3])]);
     draw();
   });
-  connection.follow('(tracked ?eyes ?name ?state ?frame ?confidence)', (answers) => {
+  roles.follow('eyes', '(tracked ?eyes ?name ?state ?frame ?confidence)', (facts) => {
     tracked.clear();
-    for (const one of answers.map(fact)) tracked.set(text(one[2]), one);
+    for (const one of facts) tracked.set(text(one[2]), one);
     showStates();
   });
-  connection.follow('(look ?eyes ?frame ?text ?of)', (answers) => {
-    tracking.hidden = answers.length === 0;
-    if (answers.length) tracking.textContent = clipped(text(fact(answers[0])[3]), 1000);
+  roles.follow('eyes', '(look ?eyes ?frame ?text ?of)', ([look]) => {
+    tracking.hidden = !look;
+    if (look) tracking.textContent = clipped(text(look[3]), 1000);
   });
 }

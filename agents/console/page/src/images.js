@@ -72,26 +72,36 @@ function pointIn(view, event) {
   return x >= 0 && y >= 0 && x < width && y < height ? { x, y, frame: number } : null;
 }
 
-export function showImages(connection) {
+export function showImages(connection, roles) {
   const views = wanted.map((want) => makeView(want.title));
   find('images').append(...views.map((view) => view.card));
   let moment = null;
-  connection.followAlways('(stream ?name ?kind ?place)', (answers) => {
-    const streams = answers.map(fact);
+  let streams = [];
+  // Streams are named after the eyes that have them. Where those that play the role have none, others' are shown.
+  const nameOf = (kind) => {
+    const names = streams.filter((stream) => text(stream[2]) === kind).map((stream) => text(stream[1]));
+    return names.find((name) => name === `${roles.server('eyes')}-${kind}`) ?? names[0];
+  };
+  const choose = () =>
     wanted.forEach((want, index) => {
       const view = views[index];
-      const kinds = want.kinds.map((kind) => streams.find((stream) => text(stream[2]) === kind));
-      const name = text(kinds.find(Boolean)?.[1]);
+      const name = want.kinds.map(nameOf).find(Boolean) ?? '';
       if (name === view.stream) return;
       view.end();
       view.stream = name;
+      view.canvas.dataset.stream = name;
       view.end = name ? connection.look(name, (picture) => moment === null && draw(view, picture)) : () => {};
       if (!name) view.note.textContent = 'no such stream';
     });
+  connection.followAlways('(stream ?name ?kind ?place)', (answers) => {
+    streams = answers.map(fact);
+    choose();
   });
+  roles.onChange(choose);
   // What is shown stays while no images come, and the note says why.
   connection.followAlways('(camera-state ?eyes ?state ?trouble)', (answers) => {
-    const [, , state, trouble] = answers.length ? fact(answers[0]) : [];
+    const told = answers.map(fact);
+    const [, , state, trouble] = told.find((one) => text(one[1]) === roles.server('eyes')) ?? told[0] ?? [];
     const why = state === undefined ? 'no eyes are present' : closed[text(state)];
     if (!why || moment !== null) return;
     const said = clipped([why, text(trouble ?? '')].filter(Boolean).join(': '), 120);

@@ -1,11 +1,10 @@
 // What the eyes know: every learned sample by name and number, with its parameters (the thesis' Table C.1), its picture
 // and what it may be mixed up with.
 //
-//   const objects = new LearnedObjects(connection);
+//   const objects = new LearnedObjects(roles);              of those eyes that play the role
 //   objects.onChange(() => objects.names());
 //   objects.sample('circle', 1)      { num, parameters, picture, tone }
 
-import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
 // The triangle on the gripper: the first of every list.
@@ -19,19 +18,17 @@ export class LearnedObjects {
   #alike = [];
   #listeners = [];
 
-  constructor(connection) {
-    connection.follow('(learned ?eyes ?name ?num ?area ?perimeter ?nf ?m0 ?m1 ?m2)', (answers) => {
-      this.#learned = answers.map(fact);
-      this.#changed();
+  constructor(roles) {
+    const follow = (query, listener) =>
+      roles.follow('eyes', query, (facts) => {
+        listener(facts);
+        this.#changed();
+      });
+    follow('(learned ?eyes ?name ?num ?area ?perimeter ?nf ?m0 ?m1 ?m2)', (facts) => (this.#learned = facts));
+    follow('(learned-template ?eyes ?name ?num ?tone ? ? ? ? ? ? ?picture)', (facts) => {
+      this.#templates = new Map(facts.map((row) => [`${row[2]} ${row[3]}`, row]));
     });
-    connection.follow('(learned-template ?eyes ?name ?num ?tone ? ? ? ? ? ? ?picture)', (answers) => {
-      this.#templates = new Map(answers.map(fact).map((row) => [`${row[2]} ${row[3]}`, row]));
-      this.#changed();
-    });
-    connection.follow('(look-alike ?eyes ?name ?other ?error ?sentence)', (answers) => {
-      this.#alike = answers.map(fact);
-      this.#changed();
-    });
+    follow('(look-alike ?eyes ?name ?other ?error ?sentence)', (facts) => (this.#alike = facts));
   }
 
   onChange(listener) {

@@ -5,6 +5,7 @@ import { Hands } from './hands.js';
 import { find } from './dom.js';
 import { showAgents } from './agents.js';
 import { showDrive } from './drive.js';
+import { Roles } from './roles.js';
 import { showEyes } from './eyes.js';
 import { showFacts } from './facts.js';
 import { showHandsNote } from './hands_note.js';
@@ -23,19 +24,20 @@ import { WorkEntries } from './work_entries.js';
 const said = { connecting: 'connecting', live: 'live', lost: 'no connection', refused: 'no session' };
 const connection = new Connection();
 const hands = new Hands(connection);
+const roles = new Roles(connection);
 
 showTabs();
 const logIn = showLogIn(connection);
 showStop(connection, hands);
 showHandsNote(hands);
 const scene = showScene(connection);
-const images = showImages(connection);
+const images = showImages(connection, roles);
 const entries = new WorkEntries(connection);
 showWant(connection, entries);
 showServo(connection);
 showStory(connection, entries, images, showPast(connection, images));
 showHead(connection, images, () => hands.me);
-showEyes(connection, images, () => hands.me);
+showEyes(connection, images, roles, () => hands.me);
 showDrive(connection, hands);
 showFacts(connection);
 showAgents(connection);
@@ -44,10 +46,13 @@ connection.onArm = scene.moveArm;
 connection.onHello = (hello) => {
   find('cell').textContent = hello.cell;
   hands.me = hello.name;
-  hands.robot = hello.arms[0] ?? 'robot';
   hands.changed();
   scene.setCell(hello);
 };
+roles.onChange(() => {
+  hands.robot = roles.server('robot') || hands.robot;
+  hands.changed();
+});
 connection.onState = (state) => {
   const chip = find('state');
   chip.textContent = said[state];

@@ -1,0 +1,33 @@
+#include "agents/console/wiring.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr const char* contract_text = R"((contract console
+  (posts (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
+         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
+  (reads agent bound wired)))";
+
+}  // namespace
+
+Wiring::Wiring(Executor& executor, std::unique_ptr<Board> board)
+    : board_(std::move(board)),
+      context_{client, "localhost", executor, *board_, Random(1)},
+      service_(context_, runtime::contract_from_text(contract_text).value()),
+      caller_(context_, service_),
+      roles_(context_, service_, caller_, {runtime::robot_role(), runtime::eyes_role(), runtime::coordinator_role()}),
+      telling_(executor.spawn(tell())) {}
+
+Task<void> Wiring::tell() {
+  const Result<void> present = co_await service_.start();
+  if (present) roles_.start();
+}
+
+Task<void> Wiring::leave() {
+  telling_ = Job();
+  if (service_.presence() == 0) co_return;
+  [[maybe_unused]] const Result<void> left = co_await service_.leave(0s);
+}
+
+}  // namespace pizarra::console
