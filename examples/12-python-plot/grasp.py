@@ -28,7 +28,7 @@ choices = parser.parse_args()
 
 # %% Give the goal, and keep what the servo says until the goal has ended
 async def grasp():
-    """The facts (servo STATE OBJECT ERR-X ERR-Y ERR-D), one a look, and how the goal ended."""
+    """The facts (servo STATE OBJECT ERR-X ERR-Y ERR-D), one a look, whose looks, and how the goal ended."""
     looks = []
     async with AsyncBoard(choices.board, "plotter") as board:
 
@@ -40,11 +40,12 @@ async def grasp():
         [number] = await board.request("coordinator", [Symbol("goal"), [Symbol("holding"), Symbol(choices.object)]])
         ended = await board.await_answer(f"(and (goal-state {number} ?state ?) (/= ?state running))", choices.patience)
         following.cancel()
-        return looks, ended.bindings["?state"]
+        eyes = await board.holder("coordinator", "eyes")
+        return looks, eyes.server, ended.bindings["?state"]
 
 
 try:
-    looks, state = asyncio.run(grasp())
+    looks, eyes, state = asyncio.run(grasp())
 except Failure as failure:
     sys.exit(f"grasp: {failure}")
 print(f"the goal is {state} after {len(looks)} looks")
@@ -59,6 +60,6 @@ for axes, place, name in ((left, 3, "Err_X, pixels"), (right, 5, "Err_D, mm")):
     axes.plot(seconds, [fact.datum[place] for fact in looks], ".-")
     axes.set_ylabel(name)
 right.set_xlabel("seconds since the first look")
-left.set_title(f"Grasping {choices.object}: the goal is {state}")
+left.set_title(f"Grasping {choices.object} by what {eyes} sees: the goal is {state}")
 figure.savefig(choices.out)
 print(choices.out)

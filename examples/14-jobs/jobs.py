@@ -1,0 +1,64 @@
+"""Jobs for a cell: each (job NUMBER GOAL) that anybody tells is pursued once, one after the other.
+
+    ./pizarra up examples/01-blocks/cell.scm                                  prints the board's address
+    PYTHONPATH=blackboard/python python3 examples/14-jobs/jobs.py BOARD-ADDRESS
+    ./pizarra tell '(job 1 (on circle triangle))'
+    ./pizarra watch '(job-ended ?number ?state)'
+
+Jobs wait on the board while this is away. Several of these programs share the work: no job is taken twice, and one
+that was taken by a program that died comes back.
+"""
+
+import argparse
+
+from pizarra import Board, Failure, Symbol, settle, tell
+
+RELATIONS = ("(relation job ((number integer) (goal list)) (key number) (durable))",
+             "(relation job-ended ((number integer) (state symbol)) (key number) (durable))")
+LONGEST_S = 600  # that a goal is waited for
+LIFE_S = 5  # what this has taken comes back so long after its death
+
+
+def coordinator_of(board):
+    """Whichever is bound: the newest, where there are several."""
+    bound = board.pull("(bound (cell coordinators) ?name coordinator ?agent)")
+    if bound is None:
+        raise Failure("absent", "no coordinator is present")
+    return str(bound.datum[4])
+
+
+def pursue(board, goal):
+    """How it ended: reached, refused, replaced or cancelled."""
+    [number] = board.request(coordinator_of(board), [Symbol("goal"), goal])
+    try:
+        ended = board.await_answer(f"(and (goal-state {number} ?state ?) (/= ?state running))", LONGEST_S)
+    except Failure:
+        board.send(coordinator_of(board), "(cancel)")
+        raise
+    return ended.bindings["?state"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Pursues the jobs that are told to a cell.")
+    parser.add_argument("board", metavar="BOARD-ADDRESS", help="as `pizarra ps` shows it")
+    address = parser.parse_args().board
+    with Board(address, "jobs") as board:
+        board.declare(*RELATIONS)
+        life = board.lease(LIFE_S)
+        board.keep(life)
+        while True:
+            job = board.event("(job ?number ?goal)", timeout=float("inf"), lease=life)
+            _, number, goal = job.datum
+            try:
+                state = pursue(board, goal)
+            except Failure as failure:
+                state = Symbol(failure.symbol)
+            board.transact([settle(job.id), tell([Symbol("job-ended"), number, state])])
+            print(f"job {number} is {state}", flush=True)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except KeyboardInterrupt:
+        pass
