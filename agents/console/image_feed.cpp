@@ -1,9 +1,11 @@
 #include "agents/console/image_feed.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <vector>
+
+#include "drivers/camera/opencv_files.hpp"
 
 namespace pizarra::console {
 
@@ -15,9 +17,9 @@ constexpr int light_width = 320;
 constexpr Duration encoding_cost = 3ms;
 
 std::string jpeg_of(const cv::Mat& pixels, int quality) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", pixels, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
-  return {bytes.begin(), bytes.end()};
+  const Result<camera::ImageBytes> bytes = camera::encoded_image(".jpg", pixels, {cv::IMWRITE_JPEG_QUALITY, quality});
+  assert(bytes);
+  return {bytes->begin(), bytes->end()};
 }
 
 cv::Mat pixels_of(const Image& image) {

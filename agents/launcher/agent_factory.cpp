@@ -16,6 +16,7 @@
 #include "agents/speech/speech_agent.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/camera/video_camera.hpp"
 #include "drivers/line/serial_wire.hpp"
 #include "drivers/line/tcp_wire.hpp"
 #include "drivers/ptu/ptu_driver.hpp"
@@ -239,7 +240,7 @@ Task<void> BuiltAgent::run() {
 
 Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtime::AgentContext context,
                                                 const forms::CellDescription& description, simulation::Link& link,
-                                                Streams* streams, const CameraMaker& own_cameras) {
+                                                Streams* streams) {
   const std::string kind = kind_of_agent(agent);
   if (kind == "robot") {
     Result<arm::ArmModel> model = arm::read_arm_file(description.arm_file);
@@ -256,10 +257,9 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtim
     std::unique_ptr<camera::StereoCamera> camera;
     if (description.eyes.is_simulated() || description.eyes.is_plugin()) {
       camera = std::make_unique<simulation::SimulatedCamera>(context.executor, link);
-    } else if (own_cameras) {
-      camera = own_cameras(context.executor, description.eyes);
+    } else {
+      camera = std::make_unique<camera::VideoCamera>(context.executor, description.eyes);
     }
-    if (!camera) return fail("no-camera", "this program opens no real cameras; pizarra-eyes does", Datum::symbol(kind));
     vision::VisionOptions options{.objects_directory = description.objects_directory};
     for (const auto& [family, side_mm] : description.tags) options.tags.push_back({family, side_mm});
     return std::make_unique<BuiltVision>(std::move(context), std::move(camera), streams, std::move(options));

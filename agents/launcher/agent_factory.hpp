@@ -56,13 +56,9 @@ class BuiltAgent {
   std::optional<Result<void>> ended_;
 };
 
-// Opens real cameras and recordings. Only a program that gives it links the libraries that do.
-using CameraMaker = std::function<std::unique_ptr<camera::StereoCamera>(Executor&, const forms::CameraSetup&)>;
-
-// Link and streams outlive the agent. `own_cameras` may be none where the cell's eyes are simulated. Failures:
-// unknown-agent, no-camera, and those of the arm file.
+// Link and streams outlive the agent. Failures: unknown-agent, and those of the arm file.
 Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtime::AgentContext context,
                                                 const forms::CellDescription& description, simulation::Link& link,
-                                                Streams* streams, const CameraMaker& own_cameras = {});
+                                                Streams* streams);
 
 }  // namespace pizarra::launcher

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "drivers/camera/any_source.hpp"
-#include "drivers/camera/video_camera.hpp"
-
 namespace pizarra::launcher {
 
 struct LocalCell::Running {
@@ -33,11 +30,7 @@ Result<void> LocalCell::start(const std::string& kind, const std::string& host) 
   auto running = std::make_unique<Running>();
   running->view = board_.view(kind);
   runtime::AgentContext context{kind, host, executor_, *running->view, random_.split(kind)};
-  const auto own_cameras = [](Executor& executor, const forms::CameraSetup& setup) {
-    return std::make_unique<camera::VideoCamera>(executor, setup, camera::make_any_source);
-  };
-  Result<std::unique_ptr<BuiltAgent>> built =
-      build_agent(kind, std::move(context), description_, link_, &streams_, own_cameras);
+  Result<std::unique_ptr<BuiltAgent>> built = build_agent(kind, std::move(context), description_, link_, &streams_);
   if (!built) return fail(built);
   running->agent = std::move(*built);
   running->job = executor_.spawn(running->agent->run());

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <opencv2/core/utils/logger.hpp>
 
+#include "drivers/camera/opencv_files.hpp"
+
 namespace pizarra::camera {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr double usual_video_hz = 25;
 constexpr double manual_exposure = 1;
 constexpr double automatic_exposure = 3;
 constexpr double exposure_units_a_ms = 10;
+constexpr double motion_jpeg = 'M' | 'J' << 8 | 'P' << 16 | 'G' << 24;
 
 Result<cv::Mat> checked_image(cv::Mat image, const std::string& where) {
   if (image.empty()) return fail("corrupt-frame", fmt::format("{} is no image that can be read", where));
@@ -27,24 +30,26 @@ Result<cv::Mat> checked_image(cv::Mat image, const std::string& where) {
 bool CaptureSource::open_capture() {
   switch (source_.kind) {
     case forms::CameraSource::Kind::device:
-      return capture_.open(source_.where, cv::CAP_V4L2);
+      return capture_->open(source_.where, cv::CAP_V4L2);
     case forms::CameraSource::Kind::pipeline:
-      return capture_.open(source_.where, cv::CAP_GSTREAMER);
+      return capture_->open(source_.where, cv::CAP_GSTREAMER);
     case forms::CameraSource::Kind::stream:
-      return capture_.open(
+      return capture_->open(
           source_.where, cv::CAP_FFMPEG,
           {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_timeout_ms, cv::CAP_PROP_READ_TIMEOUT_MSEC, read_timeout_ms});
     case forms::CameraSource::Kind::video:
     case forms::CameraSource::Kind::images:
       break;
   }
-  return capture_.open(source_.where);
+  return capture_->open(source_.where);
 }
 
 Result<void> CaptureSource::open() {
+  const Result<OpencvFiles> opencv = opencv_files();
+  if (!opencv) return fail(opencv);
   // What goes wrong is told by our failures.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  capture_.release();
+  capture_.reset(opencv->new_capture());
   taken_any_ = false;
   bool opened = false;
   try {
@@ -54,7 +59,7 @@ Result<void> CaptureSource::open() {
   }
   if (!opened) return fail("disconnected", fmt::format("{} cannot be opened", source_.where));
   if (source_.kind == forms::CameraSource::Kind::video) {
-    const double own_hz = capture_.get(cv::CAP_PROP_FPS);
+    const double own_hz = capture_->get(cv::CAP_PROP_FPS);
     const double sane_hz = own_hz >= 1 && own_hz <= 1000 ? own_hz : usual_video_hz;
     recorded_hz_ = setup_.rate_hz > 0 ? setup_.rate_hz : sane_hz;
   }
@@ -66,19 +71,19 @@ Result<void> CaptureSource::apply_settings() {
   const int halves = setup_.arrangement == forms::CameraSetup::Arrangement::side_by_side ? 2 : 1;
   if (setup_.width > 0 || setup_.rate_hz > 0) {
     // Uncompressed, most cameras have no bandwidth for large or many images.
-    capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
+    capture_->set(cv::CAP_PROP_FOURCC, motion_jpeg);
   }
   if (setup_.width > 0) {
-    capture_.set(cv::CAP_PROP_FRAME_WIDTH, halves * setup_.width);
-    capture_.set(cv::CAP_PROP_FRAME_HEIGHT, setup_.height);
+    capture_->set(cv::CAP_PROP_FRAME_WIDTH, halves * setup_.width);
+    capture_->set(cv::CAP_PROP_FRAME_HEIGHT, setup_.height);
   }
-  if (setup_.rate_hz > 0) capture_.set(cv::CAP_PROP_FPS, setup_.rate_hz);
+  if (setup_.rate_hz > 0) capture_->set(cv::CAP_PROP_FPS, setup_.rate_hz);
   if (setup_.exposure_ms == 0) {
-    capture_.set(cv::CAP_PROP_AUTO_EXPOSURE, automatic_exposure);
+    capture_->set(cv::CAP_PROP_AUTO_EXPOSURE, automatic_exposure);
     return {};
   }
-  const bool set = capture_.set(cv::CAP_PROP_AUTO_EXPOSURE, manual_exposure) &&
-                   capture_.set(cv::CAP_PROP_EXPOSURE, setup_.exposure_ms * exposure_units_a_ms);
+  const bool set = capture_->set(cv::CAP_PROP_AUTO_EXPOSURE, manual_exposure) &&
+                   capture_->set(cv::CAP_PROP_EXPOSURE, setup_.exposure_ms * exposure_units_a_ms);
   if (set) return {};
   return fail("refused-setting", fmt::format("{} takes no exposure of {} ms", source_.where, setup_.exposure_ms));
 }
@@ -86,7 +91,7 @@ Result<void> CaptureSource::apply_settings() {
 Result<std::optional<double>> CaptureSource::grab() {
   bool grabbed = false;
   try {
-    grabbed = capture_.grab();
+    grabbed = capture_->grab();
   } catch (const cv::Exception&) {
     grabbed = false;
   }
@@ -96,7 +101,7 @@ Result<std::optional<double>> CaptureSource::grab() {
   taken_any_ = true;
   // Devices of one machine share a clock, videos begin at 0; streams and pipelines begin when they like.
   if (!recorded && source_.kind != forms::CameraSource::Kind::device) return std::nullopt;
-  const double moment_ms = capture_.get(cv::CAP_PROP_POS_MSEC);
+  const double moment_ms = capture_->get(cv::CAP_PROP_POS_MSEC);
   if (recorded || moment_ms > 0) return moment_ms;
   return std::nullopt;
 }
@@ -104,7 +109,7 @@ Result<std::optional<double>> CaptureSource::grab() {
 Result<cv::Mat> CaptureSource::retrieve(bool /*grey*/) {
   cv::Mat image;
   try {
-    if (!capture_.retrieve(image)) image.release();
+    if (!capture_->retrieve(image)) image.release();
   } catch (const cv::Exception&) {
     image.release();
   }

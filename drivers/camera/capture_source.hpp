@@ -14,7 +14,9 @@ class CaptureSource : public FrameSource {
       : source_(std::move(source)), setup_(setup) {}
 
   Result<void> open() override;
-  void close() override { capture_.release(); }
+  void close() override {
+    if (capture_) capture_->release();
+  }
   Result<std::optional<double>> grab() override;
   Result<cv::Mat> retrieve(bool grey) override;
   double recorded_hz() const override { return recorded_hz_; }
@@ -25,7 +27,7 @@ class CaptureSource : public FrameSource {
 
   forms::CameraSource source_;
   forms::CameraSetup setup_;
-  cv::VideoCapture capture_;
+  std::unique_ptr<cv::VideoCapture> capture_;  // none before it is first opened
   double recorded_hz_ = 0;
   bool taken_any_ = false;
 };

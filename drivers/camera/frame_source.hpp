@@ -3,7 +3,7 @@
 // One camera, or what stands for one, as its reader sees it: images one after another, each with its moment. Every call
 // may block, and all come from one thread.
 //
-//   std::unique_ptr<FrameSource> source = make_any_source(setup.sources[0], setup);
+//   const std::unique_ptr<FrameSource> source = std::move(sources_of(setup)[0]);
 //   Result<void> opened = source->open();
 //   Result<std::optional<double>> moment_ms = source->grab();
 //   Result<cv::Mat> image = source->retrieve(grey);
@@ -11,7 +11,6 @@
 // Failures: disconnected (not there, or gone), refused-setting, corrupt-frame (this image, not the next), and ended for
 // a recording that is over; open() then begins anew.
 
-#include <functional>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -36,8 +35,5 @@ class FrameSource {
   // Images of a recording that have no partner on the other side, and are never given. Known once open.
   virtual std::size_t left_out() const { return 0; }
 };
-
-using FrameSourceMaker =
-    std::function<std::unique_ptr<FrameSource>(const forms::CameraSource&, const forms::CameraSetup&)>;
 
 }  // namespace pizarra::camera

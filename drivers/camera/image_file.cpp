@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <span>
 #include <vector>
 
 #include "drivers/camera/image_faults.hpp"
 #include "drivers/camera/jpeg_image.hpp"
+#include "drivers/camera/other_images.hpp"
 #include "drivers/camera/png_image.hpp"
 
 namespace pizarra::camera {
@@ -41,7 +43,7 @@ bool is_too_large_png(const std::string& file, ImageSize most) {
   return first.size() == room.size() && is_png(first) && is_too_large(png_size(first), most);
 }
 
-Result<cv::Mat> read_image(const std::string& file, bool grey, OtherImages others, ImageSize most) {
+Result<cv::Mat> read_image(const std::string& file, bool grey, ImageSize most) {
   std::error_code error;
   // A file that is none, as a pipe, might never answer.
   if (!std::filesystem::is_regular_file(file, error)) return image_fault("is no regular file");
@@ -50,24 +52,15 @@ Result<cv::Mat> read_image(const std::string& file, bool grey, OtherImages other
   if (!bytes) return fail(bytes);
   if (is_jpeg(*bytes)) return read_jpeg(*bytes, grey, most);
   if (is_png(*bytes)) return read_png(*bytes, grey, most);
-  if (others != nullptr) return others(*bytes, grey, most);
-  return image_fault("is no JPEG or PNG, and there were only such when the eyes began: start them again");
+  return read_other_image(*bytes, grey, most);
 }
 
 }  // namespace
 
-Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages others, ImageSize most) {
-  Result<cv::Mat> image = read_image(file, grey, others, most);
+Result<cv::Mat> read_image_file(const std::string& file, bool grey, ImageSize most) {
+  Result<cv::Mat> image = read_image(file, grey, most);
   if (!image) return fail(image.error().symbol, fmt::format("{} {}", file, image.error().sentence));
   return image;
-}
-
-bool is_jpeg_or_png_file(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return false;
-  std::array<unsigned char, 8> room;
-  const Bytes first = fill_from(file, room);
-  return is_jpeg(first) || is_png(first);
 }
 
 }  // namespace pizarra::camera

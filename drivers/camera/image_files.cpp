@@ -53,21 +53,12 @@ std::string no_images_at(const std::string& where) {
                      formats_read, first->path().filename().string());
 }
 
-std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup,
-                                               OtherImages others) {
+std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup) {
   const bool two = setup.arrangement == forms::CameraSetup::Arrangement::side_by_side;
-  const ImageFiles::Reading reading{setup.rate_hz, setup.grey, others, two ? largest_pair : largest_image};
+  const ImageFiles::Reading reading{setup.rate_hz, setup.grey, two ? largest_pair : largest_image};
   if (setup.sources.size() < 2) return std::make_unique<ImageFiles>(source.where, reading);
   const std::array<std::string, 2> wheres{setup.sources[0].where, setup.sources[1].where};
   return std::make_unique<ImageFiles>(wheres, source == setup.sources[0] ? 0 : 1, reading);
-}
-
-bool shows_jpegs_and_pngs_alone(const forms::CameraSetup& setup) {
-  return std::ranges::all_of(setup.sources, [](const forms::CameraSource& source) {
-    if (source.kind != forms::CameraSource::Kind::images) return false;
-    const std::vector<std::string> files = image_files_at(source.where);
-    return !files.empty() && std::ranges::all_of(files, is_jpeg_or_png_file);
-  });
 }
 
 Result<void> ImageFiles::open() {
@@ -94,7 +85,7 @@ Result<std::optional<double>> ImageFiles::grab() {
 }
 
 Result<cv::Mat> ImageFiles::retrieve(bool grey) {
-  return read_image_file(files_[taken_ - 1], grey || reading_.grey, reading_.others, reading_.most);
+  return read_image_file(files_[taken_ - 1], grey || reading_.grey, reading_.most);
 }
 
 }  // namespace pizarra::camera

@@ -19,7 +19,6 @@ class ImageFiles : public FrameSource {
   struct Reading {
     double rate_hz = 0;  // 0: 10 a second
     bool grey = false;
-    OtherImages others = nullptr;  // who reads what is neither JPEG nor PNG
     ImageSize most = largest_image;
   };
 
@@ -51,11 +50,7 @@ class ImageFiles : public FrameSource {
 };
 
 // Of a source that is of images.
-std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup,
-                                               OtherImages others);
-
-// Whether all that these cameras would show now are JPEGs and PNGs, and there are some.
-bool shows_jpegs_and_pngs_alone(const forms::CameraSetup& setup);
+std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup);
 
 // The files that ImageFiles reads, sorted; bounded.
 std::vector<std::string> image_files_at(const std::string& where);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "drivers/camera/header_numbers.hpp"
+#include "drivers/camera/opencv_files.hpp"
 
 namespace pizarra::camera {
 namespace {
@@ -68,12 +68,14 @@ Result<cv::Mat> read_other_image(Bytes bytes, bool grey, ImageSize most) {
   const std::optional<ImageSize> size = size_of_other_image(bytes);
   if (!size) return image_fault(no_image);
   if (is_too_large(*size, most)) return image_fault(larger_than(most));
+  const Result<OpencvFiles> opencv = opencv_files();
+  if (!opencv) return fail(opencv);
   // What goes wrong is told by our failures.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::Mat image;
   try {
     const cv::_InputArray file(bytes.data(), static_cast<int>(bytes.size()));
-    image = cv::imdecode(file, grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+    image = opencv->decode(file, grey);
   } catch (const cv::Exception&) {
     image.release();
   }

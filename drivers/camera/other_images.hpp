@@ -1,7 +1,7 @@
 #pragma once
 
-// Images that are neither JPEG nor PNG, by OpenCV, which loads two hundred libraries for all that it reads. How large
-// one is, is told by its first bytes: OpenCV makes room for it before it knows better.
+// Images that are neither JPEG nor PNG, by OpenCV (opencv_files.hpp). How large one is, is told by its first bytes:
+// OpenCV makes room for it before it knows better.
 //
 //   Result<cv::Mat> image = read_other_image(bytes, grey);                 // of a BMP, PGM, PPM, TIFF or WebP
 //   const std::optional<ImageSize> size = size_of_other_image(bytes);
@@ -14,7 +14,7 @@
 
 namespace pizarra::camera {
 
-// 8 bit; grey or BGR. Failure corrupt-frame, in the words that follow a file's name.
+// 8 bit; grey or BGR. Failures: corrupt-frame, in the words that follow a file's name; no-opencv.
 Result<cv::Mat> read_other_image(std::span<const unsigned char> bytes, bool grey, ImageSize most = largest_pair);
 
 // Nothing where the bytes are none of those, or end before they say.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "blackboard/time/detached_work.hpp"
+#include "drivers/camera/camera_sources.hpp"
 
 namespace pizarra::camera {
 namespace {
@@ -11,12 +12,6 @@ constexpr Duration longest_opening = 10s;
 constexpr Duration longest_ending = 5s;
 constexpr Duration longest_farewell = 1s;
 constexpr Duration longest_silence = 3s;  // three images of the slowest rate that may be asked for
-
-StereoReader::Sources sources_of(const forms::CameraSetup& setup, const FrameSourceMaker& make_source) {
-  StereoReader::Sources out;
-  for (const forms::CameraSource& source : setup.sources) out.push_back(make_source(source, setup));
-  return out;
-}
 
 }  // namespace
 
@@ -39,8 +34,8 @@ struct VideoCamera::Bell : std::enable_shared_from_this<Bell> {
   WaitList waiting;  // on the executor's thread
 };
 
-VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup, const FrameSourceMaker& make_source)
-    : VideoCamera(executor, setup, [setup, make_source] { return sources_of(setup, make_source); }) {}
+VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup)
+    : VideoCamera(executor, setup, [setup] { return sources_of(setup); }) {}
 
 VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup, MakeSources make_sources)
     : executor_(executor),

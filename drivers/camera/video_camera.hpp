@@ -10,7 +10,7 @@
 // A device may never answer again. So the thread is of its own, none of the executor's, which waits for its own in the
 // end: whoever lets the camera go waits a second for it, and leaves it behind.
 //
-//   VideoCamera eyes(executor, description.eyes, make_any_source);
+//   VideoCamera eyes(executor, description.eyes);
 //   Result<StereoModel> model = co_await eyes.open();
 //   Result<StereoFrame> frame = co_await eyes.next(executor.now(), false);
 //
@@ -28,7 +28,7 @@ class VideoCamera : public StereoCamera {
  public:
   using MakeSources = std::function<StereoReader::Sources()>;
 
-  VideoCamera(Executor& executor, forms::CameraSetup setup, const FrameSourceMaker& make_source);
+  VideoCamera(Executor& executor, forms::CameraSetup setup);
   // Sources of a test's own.
   VideoCamera(Executor& executor, forms::CameraSetup setup, MakeSources make_sources);
   VideoCamera(const VideoCamera&) = delete;

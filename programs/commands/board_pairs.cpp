@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "drivers/camera/any_source.hpp"
+#include "drivers/camera/camera_sources.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/image_pairs.hpp"
-#include "drivers/camera/other_images.hpp"
 #include "drivers/camera/stereo_reader.hpp"
 #include "lisp/outside_text.hpp"
 
@@ -24,10 +23,10 @@ class FilePairs : public BoardPairs {
   Result<ImagePair> next() override {
     if (taken_ == left_.size()) return fail("ended", "there are no more images");
     const std::size_t pair = taken_++;
-    Result<cv::Mat> left = camera::read_image_file(left_[pair], true, camera::read_other_image);
+    Result<cv::Mat> left = camera::read_image_file(left_[pair], true);
     if (!left) return fail(left);
     if (single()) return ImagePair{std::move(*left), {}};
-    Result<cv::Mat> right = camera::read_image_file(right_[pair], true, camera::read_other_image);
+    Result<cv::Mat> right = camera::read_image_file(right_[pair], true);
     if (!right) return fail(right);
     return ImagePair{std::move(*left), std::move(*right)};
   }
@@ -49,7 +48,7 @@ class FilePairs : public BoardPairs {
 class CameraPairs : public BoardPairs {
  public:
   explicit CameraPairs(const forms::CameraSetup& eyes)
-      : reader_(eyes, sources_of(eyes), real_time),
+      : reader_(eyes, camera::sources_of(eyes), real_time),
         single_(eyes.arrangement == forms::CameraSetup::Arrangement::single) {
     reader_.read_once();
   }
@@ -68,11 +67,6 @@ class CameraPairs : public BoardPairs {
   bool chosen() const override { return false; }
 
  private:
-  static camera::StereoReader::Sources sources_of(const forms::CameraSetup& eyes) {
-    camera::StereoReader::Sources out;
-    for (const forms::CameraSource& source : eyes.sources) out.push_back(camera::make_any_source(source, eyes));
-    return out;
-  }
   static Time real_time() {
     return Time(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
   }

@@ -13,6 +13,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/camera/opencv_files.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
@@ -254,6 +255,9 @@ int console_of_running_cell(const ConsoleChoices& choices) {
 }
 
 int run_console(const ConsoleChoices& choices) {
+  // Its images are JPEGs.
+  const Result<camera::OpencvFiles> opencv = camera::opencv_files();
+  if (!opencv) return complain(opencv.error(), exit_unavailable);
   const bool own = choices.board.board.empty() && launcher::running_cells().empty();
   if (own && !choices.listen.empty()) {
     return complain(Failure{"bad-option", "--listen is for a cell that runs, whose board asks for keys", {}, {}},

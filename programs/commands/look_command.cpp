@@ -1,19 +1,21 @@
 // `look`: what a running cell's cameras see.
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 
 #include "agents/runtime/declared.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/latch.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "drivers/camera/opencv_files.hpp"
 #include "lisp/json.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/story/output_file.hpp"
 
 namespace pizarra::programs {
 
@@ -38,12 +40,9 @@ struct Announced {
 
 Result<void> write_picture(const std::string& path, const Image& image) {
   const cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
-  try {
-    if (cv::imwrite(path, view)) return {};
-  } catch (const cv::Exception&) {
-    // Of a name that ends in no kind of picture.
-  }
-  return fail("cannot-write", fmt::format("cannot write a picture to {}", path));
+  const Result<camera::ImageBytes> bytes = camera::encoded_image(std::filesystem::path(path).extension(), view);
+  if (!bytes) return fail(bytes);
+  return story::write_file(path, *bytes);
 }
 
 class Look {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <zlib.h>
 
+#include "drivers/camera/opencv_files.hpp"
 #include "programs/commands/print_sheet.hpp"
 #include "programs/story/output_file.hpp"
 
@@ -117,10 +117,9 @@ void say_real_size(Bytes& png) {
   png.insert(png.begin() + 33, chunk.begin(), chunk.end());
 }
 
-Bytes png_of(const Sheet& sheet) {
-  Bytes bytes;
-  cv::imencode(".png", raster(sheet), bytes);
-  say_real_size(bytes);
+Result<Bytes> png_of(const Sheet& sheet) {
+  Result<Bytes> bytes = camera::encoded_image(".png", raster(sheet));
+  if (bytes) say_real_size(*bytes);
   return bytes;
 }
 
@@ -170,7 +169,10 @@ Bytes pdf_of(const Sheet& sheet) {
 
 Result<void> write_sheet(const std::string& path, const Sheet& sheet) {
   if (path.ends_with(".pdf")) return story::write_file(path, pdf_of(sheet));
-  if (path.ends_with(".png")) return story::write_file(path, png_of(sheet));
+  if (path.ends_with(".png")) {
+    const Result<Bytes> png = png_of(sheet);
+    return png ? story::write_file(path, *png) : fail(png);
+  }
   return fail("unknown-format", "a sheet is a FILE.pdf or a FILE.png, not " + path);
 }
 

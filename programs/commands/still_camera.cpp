@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "drivers/camera/image_files.hpp"
-#include "drivers/camera/other_images.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 
@@ -75,7 +74,7 @@ Result<StillCamera> StillCamera::make(const StillChoices& choices, double learne
 }
 
 Result<StillImage> StillCamera::see(const std::string& file) const {
-  const Result<cv::Mat> grey = camera::read_image_file(file, true, camera::read_other_image);
+  const Result<cv::Mat> grey = camera::read_image_file(file, true);
   if (!grey) return fail(grey);
   const std::string name = text_of_bytes(file);
   if (std::min(grey->cols, grey->rows) < least_side_px) {

@@ -1,5 +1,5 @@
-// pizarra-plan: the planner on files, with its word `plan`. It links Guile for what people write, but neither OpenCV nor
-// Bullet, so that it starts at once.
+// pizarra-plan: the planner on files, with its word `plan`. It links Guile for what people write, but neither OpenCV
+// nor Bullet, so that it starts at once.
 
 #include <algorithm>
 #include <charconv>

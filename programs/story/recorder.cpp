@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "drivers/camera/opencv_files.hpp"
 #include "programs/story/output_file.hpp"
 
 namespace pizarra::story {
@@ -36,10 +36,13 @@ cv::Mat with_caption(const Image& image, const std::string& caption) {
   return picture;
 }
 
+// A codec's number.
+int four_letters(const char* code) { return code[0] | code[1] << 8 | code[2] << 16 | code[3] << 24; }
+
 Result<int> codec_for(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".avi") return cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
-  if (extension == ".mp4") return cv::VideoWriter::fourcc('m', 'p', '4', 'v');
+  if (extension == ".avi") return four_letters("MJPG");
+  if (extension == ".mp4") return four_letters("mp4v");
   return fail("cannot-write", fmt::format("{}: a film is named .avi or .mp4", path));
 }
 
@@ -50,12 +53,16 @@ Result<void> Recorder::film(const std::string& path) {
   if (!codec) return fail(codec);
   const Result<void> folder = make_folder_of(path);
   if (!folder) return folder;
+  const Result<camera::OpencvFiles> opencv = camera::opencv_files();
+  if (!opencv) return fail(opencv);
+  std::unique_ptr<cv::VideoWriter> film(opencv->new_writer());
   try {
-    film_.open(path, *codec, frames_per_second, picture_size);
+    film->open(path, *codec, frames_per_second, picture_size);
   } catch (const cv::Exception& error) {
     return fail("cannot-write", fmt::format("cannot write the film {}: {}", path, error.what()));
   }
-  if (!film_.isOpened()) return fail("cannot-write", fmt::format("cannot write the film {}", path));
+  if (!film->isOpened()) return fail("cannot-write", fmt::format("cannot write the film {}", path));
+  film_ = std::move(film);
   film_path_ = path;
   watch();
   return {};
@@ -68,24 +75,19 @@ void Recorder::watch() {
 
 void Recorder::take(const StreamFrame& frame) {
   newest_ = with_caption(*frame.image, narrator_.newest());
-  if (film_.isOpened()) film_.write(newest_);
+  if (film_) film_->write(newest_);
 }
 
 Result<void> Recorder::save_picture(const std::string& path) const {
   if (newest_.empty()) return fail("cannot-write", "no picture came from the camera");
-  // In memory, because what writes files says more than is wanted when it cannot.
-  std::vector<std::uint8_t> encoded;
-  try {
-    if (cv::imencode(".png", newest_, encoded)) return write_file(path, encoded);
-  } catch (const cv::Exception& error) {
-    return fail("cannot-write", fmt::format("cannot write {}: {}", path, error.what()));
-  }
-  return fail("cannot-write", fmt::format("cannot write {}", path));
+  const Result<camera::ImageBytes> png = camera::encoded_image(".png", newest_);
+  if (!png) return fail(png);
+  return write_file(path, *png);
 }
 
 Result<void> Recorder::finish() {
   if (film_path_.empty()) return {};
-  film_.release();
+  film_->release();
   if (!is_whole_film(film_path_)) return fail(unwritten(film_path_));
   return {};
 }

@@ -35,7 +35,7 @@ class Recorder {
   const Narrator& narrator_;
   std::unique_ptr<Streams::Subscription> subscription_;
   std::string film_path_;
-  cv::VideoWriter film_;
+  std::unique_ptr<cv::VideoWriter> film_;  // none: no film is wished for
   cv::Mat newest_;
 };
 

@@ -94,30 +94,6 @@ TEST(OwnEyes, APersonTeachesAndFindsAtThePromptWithPhotographsForACamera) {
   EXPECT_TRUE(contains(said, "(FIND \"cross\" OK (")) << said.text;
 }
 
-// The program that an agent of these eyes becomes.
-std::string program_of(const std::string& name, const std::string& camera) {
-  const std::string nowhere = "ipc://" + scratch_folder() + name;
-  const Running agent({PIZARRA_AGENT, "agent", "vision", cell_with(name, camera), "--board", nowhere},
-                      scratch_folder() + name + ".log");
-  EXPECT_TRUE(wait_until([&] { return agent.said().contains("no board answers"); }, std::chrono::seconds(60)))
-      << agent.said();
-  return std::filesystem::path(agent.program()).filename();
-}
-
-TEST(OwnEyes, PhotographsAndPngsNeedNoReadersOfFilmsAndAllElseDoes) {
-  const std::string folder = scratch_folder() + "some/";
-  std::filesystem::create_directories(folder);
-  const cv::Mat1b grey(240, 320, 100);
-  for (const char* file : {"1.jpg", "2.png", "3.tif"}) ASSERT_TRUE(cv::imwrite(folder + file, grey));
-  std::filesystem::copy_file(folder + "3.tif", folder + "4.png");
-  const auto images = [&](const std::string& pattern) { return "(single (images \"" + folder + pattern + "\"))"; };
-  EXPECT_EQ(program_of("photos-alone", images("[12].*")), "pizarra-agent");
-  EXPECT_EQ(program_of("tiff-too", images("[123].*")), "pizarra-eyes");
-  EXPECT_EQ(program_of("misnamed-too", images("[124].*")), "pizarra-eyes");
-  EXPECT_EQ(program_of("none-yet", images("*.bmp")), "pizarra-eyes");
-  EXPECT_EQ(program_of("film", "(single (video \"film.avi\"))"), "pizarra-eyes");
-}
-
 TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {
   const std::string cell = cell_with("blind", "(single (device \"/dev/no-such-camera\"))");
   const Said said =

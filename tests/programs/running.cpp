@@ -51,10 +51,6 @@ void Running::signal(int number) const {
   if (!status_) kill(pid_, number);
 }
 
-std::string Running::program() const {
-  return std::filesystem::read_symlink("/proc/" + std::to_string(pid_) + "/exe").string();
-}
-
 std::optional<int> Running::end(std::chrono::seconds how_long) {
   wait_until([this] { return look(); }, how_long);
   return status_;

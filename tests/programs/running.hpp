@@ -32,8 +32,6 @@ class Running {
   // Its exit status, minus the signal that killed it, or nothing while it runs on.
   std::optional<int> end(std::chrono::seconds how_long);
   std::string said() const { return text_of(log_); }
-  // The file of the program that it is by now.
-  std::string program() const;
 
  private:
   bool look();

@@ -12,7 +12,7 @@
 #include "agents/vision/marks/tag_detection.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/camera/any_source.hpp"
+#include "drivers/camera/camera_sources.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "lisp/forms/cell_file.hpp"
 #include "lisp/reader.hpp"
@@ -40,7 +40,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     learning.tilt_deg = 8;
     show(learning);
     setup.sources = {{forms::CameraSource::Kind::images, folder}};
-    camera.emplace(executor, setup, camera::make_any_source);
+    camera.emplace(executor, setup);
     agent.emplace(runtime::AgentContext{"vision", "here", executor, *agent_view, Random(1)}, *camera, nullptr);
     life = executor.spawn(live(*agent));
     Job started = executor.spawn(begin());
@@ -273,7 +273,7 @@ TEST(OwnCameraOfACell, TellsTheTagsOfItsImageFiles) {
   RealExecutor executor;
   memory::MemoryBoard board(executor);
   const std::unique_ptr<Board> view = board.view("vision");
-  camera::VideoCamera camera(executor, cell->eyes, camera::make_any_source);
+  camera::VideoCamera camera(executor, cell->eyes);
   VisionAgent agent({"vision", "here", executor, *view, Random(1)}, camera, nullptr,
                     {.objects_directory = "", .tags = {{cell->tags.front().family, cell->tags.front().side_mm}}});
   Job life = executor.spawn(live(agent));

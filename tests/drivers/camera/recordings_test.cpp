@@ -10,10 +10,9 @@
 #include <sys/stat.h>
 
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/camera/any_source.hpp"
+#include "drivers/camera/camera_sources.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/image_pairs.hpp"
-#include "drivers/camera/other_images.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "lisp/writer.hpp"
 #include "tests/run_task.hpp"
@@ -85,7 +84,7 @@ TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
   std::ofstream(folder + "4.png") << "";
   forms::CameraSetup eyes = setup(Arrangement::single, forms::CameraSource::Kind::images, {"*.png"});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   ASSERT_TRUE(run(executor, camera.open()));
   std::set<std::string> said;
   std::set<int> seen;
@@ -110,7 +109,7 @@ TEST_F(Recordings, AnImageWhoseNameIsNoTextIsToldByWhatCanBeShownOfIt) {
   write_image("good.png", 50);
   forms::CameraSetup eyes = setup(Arrangement::single, forms::CameraSource::Kind::images, {""});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   ASSERT_TRUE(run(executor, camera.open()));
   const Result<StereoFrame> frame = next(camera);
   ASSERT_TRUE(frame);
@@ -123,7 +122,7 @@ TEST_F(Recordings, ACameraOfSuchImagesAloneSaysSoAcrossTheBoard) {
   std::ofstream(folder + "f\xFCr.png") << "this is no picture";
   forms::CameraSetup eyes = setup(Arrangement::single, forms::CameraSource::Kind::images, {"f\xFCr.png"});
   eyes.rate_hz = 1000;
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   const Result<StereoModel> opened = run(executor, camera.open());
   ASSERT_FALSE(opened);
   const Failure told = failure_from_datum(failure_to_datum(opened.error()));
@@ -136,7 +135,7 @@ TEST_F(Recordings, AFolderOfGifsIsToldWhatIsRead) {
             "there are no images at " + folder +
                 ": JPEG, PNG, BMP, PGM, PPM, TIFF and WebP are read, by the ends of "
                 "their names, and a.gif is none of these");
-  ImageFiles named(folder + "*.gif", {.others = read_other_image});
+  ImageFiles named(folder + "*.gif", {});
   ASSERT_TRUE(named.open());
   ASSERT_TRUE(named.grab());
   EXPECT_EQ(named.retrieve(true).error().sentence,
@@ -149,7 +148,7 @@ TEST_F(Recordings, APngThatIsTooLargeForTheEyesIsRefusedByItsHeader) {
   std::ofstream(folder + "a.png", std::ios::binary) << header;
   const auto told_of = [&](Arrangement arrangement) {
     const forms::CameraSetup eyes = setup(arrangement, forms::CameraSource::Kind::images, {"a.png"});
-    const std::unique_ptr<FrameSource> source = make_any_source(eyes.sources[0], eyes);
+    const std::unique_ptr<FrameSource> source = std::move(sources_of(eyes)[0]);
     EXPECT_TRUE(source->open());
     EXPECT_TRUE(source->grab());
     return source->retrieve(true).error().sentence;
@@ -224,7 +223,7 @@ TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {
   }
   forms::CameraSetup eyes = setup(Arrangement::pair, forms::CameraSource::Kind::images, {"left*.png", "right*.png"});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   const Result<StereoModel> model = run(executor, camera.open());
   ASSERT_TRUE(model);
   EXPECT_EQ(model->base_line_mm, 60);
@@ -244,7 +243,7 @@ TEST_F(Recordings, APairGoesByTheNumbersInItsNamesAndCountsWhatHasNoPartner) {
   }
   forms::CameraSetup eyes = setup(Arrangement::pair, forms::CameraSource::Kind::images, {"left*.png", "right*.png"});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   ASSERT_TRUE(run(executor, camera.open()));
   StereoFrame last;
   while (last.number < 10) {
@@ -263,7 +262,7 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
   const forms::CameraSetup eyes =
       setup(Arrangement::pair, forms::CameraSource::Kind::images, {"left*.png", "right*.png"});
   {
-    VideoCamera camera(executor, eyes, make_any_source);
+    VideoCamera camera(executor, eyes);
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_FALSE(model);
     EXPECT_EQ(
@@ -272,7 +271,7 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
         "which belong together: give what belongs together the same number");
   }
   write_image("right-c.png", 50);
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   EXPECT_TRUE(run(executor, camera.open()));
 }
 
@@ -355,8 +354,7 @@ TEST(ImagePairs, NumbersThatAreNotOnBothSidesSayNothing) {
 
 TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
   write_video("film.avi", {320, 240}, 50, 10);
-  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.avi"}),
-                     make_any_source);
+  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.avi"}));
   ASSERT_TRUE(run(executor, camera.open()));
   const Time first = next(camera)->captured;
   StereoFrame last;
@@ -367,8 +365,7 @@ TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
 
 TEST_F(Recordings, WhatIsNoVideoIsNoCamera) {
   std::ofstream(folder + "film.avi") << "this is no film";
-  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.avi"}),
-                     make_any_source);
+  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.avi"}));
   const Result<StereoModel> model = run(executor, camera.open());
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().sentence, "the camera: " + folder + "film.avi cannot be opened");
@@ -379,7 +376,7 @@ TEST_F(Recordings, APairSideBySideOf1280x960At120AsecondKeepsUp) {
   forms::CameraSetup eyes = setup(Arrangement::side_by_side, forms::CameraSource::Kind::video, {"film.avi"});
   eyes.width = 1280;
   eyes.height = 960;
-  VideoCamera camera(executor, eyes, make_any_source);
+  VideoCamera camera(executor, eyes);
   ASSERT_TRUE(run(executor, camera.open()));
   const std::clock_t cpu_before = std::clock();
   const std::uint64_t first = next(camera)->number;
@@ -411,8 +408,7 @@ TEST_F(Recordings, APipelineIsACameraWhateverItsColoursAre) {
     const std::string pipeline =
         "videotestsrc is-live=true ! video/x-raw," + format + "width=640,height=480,framerate=30/1 ! appsink";
     VideoCamera camera(
-        executor, {.arrangement = Arrangement::single, .sources = {{forms::CameraSource::Kind::pipeline, pipeline}}},
-        make_any_source);
+        executor, {.arrangement = Arrangement::single, .sources = {{forms::CameraSource::Kind::pipeline, pipeline}}});
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_TRUE(model.has_value()) << format << describe(model.error());
     EXPECT_EQ(model->width, 640) << format;

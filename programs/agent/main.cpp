@@ -1,12 +1,10 @@
-#include "programs/agent/agent_commands.hpp"
+// The words that `up` starts processes with: `agent`, one agent, and `world`, the simulated world.
 
-#include <cerrno>
-#include <cstring>
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
-#include <unistd.h>
 #include <zmq.hpp>
 
+#include "agents/launcher/agent_factory.hpp"
 #include "agents/launcher/camera_news.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
@@ -35,16 +33,6 @@ struct ProcessChoices {
   std::uint64_t seed = 1;
 };
 
-// Becomes the program that opens every camera.
-int become_eyes(std::span<char*> arguments) {
-  const std::string program = beside_this_program("pizarra-eyes");
-  std::vector<char*> same(arguments.begin(), arguments.end());
-  same.push_back(nullptr);
-  ::execv(program.c_str(), same.data());
-  const Failure why{"no-program", fmt::format("{} cannot be started: {}", program, std::strerror(errno)), {}, {}};
-  return complain(why, exit_unavailable);
-}
-
 // A board that is there answers sooner.
 constexpr Duration unremarkable = 1s;
 
@@ -54,11 +42,9 @@ Task<void> say_what_is_awaited(Executor& executor, const client::RemoteBoard& bo
     fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", text_of_bytes(address));
 }
 
-int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const OwnCameras& own_cameras) {
+int run_agent(const ProcessChoices& choices) {
   const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
-  const bool own_eyes = launcher::kind_of_agent(choices.kind) == "vision" && !cell->eyes.is_simulated();
-  if (own_eyes && !cell->eyes.is_plugin() && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
   if (choices.world.empty() && launcher::needs_world(choices.kind, *cell)) {
     const Failure none{
         "no-world", fmt::format("{}'s device is simulated in this cell: --world says where", choices.kind), {}, {}};
@@ -78,8 +64,7 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const O
   const auto streams = streams::RemoteStreams::open(executor, **board, choices.streams);
   if (!streams) return complain(streams.error(), exit_unavailable);
   runtime::AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
-  const auto agent =
-      launcher::build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras.make);
+  const auto agent = launcher::build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get());
   if (!agent) return complain(agent.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
   Job camera;
@@ -116,7 +101,7 @@ int run_world(const ProcessChoices& choices) {
   return exit_reached;
 }
 
-void add_agent_command(CLI::App& app, int& status, std::span<char*> arguments, const OwnCameras& own_cameras) {
+void add_agent_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
   agent
@@ -137,7 +122,7 @@ void add_agent_command(CLI::App& app, int& status, std::span<char*> arguments, c
   agent->add_option("--host", choices->host, "The host that it names in its presence")->capture_default_str();
   agent->add_option("--seed", choices->seed, "The seed of its chance")->check(seed_check())->capture_default_str();
   agent->footer(help_footer("agent planner examples/01-blocks/cell.scm --board ipc:///tmp/b --world ipc:///tmp/w"));
-  agent->callback([choices, &status, arguments, own_cameras] { status = run_agent(*choices, arguments, own_cameras); });
+  agent->callback([choices, &status] { status = run_agent(*choices); });
 }
 
 void add_world_command(CLI::App& app, int& status) {
@@ -151,8 +136,10 @@ void add_world_command(CLI::App& app, int& status) {
 }
 
 }  // namespace
+}  // namespace pizarra::programs
 
-int run_process_program(std::span<char*> arguments, const OwnCameras& own_cameras) {
+int main(int argc, char** argv) {
+  using namespace pizarra::programs;
   // One thread: two runs of the same seed must not differ.
   cv::setNumThreads(1);
   CLI::App app("One agent of a cell, or its simulated world.", "pizarra");
@@ -160,9 +147,7 @@ int run_process_program(std::span<char*> arguments, const OwnCameras& own_camera
   app.set_version_flag("--version", version());
   app.footer(exit_code_help);
   int status = exit_reached;
-  add_agent_command(app, status, arguments, own_cameras);
+  add_agent_command(app, status);
   add_world_command(app, status);
-  return run_program(app, static_cast<int>(arguments.size()), arguments.data(), status);
+  return run_program(app, argc, argv, status);
 }
-
-}  // namespace pizarra::programs
