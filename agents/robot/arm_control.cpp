@@ -28,7 +28,12 @@ InHand::~InHand() {
   if (control_ != nullptr) control_->let_go();
 }
 
-Result<InHand> ArmControl::take_in_hand(Datum operation) {
+Result<InHand> ArmControl::take_in_hand(Datum motion) {
+  if (released_by_.empty()) return occupy(std::move(motion));
+  return refused({"not-in-control", released_by_ + " released control of the arm", Datum::symbol(released_by_), {}});
+}
+
+Result<InHand> ArmControl::occupy(Datum operation) {
   if (!connected_) return fail("disconnected", why_lost_);
   if (running_) return fail("busy", fmt::format("the arm is doing {}", write(*running_)), *running_);
   running_ = std::move(operation);
@@ -57,13 +62,15 @@ Task<Result<void>> ArmControl::connect() {
   const Result<arm::ArmReading> found = co_await find();
   if (!found) co_return fail(found);
   const bool in_trouble = found->trouble && found->trouble->kind != arm::ArmTrouble::Kind::off;
-  if (!known_ && !in_trouble) {
+  if (!known_ && !in_trouble && released_by_.empty()) {
     const Result<void> on = co_await switch_on();
     if (!on) co_return on;
   }
   known_ = true;
   if (found_moving_) {
     facts_.set_arm("stopped", "STOPPED_AT_RESTART");
+  } else if (!released_by_.empty()) {
+    facts_.set_arm("stopped", "(release-control)");
   } else {
     facts_.set_arm("idle");
   }
@@ -88,7 +95,14 @@ Task<Result<void>> ArmControl::get_control() {
   const Result<arm::ArmReading> reading = co_await read();
   if (!reading) co_return fail(reading);
   facts_.set_arm("idle");
+  released_by_.clear();
   co_return Result<void>();
+}
+
+Task<Result<void>> ArmControl::release_control() {
+  facts_.set_arm("stopped", "(release-control)");
+  Result<void> released = co_await driver_.release_control();
+  co_return released;
 }
 
 void ArmControl::lose(const Failure& why) {

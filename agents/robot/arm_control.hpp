@@ -70,6 +70,11 @@ class ArmControl {
   Task<Result<void>> connect();
   // Resets alarms, switches servos on, releases brakes: what somebody asked for who knows why they were as they were.
   Task<Result<void>> get_control();
+  // Switches its servos off; while it is released no motion is taken in hand.
+  Task<Result<void>> release_control();
+  // Whoever released it, in an earlier life too.
+  void set_released(std::string by) { released_by_ = std::move(by); }
+  const std::string& released_by() const { return released_by_; }
   Task<void> keep_watch();
   // The controller is away; keep_watch() looks for it.
   void lose(const Failure& why);
@@ -78,7 +83,9 @@ class ArmControl {
   const arm::ArmModel& model() const { return model_; }
   const std::optional<Datum>& running() const { return running_; }
 
-  Result<InHand> take_in_hand(Datum operation);
+  Result<InHand> take_in_hand(Datum motion);
+  // Of what moves nothing, released or not.
+  Result<InHand> occupy(Datum operation);
   Task<Result<arm::ArmReading>> read();
   // From where it was just read to stand through the waypoints (one at least) at `speed` 0..1; answers when the arm
   // stands again.
@@ -119,6 +126,7 @@ class ArmControl {
   bool found_moving_ = false;   // and was stopped, which is not told yet
   bool connected_ = false;
   std::string why_lost_;
+  std::string released_by_;  // empty: it is not
   std::optional<Datum> running_;
   std::uint64_t motions_ = 0;
   bool stop_requested_ = false;

@@ -96,7 +96,9 @@ struct RobotAgent::State {
   Task<Result<Datum>> monitor();
   Task<Result<Datum>> finish(Datum operation);
   Task<Result<Datum>> get_control(Datum operation);
+  Task<Result<Datum>> release_control(Fact request);
 
+  Datum released_fact(const Datum& client) const { return list("robot-released"_sym, name, client); }
   Datum motion_fact(const Datum& request, const Datum& outcome) const {
     return list("robot-motion"_sym, name, request, outcome);
   }
@@ -167,6 +169,10 @@ Task<Result<void>> RobotAgent::State::restore() {
   const Result<std::vector<Fact>> speeds = co_await known(speed_fact);
   if (!speeds) co_return fail(speeds);
   for (const Fact& fact : *speeds) speed_percent = amount_in(fact.datum[2], 1, 100, "percent").value_or(100);
+  const Datum released = released_fact(any);
+  const Result<std::vector<Fact>> releases = co_await known(released);
+  if (!releases) co_return fail(releases);
+  for (const Fact& fact : *releases) control.set_released(std::string(fact.datum[2].text()));
   const Datum any_motion = motion_fact(any, any);
   const Result<std::vector<Fact>> motions = co_await known(any_motion);
   if (!motions) co_return fail(motions);
@@ -205,6 +211,7 @@ Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
   if (operation.is_form("gripper")) return gripper(std::move(request));
   if (operation.is_form("speed")) return speed(std::move(operation));
   if (operation.is_form("learn")) return learn(std::move(operation));
+  if (operation.is_form("release-control")) return release_control(std::move(request));
   return get_control(std::move(operation));
 }
 
@@ -357,10 +364,28 @@ Task<Result<Datum>> RobotAgent::State::finish(Datum operation) {
 }
 
 Task<Result<Datum>> RobotAgent::State::get_control(Datum operation) {
-  const Result<InHand> in_hand = control.take_in_hand(operation);
+  const Result<InHand> in_hand = control.occupy(operation);
   if (!in_hand) co_return fail(in_hand);
   const Result<void> taken = co_await control.get_control();
   if (!taken) co_return fail(taken);
+  Transaction taking;
+  taking.retract(released_fact("?"_sym));
+  const Result<void> told = co_await facts.tell_surely(std::move(taking));
+  if (!told) co_return fail(told);
+  co_return answer(true);
+}
+
+// The board has it before the servos go off: a successor of this agent leaves them off.
+Task<Result<Datum>> RobotAgent::State::release_control(Fact request) {
+  const Result<InHand> in_hand = control.occupy(request.datum[3]);
+  if (!in_hand) co_return fail(in_hand);
+  Transaction releasing;
+  releasing.tell(released_fact(Datum::symbol(request.teller)));
+  const Result<void> kept = co_await facts.tell_surely(std::move(releasing));
+  if (!kept) co_return fail(kept);
+  control.set_released(request.teller);
+  const Result<void> released = co_await control.release_control();
+  if (!released) co_return fail(released);
   const Result<void> told = co_await facts.tell_surely();
   if (!told) co_return fail(told);
   co_return answer(true);

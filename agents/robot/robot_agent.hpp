@@ -1,14 +1,14 @@
 #pragma once
 
-// The robot agent: the thesis' seventeen operations, `get-control` and held jogs (holds.hpp), over any ArmDriver, the
-// same for every arm.
+// The robot agent: the thesis' seventeen operations, `get-control`, `release-control` and held jogs (holds.hpp), over
+// any ArmDriver, the same for every arm.
 //
 // Lifecycle: constructed, run() spawned. It asks the controller which arm it is of (one that says another than
 // the cell describes ends run() with `unknown-arm`; most protocols say less, see the drivers) and stops what moves
 // there, before it waits for its name; then takes control, reads back its learned variables and its speed from durable
 // facts, and serves. A controller that goes away is connected to again when it is back, as it is then: meanwhile motion
 // answers `disconnected` and the arm's fact says `fault`, and what it has for an alarm stays until somebody asks for
-// (get-control).
+// (get-control). Control that somebody released stays so until then, in every later life of this agent.
 //
 // One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
 // monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a

@@ -58,6 +58,8 @@ class ArmDriver {
   virtual Task<Result<void>> take_control() = 0;
   // The same as the controller is met for the first time. A device of the arm that takes its time is not waited for.
   virtual Task<Result<void>> power_up() { return take_control(); }
+  // Gives the arm back to whoever stands beside it, as much of it as take_control() took: the servos go off.
+  virtual Task<Result<void>> release_control() { co_return Result<void>(); }
   // Starts a move through the waypoints (joint interpolation between them, in what the axes read), at `speed` 0..1 of
   // the axes' speeds, and answers once it is accepted.
   virtual Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) = 0;

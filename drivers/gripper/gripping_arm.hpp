@@ -26,6 +26,7 @@ class GrippingArm : public arm::ArmDriver {
   Task<Result<std::string>> identify() override { return arm_.identify(); }
   Task<Result<void>> power_up() override;
   Task<Result<void>> take_control() override;
+  Task<Result<void>> release_control() override { return arm_.release_control(); }
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     return arm_.start_move(std::move(waypoints), speed);
   }

@@ -31,6 +31,8 @@ class Arm {
   virtual std::string type() = 0;
   // Nothing else resets an alarm, releases a brake or switches servos on.
   virtual void take_control() = 0;
+  // Gives the arm back to whoever stands beside it: the servos go off.
+  virtual void release_control() {}
   // Begins to move through the waypoints, at `speed` 0..1 of the axes' speeds, and comes back once that is accepted.
   virtual void start_move(const std::vector<Joints>& waypoints, double speed) = 0;
   virtual void stop() = 0;

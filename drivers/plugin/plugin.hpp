@@ -15,7 +15,7 @@
 namespace pizarra::plugin {
 
 // Counted up with every change of these headers that a compiled plug-in would notice. Another one is refused.
-inline constexpr int abi = 1;
+inline constexpr int abi = 2;
 
 class Refused : public std::runtime_error {
  public:

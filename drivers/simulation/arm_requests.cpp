@@ -50,6 +50,11 @@ Task<Result<void>> PhysicalArm::take_control() {
   co_return Result<void>();
 }
 
+Task<Result<void>> PhysicalArm::release_control() {
+  controlled_ = false;
+  co_return Result<void>();
+}
+
 Result<void> PhysicalArm::controlled() const {
   if (!controlled_) return fail("not-in-control", "nobody has taken control of the arm");
   return {};
@@ -111,6 +116,10 @@ Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request) {
   if (what == "take-control") {
     const Result<void> taken = co_await arm.take_control();
     co_return done(taken);
+  }
+  if (what == "release-control") {
+    const Result<void> released = co_await arm.release_control();
+    co_return done(released);
   }
   if (what == "stop") {
     const Result<void> stopped = co_await arm.stop();

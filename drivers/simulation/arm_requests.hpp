@@ -17,6 +17,7 @@ class PhysicalArm : public arm::ArmDriver {
   PhysicalArm(Cell& cell, std::string type) : cell_(cell), type_(std::move(type)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
+  Task<Result<void>> release_control() override;
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;

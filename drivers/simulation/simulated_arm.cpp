@@ -65,6 +65,13 @@ Task<Result<void>> SimulatedArm::take_control() {
   co_return taken;
 }
 
+Task<Result<void>> SimulatedArm::release_control() {
+  had_control_ = false;
+  Datum request = list(device_, "release-control"_sym);
+  Result<void> released = co_await command(std::move(request));
+  co_return released;
+}
+
 Task<Result<void>> SimulatedArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
   const bool sound = std::isfinite(speed) && finite(waypoints);
   if (!sound) co_return fail("not-finite", "a joint angle or the speed is not a number");

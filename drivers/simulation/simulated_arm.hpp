@@ -22,6 +22,7 @@ class SimulatedArm : public arm::ArmDriver {
       : link_(link), device_(Datum::symbol(device)), after_loss_(after_loss) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
+  Task<Result<void>> release_control() override;
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;

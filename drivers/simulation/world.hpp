@@ -13,7 +13,8 @@
 //   SimulatedCamera eyes(executor, link);         // StereoCamera
 //
 // Requests and the values they answer; lengths mm, angles degrees, YES is `yes` or `no`:
-//   (arm identify) -> ("type")        (arm take-control)     (arm move SPEED (J1 ... JN) ...)     (arm stop)
+//   (arm identify) -> ("type")        (arm take-control)     (arm release-control)
+//   (arm move SPEED (J1 ... JN) ...)  (arm stop)
 //   (arm gripper MM)                  (arm read) -> ((J1 ... JN) MOVING STOPPED OPENING GRIPPER-MOVING)
 // A second arm, where there is one, answers the same to (second-arm ...). It stands aside, at a table without cubes.
 //   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)

@@ -34,6 +34,8 @@ class ArmDevice : public PluginDevice {
     if (what.is_symbol("read")) return state();
     if (what.is_symbol("take-control")) {
       arm_->take_control();
+    } else if (what.is_symbol("release-control")) {
+      arm_->release_control();
     } else if (what.is_symbol("stop")) {
       arm_->stop();
     } else if (what.is_symbol("gripper") && request.size() == 3) {

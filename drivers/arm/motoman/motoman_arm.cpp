@@ -152,6 +152,16 @@ Task<Result<void>> MotomanArm::take_control() {
   co_return on;
 }
 
+// Where the pendant has control already the order is refused, and nothing is left to give back.
+Task<Result<void>> MotomanArm::release_control() {
+  const Result<MotomanStatus> status = co_await link_.status();
+  if (!status) co_return lost(status.error());
+  if (!status->servo) co_return Result<void>();
+  const Result<void> off = co_await link_.turn(MotomanSwitch::servo, false);
+  if (!off && off.error().symbol != "refused") co_return lost(off.error());
+  co_return off;
+}
+
 Task<Result<void>> MotomanArm::switch_on() {
   const Result<void> turned = co_await link_.turn(MotomanSwitch::servo, true);
   if (!turned && turned.error().symbol == "refused") {

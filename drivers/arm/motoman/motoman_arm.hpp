@@ -46,6 +46,7 @@ class MotomanArm : public ArmDriver {
       : executor_(executor), link_(link), model_(std::move(model)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
+  Task<Result<void>> release_control() override;
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;

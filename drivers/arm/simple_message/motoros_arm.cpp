@@ -90,6 +90,13 @@ Task<Result<void>> MotorosArm::take_control() {
   co_return Result<void>();
 }
 
+Task<Result<void>> MotorosArm::release_control() {
+  const Result<MotorosReply> ended = co_await command(motoros::stop_trajectories);
+  if (!ended) co_return fail(ended);
+  if (ended->result != motoros::success) co_return fail(refused(*ended, "refused"));
+  co_return Result<void>();
+}
+
 // A controller that is busy is asked again.
 Task<Result<void>> MotorosArm::send_point(std::size_t index) {
   const TimedPoint& from = points_[index];

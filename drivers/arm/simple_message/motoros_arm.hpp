@@ -31,6 +31,7 @@ class MotorosArm : public MessageArm {
   MotorosArm(Executor& executor, SimpleWires wires, ArmModel model) : MessageArm(executor, wires, std::move(model)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
+  Task<Result<void>> release_control() override;
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<ArmReading>> read() override;

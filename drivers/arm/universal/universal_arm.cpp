@@ -188,6 +188,12 @@ Task<Result<void>> UniversalArm::take_control() {
   co_return Result<void>();
 }
 
+Task<Result<void>> UniversalArm::release_control() {
+  const Result<std::string> off = co_await dashboard_.ask("power off\n");
+  if (!off) co_return fail(off);
+  co_return Result<void>();
+}
+
 Task<Result<void>> UniversalArm::start_move(std::vector<Joints> waypoints, double speed) {
   const Result<void> sound = check_move(model_, waypoints, speed);
   if (!sound) co_return sound;

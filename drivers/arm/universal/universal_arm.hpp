@@ -39,6 +39,7 @@ class UniversalArm : public ArmDriver {
   UniversalArm(Executor& executor, UniversalWires wires, ArmModel model);
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
+  Task<Result<void>> release_control() override;
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;

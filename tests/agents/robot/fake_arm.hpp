@@ -63,6 +63,11 @@ class FakeArm : public arm::ArmDriver {
     if (!in_control) co_return uncontrolled();
     co_return {};
   }
+  Task<Result<void>> release_control() override {
+    if (!plugged) co_return unplugged();
+    in_control = false;
+    co_return {};
+  }
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     if (!plugged) co_return unplugged();
     if (!in_control) co_return uncontrolled();

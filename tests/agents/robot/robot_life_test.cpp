@@ -262,6 +262,45 @@ TEST_F(Robot, ControllerThatGivesNoControlSaysSo) {
   EXPECT_EQ(arm.controls, 2);
 }
 
+TEST_F(Robot, ControlThatIsReleasedMovesNothingUntilItIsTakenBack) {
+  EXPECT_EQ(call("(release-control)"), "(ok true)");
+  EXPECT_FALSE(arm.in_control);
+  EXPECT_EQ(fact("(robot-released robot ?)"), "(robot-released robot user)");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"(release-control)\")");
+  // As where the person at the pendant switches the servos on.
+  arm.in_control = true;
+  for (const std::string_view operation : {"(turn right 5)", "(gripper 0)", "(do-action \"(track 10)\")"}) {
+    EXPECT_EQ(refusal(operation), "not-in-control") << operation;
+  }
+  EXPECT_EQ(arm.moves, 0);
+  EXPECT_EQ(form(call("(monitor)"))[0], "ok"_sym);
+  EXPECT_EQ(call("(speed 50)"), "(ok true)");
+  EXPECT_EQ(call("(get-control)"), "(ok true)");
+  EXPECT_EQ(fact("(robot-released robot ?)"), "");
+  EXPECT_EQ(call("(turn right 5)"), "(ok true)");
+}
+
+TEST_F(Robot, ControlIsNotReleasedInTheMiddleOfAMotion) {
+  ask("(turn right 90)");
+  executor.run_for(300ms);
+  EXPECT_EQ(refusal("(release-control)"), "busy");
+  EXPECT_TRUE(arm.in_control);
+  EXPECT_EQ(fact("(robot-released robot ?)"), "");
+}
+
+TEST_F(Robot, ASuccessorLeavesReleasedControlAlone) {
+  ASSERT_EQ(call("(release-control)"), "(ok true)");
+  life.reset();
+  executor.run_for(30s);
+  begin();
+  executor.run_for(1s);
+  EXPECT_EQ(arm.controls, 1) << "nobody asked for it";
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"(release-control)\")");
+  EXPECT_EQ(refusal("(home)"), "not-in-control");
+  EXPECT_EQ(call("(get-control)"), "(ok true)");
+  EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
 TEST(RobotStart, AnArmThatNobodyKnowsIsRefused) {
   VirtualExecutor executor;
   memory::MemoryBoard board(executor);

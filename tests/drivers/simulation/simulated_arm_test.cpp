@@ -63,6 +63,14 @@ TEST(SimulatedArm, AnAlarmIsToldAndNoMotionResetsIt) {
   EXPECT_TRUE(run(executor, arm.start_gripper(10)));
 }
 
+TEST(SimulatedArm, DoesNotTakeBackByItselfWhatWasReleased) {
+  Bench bench(four_cubes());
+  ASSERT_TRUE(run(bench.executor, bench.arm.release_control()));
+  EXPECT_EQ(run(bench.executor, bench.arm.start_move({bench.config.arm.home}, 0.5)).error().symbol, "not-in-control");
+  ASSERT_TRUE(run(bench.executor, bench.arm.take_control()));
+  EXPECT_TRUE(run(bench.executor, bench.arm.start_move({bench.config.arm.home}, 0.5)));
+}
+
 TEST(SimulatedArm, RefusesBadMoves) {
   Bench bench(four_cubes());
   const auto refused = [&](std::vector<arm::Joints> path, double speed) {

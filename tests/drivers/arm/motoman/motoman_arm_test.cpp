@@ -212,6 +212,15 @@ TEST_F(Motoman, WhatEndsAMoveIsNamedAndMendedOnlyWhenAskedAnew) {
   }
 }
 
+TEST_F(Motoman, ItsServosGoOffWhereControlIsReleased) {
+  ASSERT_EQ(connect(), "");
+  EXPECT_EQ(outcome(arm.release_control()), "");
+  EXPECT_EQ(outcome(arm.release_control()), "") << "they are off already";
+  EXPECT_EQ(move({moved(0, 60)}), "not-in-control");
+  EXPECT_EQ(outcome(arm.take_control()), "");
+  EXPECT_EQ(move({moved(0, 60)}), "");
+}
+
 TEST_F(Motoman, PowerThatIsLostInMidMoveIsSilenceAndThenAnAlarm) {
   ASSERT_EQ(connect(), "");
   ASSERT_EQ(move({moved(0, 100)}), "");

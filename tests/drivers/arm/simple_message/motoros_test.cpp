@@ -48,6 +48,9 @@ TEST_P(Motoros, BeginsTheTrajectoryModeOnlyByTakingControl) {
   EXPECT_EQ(outcome(arm.take_control()), "");
   EXPECT_TRUE(controller.started);
   EXPECT_FALSE(read()->trouble);
+  EXPECT_EQ(outcome(arm.release_control()), "");
+  EXPECT_FALSE(controller.started);
+  EXPECT_EQ(move({up6().home}), "not-in-control");
 }
 
 TEST_P(Motoros, GoesThroughWaypointsWithoutStandingAsFastAsItIsTold) {

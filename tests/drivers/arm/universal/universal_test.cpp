@@ -227,6 +227,15 @@ TEST_F(Universal, WhatEndsAMoveIsNamedAndTheArmIsSwitchedOnOnlyWhenAsked) {
   EXPECT_EQ(outcome(arm.start_move({there}, 1)), "not-in-control") << "in local control no program is taken";
 }
 
+TEST_F(Universal, IsSwitchedOffWhereControlIsReleased) {
+  ASSERT_EQ(connect(), "");
+  EXPECT_EQ(outcome(arm.release_control()), "");
+  executor.run_for(1s);
+  EXPECT_EQ(outcome(arm.start_move({moved(0, 100)}, 1)), "not-in-control");
+  EXPECT_EQ(outcome(arm.take_control()), "");
+  EXPECT_EQ(outcome(arm.start_move({moved(0, 100)}, 1)), "");
+}
+
 TEST_F(Universal, RefusesWhatItsAxesCannotAndWhatIsNoNumberAndSendsNothing) {
   ASSERT_EQ(connect(), "");
   const Result<void> beyond = ask(arm.start_move({moved(2, 500)}, 1));
