@@ -114,14 +114,15 @@ Annotation VisionAgent::State::annotation_for(std::uint64_t frame, std::vector<T
   });
   if (learner) {
     out.learned_contour = learner->contour();
-    if (learner->contour().empty()) out.filled = learner->filled().clone();
+    if (learner->contour().empty()) out.filled = learner->filled_so_far();
   }
   out.status = fmt::format("frame {}   {}{}", frame, mode(), holders.connected() ? "" : " (not connected)");
   return out;
 }
 
 // The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
-// where the camera has moved on, is asked for once more in colour.
+// where the camera has moved on, is asked for once more in colour. While they learn the picture of it stays grey, and
+// what is filled stands out.
 Task<void> VisionAgent::State::show(camera::StereoFrame frame, Annotation annotation) {
   const Time before = frame.captured - Duration(1);
   const Result<camera::StereoFrame> coloured = co_await camera.next(before, true);
@@ -130,7 +131,9 @@ Task<void> VisionAgent::State::show(camera::StereoFrame frame, Annotation annota
   const camera::StereoFrame& base = usable ? *coloured : frame;
   if (watched("colour")) streams->publish(stream("colour"), {base.number, base.captured, base.left});
   if (!watched("annotated")) co_return;
-  streams->publish(stream("annotated"), {frame.number, frame.captured, annotate(*base.left, annotation)});
+  const bool learning = !annotation.filled.empty() || !annotation.learned_contour.empty();
+  const Image& shown = learning ? *frame.left : *base.left;
+  streams->publish(stream("annotated"), {frame.number, frame.captured, annotate(shown, annotation)});
 }
 
 GreyPair grey_pair(const camera::StereoFrame& frame) { return {grey(*frame.left), grey(*frame.right)}; }

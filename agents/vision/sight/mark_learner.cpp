@@ -91,6 +91,18 @@ Result<void> MarkLearner::feed(StereoSight& sight) {
   return filled_frames_ < frames_per_step ? fill(sight) : measure(sight);
 }
 
+cv::Mat1b MarkLearner::filled_so_far() const {
+  if (filled_.empty()) return {};
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(filled_, pixels);
+  const cv::Point from(click_);
+  double furthest_px = 0;
+  for (const cv::Point& pixel : pixels) furthest_px = std::max(furthest_px, cv::norm(pixel - from));
+  cv::Mat1b reached(filled_.size(), 0);
+  cv::circle(reached, from, cvCeil(furthest_px * filled_frames_ / frames_per_step), 255, cv::FILLED);
+  return reached & filled_;
+}
+
 Result<void> MarkLearner::fill(StereoSight& sight) {
   const cv::Mat& left = sight.left();
   const bool first = filled_frames_ == 0;

@@ -32,8 +32,9 @@ class MarkLearner {
   // After done().
   LearnedSample sample() const;
 
-  // For the picture: what is filled now (255, image size; empty before the first frame) and the contour, once known.
-  const cv::Mat1b& filled() const { return filled_; }
+  // For the picture: what is filled so far (255, image size; empty before the first frame), from the click outwards,
+  // all of it in the tenth frame; and the contour, once known.
+  cv::Mat1b filled_so_far() const;
   const MarkContour& contour() const { return contour_; }
 
  private:

@@ -26,13 +26,18 @@ TEST(Learner, TakesTenFramesToFillAndTenToFollow) {
   Random random(2);
   const LearnedObjects none;
   MarkLearner learner("circle", project(DrawnSight::model(), in_front, false), none);
+  int filled_px = 0;
   for (int frame = 1; frame <= 20; ++frame) {
     EXPECT_FALSE(learner.done());
     DrawnSight drawn(circle_scene(), random);
     ASSERT_TRUE(learner.feed(drawn.sight));
-    EXPECT_FALSE(learner.filled().empty());
     EXPECT_EQ(learner.contour().empty(), frame < 10);
+    if (frame > 10) continue;
+    const int more_px = cv::countNonZero(learner.filled_so_far());
+    EXPECT_GT(more_px, filled_px) << "the picture of it grows, frame " << frame;
+    filled_px = more_px;
   }
+  EXPECT_NEAR(filled_px, 391, 20) << "to the whole mark";
   EXPECT_TRUE(learner.done());
   const LearnedSample sample = learner.sample();
   EXPECT_NEAR(sample.area_px, 391, 10);
