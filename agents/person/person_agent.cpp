@@ -158,12 +158,20 @@ Task<Result<void>> PersonAgent::teach_cell() {
   co_return {};
 }
 
+// What is learned next accepts what was learned before, and nothing comes behind the last. Where it was known already
+// there is nothing to accept.
+Task<void> PersonAgent::accept(std::string name) {
+  Datum accepting = list("accept"_sym, Datum::string(name));
+  [[maybe_unused]] const Result<Datum> accepted = co_await ask_eyes(std::move(accepting));
+}
+
 Task<void> PersonAgent::teach_all() {
   const Result<void> taught = co_await teach_cell();
   if (taught) {
     std::vector<Datum> taught_names;
     for (const std::string& name : names_) taught_names.push_back(Datum::string(name));
     co_await say("done"_sym, Datum::list(std::move(taught_names)));
+    co_await accept(names_.back());
     co_return;
   }
   co_await say("failed"_sym, failure_to_datum(taught.error()));
@@ -173,6 +181,7 @@ Task<Result<Datum>> PersonAgent::serve(Datum operation) {
   const std::string name(operation[1].text());
   const Result<void> taught = co_await teach(name);
   if (!taught) co_return fail(taught);
+  co_await accept(name);
   co_return Datum();
 }
 

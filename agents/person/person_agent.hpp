@@ -27,6 +27,7 @@ class PersonAgent : public runtime::Agent {
   Task<Result<void>> run() override;
 
  private:
+  Task<void> accept(std::string name);
   Task<void> teach_all();
   Task<Result<void>> teach_cell();
   Task<Result<void>> teach(std::string name);

@@ -66,6 +66,7 @@ TEST(Person, TeachesEveryCubeAndTheEndEffectorByClickingOnThem) {
   room.executor.run_for(40s);
   EXPECT_EQ(room.facts(list("person"_sym, "?"_sym, "?"_sym)),
             "(person done (\"end-effector\" \"circle\" \"triangle\" \"square\" \"cross\"))\n");
+  EXPECT_EQ(room.facts(list("to-accept"_sym, "?"_sym, "?"_sym, "?"_sym)), "") << "others may forget all of it";
 }
 
 TEST(Person, AsksForAMotionAgainThatWasStopped) {
