@@ -62,7 +62,7 @@ std::optional<std::string> Access::exchange(std::string_view token, Time now) {
     const auto ends = [](const auto& session) { return session.second.admitted.until; };
     sessions_.erase(std::ranges::min_element(sessions_, {}, ends));
   }
-  const Session session{{now + session_length, *key}, std::string(door_.tokens.empty() ? "" : token)};
+  const Session session{{now + session_length, *key, ++newest_}, std::string(door_.tokens.empty() ? "" : token)};
   return sessions_.emplace(wire::random_secret(), session).first->first;
 }
 
@@ -77,7 +77,13 @@ std::optional<Access::Admitted> Access::admitted(std::string_view cookies, Time 
   return std::nullopt;
 }
 
-void Access::forget(std::string_view cookies) { sessions_.erase(std::string(cookie_in(cookies, cookie_name()))); }
+std::optional<std::uint64_t> Access::forget(std::string_view cookies) {
+  const auto session = sessions_.find(cookie_in(cookies, cookie_name()));
+  if (session == sessions_.end()) return std::nullopt;
+  const std::uint64_t number = session->second.admitted.number;
+  sessions_.erase(session);
+  return number;
+}
 
 void Access::forget_ended(Time now) {
   std::erase_if(sessions_, [now](const auto& session) { return session.second.admitted.until <= now; });

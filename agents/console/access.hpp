@@ -34,7 +34,8 @@ class Access {
   };
   struct Admitted {
     Time until;
-    std::string key;  // whose the session is; empty: the console's own
+    std::string key;           // whose the session is; empty: the console's own
+    std::uint64_t number = 0;  // the session's, of all that there were
   };
 
   explicit Access(Door door);
@@ -49,8 +50,8 @@ class Access {
   std::optional<std::string> exchange(std::string_view token, Time now);
   // The session to which a Cookie header belongs.
   std::optional<Admitted> admitted(std::string_view cookies, Time now);
-  // It ends.
-  void forget(std::string_view cookies);
+  // It ends: answers which it was, if there is one.
+  std::optional<std::uint64_t> forget(std::string_view cookies);
   // A viewer that only reads shows another token, again and again, for as long as the console lasts.
   const std::string& reading_token() const { return reading_token_; }
   bool may_read(std::string_view token) const;
@@ -69,6 +70,7 @@ class Access {
   std::string token_;
   const std::string reading_token_;
   std::map<std::string, Session, std::less<>> sessions_;
+  std::uint64_t newest_ = 0;
 };
 
 }  // namespace pizarra::console

@@ -106,9 +106,9 @@ std::string Console::foxglove_address() const {
 
 Task<void> Console::close() {
   viewers_.clear();
-  for (const auto& [number, session] : sessions_) session->leave();
+  for (const auto& [number, page] : pages_) page.live->leave();
   const Time deadline = setup_.executor.now() + longest_goodbye;
-  if (!sessions_.empty()) co_await emptied_.wait(deadline);
+  if (!pages_.empty()) co_await emptied_.wait(deadline);
   co_await wiring_->leave();
 }
 
@@ -142,10 +142,13 @@ HttpAnswer Console::exchange(const HttpRequest& request) {
   return answer;
 }
 
-// The cookie is sent to /socket alone.
+// The cookie is sent to /socket alone. Every page of the session ends.
 HttpAnswer Console::log_out(const HttpRequest& request) {
   if (request.origin.empty()) return plain(403, "only the page may log out");
-  access_->forget(request.cookies);
+  const std::optional<std::uint64_t> session = access_->forget(request.cookies);
+  for (const auto& [number, page] : pages_) {
+    if (page.session == session) page.live->leave();
+  }
   return {.status = 204};
 }
 
@@ -155,7 +158,7 @@ HttpAnswer Console::open_page(const HttpRequest& request) {
   if (!session) return plain(403, "no session: open the address that the console printed");
   if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
   if (request.origin.empty()) return plain(403, "only the page may connect");
-  if (sessions_.size() >= max_pages) return plain(503, "too many pages are open");
+  if (pages_.size() >= max_pages) return plain(503, "too many pages are open");
   HttpAnswer answer = web_socket_answer(request);
   answer.upgraded = [this, session = *session](UpgradedSocket socket) { admit(std::move(socket), session); };
   return answer;
@@ -192,7 +195,7 @@ void Console::admit_viewer(UpgradedSocket socket) {
 }
 
 void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
-  if (sessions_.size() >= max_pages) return;
+  if (pages_.size() >= max_pages) return;
   const int number = next_page_++;
   // As a board calls one that comes with that key.
   const std::string prefix = session.key.empty() ? std::string() : session.key + "/";
@@ -202,12 +205,12 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
   if (!board) return;
   const auto ended = [this, number, alive = std::weak_ptr(alive_)] {
     if (alive.expired()) return;
-    sessions_.erase(number);
-    if (sessions_.empty()) emptied_.set();
+    pages_.erase(number);
+    if (pages_.empty()) emptied_.set();
   };
   Session::Setup setup{setup_.executor,   images_,       setup_.cell, name,
                        std::move(*board), session.until, ended,       setup_.pictures};
-  sessions_.emplace(number, std::make_unique<Session>(std::move(setup), std::move(socket)));
+  pages_.emplace(number, Page{session.number, std::make_unique<Session>(std::move(setup), std::move(socket))});
 }
 
 HttpAnswer Console::with_headers(HttpAnswer answer) const {

@@ -76,7 +76,7 @@ class Console {
   std::string address() const;
   // For Foxglove, its token included.
   std::string foxglove_address() const;
-  std::size_t pages() const { return sessions_.size(); }
+  std::size_t pages() const { return pages_.size(); }
   std::size_t viewers() const { return viewers_.size(); }
   Task<void> close();
 
@@ -104,7 +104,11 @@ class Console {
   int next_page_ = 1;
   Event emptied_;
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // whoever may outlast this looks
-  std::map<int, std::unique_ptr<Session>> sessions_;
+  struct Page {
+    std::uint64_t session;  // of those that were admitted
+    std::unique_ptr<Session> live;
+  };
+  std::map<int, Page> pages_;
   std::map<int, std::unique_ptr<FoxgloveSession>> viewers_;
 };
 

@@ -82,6 +82,19 @@ TEST_F(ConsoleTest, EndsASessionWhenItsTimeIsOver) {
   EXPECT_FALSE(access.admitted(shown, Time(Access::session_length)));
 }
 
+TEST_F(ConsoleTest, EndsEveryPageOfASessionThatIsLoggedOutAndNoOther) {
+  const std::string own = cookie();
+  const auto one = page(own);
+  const auto another = page(own);
+  token_ = console_->address().substr(console_->address().find('#') + 1);
+  const auto others = page(cookie());
+  EXPECT_TRUE(begins(head("DELETE", "/socket", {{"Cookie", own}, {"Origin", ""}}), "HTTP/1.1 403"));
+  EXPECT_EQ(console_->pages(), 3u);
+  EXPECT_TRUE(begins(head("DELETE", "/socket", {{"Cookie", own}}), "HTTP/1.1 204"));
+  executor_.run_until([&] { return console_->pages() == 1 || tick(); });
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(own)), "HTTP/1.1 403"));
+}
+
 TEST_F(ConsoleTest, HoldsSoManySessionsAndNoMore) {
   Access access({.port = 1});
   std::vector<std::string> cookies;
