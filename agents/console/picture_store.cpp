@@ -24,6 +24,7 @@ using Work = std::function<void(const std::function<bool()>&)>;
 constexpr Duration writing_cost = 5ms;
 constexpr Duration reading_cost = 2ms;
 constexpr std::size_t longest_name = 64;
+constexpr const char* part = ".part";
 
 // A name of a folder: what others announce leads to no place elsewhere.
 bool is_plain(const std::string& name) {
@@ -38,15 +39,23 @@ Failure not_written(const std::string& path) {
 
 // Whole, or not at all.
 bool write_file(const std::string& path, const std::string& bytes) {
-  const std::string part = path + ".part";
-  std::ofstream out(part, std::ios::binary);
+  const std::string half = path + part;
+  std::ofstream out(half, std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
-  if (out.good() && std::rename(part.c_str(), path.c_str()) == 0) return true;
+  if (out.good() && std::rename(half.c_str(), path.c_str()) == 0) return true;
   const int why = errno;
-  std::remove(part.c_str());
+  std::remove(half.c_str());
   errno = why;
   return false;
+}
+
+// What was being written when a console died.
+void remove_halves(const std::string& folder) {
+  std::error_code error;
+  for (const auto& file : files::directory_iterator(folder, error)) {
+    if (file.path().extension() == part) files::remove(file.path(), error);
+  }
 }
 
 std::string read_file(const std::string& path) {
@@ -54,7 +63,35 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+// Named as keep() names it.
+std::optional<KeptPicture> picture_in(const files::path& file, const std::string& stream) {
+  KeptPicture kept{.stream = stream, .file = file.string()};
+  long long captured = 0;
+  unsigned long long number = 0;
+  const std::string name = file.filename().string();
+  const int read = std::sscanf(name.c_str(), "%lld_%llu_%dx%d.jpg", &captured, &number, &kept.width, &kept.height);
+  if (read != 4 || file.extension() != ".jpg") return std::nullopt;
+  kept.captured = Time(Duration(captured));
+  kept.number = number;
+  return kept;
+}
+
 }  // namespace
+
+std::vector<KeptPicture> kept_pictures(const std::string& folder) {
+  std::vector<KeptPicture> pictures;
+  std::error_code error;
+  std::size_t streams = 0;
+  for (const auto& stream : files::directory_iterator(folder, error)) {
+    const std::string name = stream.path().filename().string();
+    if (!stream.is_directory(error) || !is_plain(name) || ++streams > PictureStore::max_streams) continue;
+    for (const auto& file : files::directory_iterator(stream.path(), error)) {
+      if (std::optional<KeptPicture> kept = picture_in(file.path(), name)) pictures.push_back(std::move(*kept));
+    }
+  }
+  std::ranges::sort(pictures, {}, &KeptPicture::captured);
+  return pictures;
+}
 
 Result<std::unique_ptr<PictureStore>> PictureStore::open(Executor& executor, const std::string& folder,
                                                          std::uintmax_t most_bytes) {
@@ -82,25 +119,11 @@ PictureStore::~PictureStore() { close(lock_); }
 
 void PictureStore::read_what_is_kept() {
   std::error_code error;
-  for (const auto& stream : files::directory_iterator(folder_, error)) {
-    const std::string name = stream.path().filename().string();
-    if (!is_plain(name) || streams_.size() >= max_streams) continue;
-    for (const auto& file : files::directory_iterator(stream.path(), error)) {
-      Entry entry{file.path().string()};
-      long long captured = 0;
-      unsigned long long number = 0;
-      const std::string told = file.path().filename().string();
-      if (std::sscanf(told.c_str(), "%lld_%llu_%dx%d.jpg", &captured, &number, &entry.width, &entry.height) != 4)
-        continue;
-      if (file.path().extension() != ".jpg") {
-        files::remove(file.path(), error);  // half a picture
-        continue;
-      }
-      entry.number = number;
-      entry.bytes = file.file_size(error);
-      add(name, Time(Duration(captured)), std::move(entry));
-    }
+  for (const KeptPicture& kept : kept_pictures(folder_)) {
+    Entry entry{kept.file, kept.number, kept.width, kept.height, files::file_size(kept.file, error)};
+    add(kept.stream, kept.captured, std::move(entry));
   }
+  for (const auto& [name, stream] : streams_) remove_halves(folder_ + "/" + name);
 }
 
 void PictureStore::add(const std::string& stream, Time captured, Entry entry) {

@@ -15,12 +15,24 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "blackboard/stream.hpp"
 #include "blackboard/time/executor.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra::console {
+
+struct KeptPicture {
+  std::string stream;
+  Time captured{};
+  std::uint64_t number = 0;
+  int width = 0;
+  int height = 0;
+  std::string file;
+};
+// What is in such a folder, the oldest first, whoever works there.
+std::vector<KeptPicture> kept_pictures(const std::string& folder);
 
 class PictureStore {
  public:

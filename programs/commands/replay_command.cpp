@@ -24,6 +24,7 @@ struct ReplayChoices {
   std::string at;
   std::vector<std::string> forms;
   std::string mcap;
+  std::string pictures;
   bool json = false;
 };
 
@@ -196,7 +197,8 @@ int run_export(Executor& executor, const ReplayChoices& choices) {
   if (!end) return complain(end.error(), exit_usage);
   const Result<Moment> from = choices.at.empty() ? Moment{.revision = 0} : moment_from_text(choices.at, end->when);
   if (!from) return complain(from.error(), exit_usage);
-  const Result<std::uint64_t> messages = export_journal(executor, choices.journal, *from, choices.mcap);
+  const Result<std::uint64_t> messages =
+      export_journal(executor, choices.journal, *from, choices.pictures, choices.mcap);
   if (!messages) return complain(messages.error(), exit_usage);
   fmt::print("{}: {} messages\n", choices.mcap, *messages);
   return exit_reached;
@@ -229,6 +231,11 @@ void add_replay_command(CLI::App& app, int& status) {
       ->add_option("--mcap", choices->mcap,
                    "Write the journal, from --at or else its beginning, as an MCAP file for Foxglove, and end")
       ->excludes("--eval");
+  replay
+      ->add_option("--pictures", choices->pictures,
+                   "With --mcap: the folder in which a console kept what was seen, as /camera and /annotated")
+      ->check(CLI::ExistingDirectory)
+      ->needs("--mcap");
   replay->add_flag("--json", choices->json, "Print one JSON object a line");
   replay->footer(help_footer("replay run.txt --at @60 --eval '(ask (on ?x ?y))'"));
   replay->callback([choices, &status] { status = run_replay(*choices); });

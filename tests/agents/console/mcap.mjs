@@ -1,7 +1,7 @@
 // node mcap.mjs PIZARRA-CELL SCRATCH: a demo's journal as an MCAP file, judged by the public reader @mcap/core.
 
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { expect, modulesFolder, ownFolder } from './browser.mjs';
@@ -27,12 +27,11 @@ const records = [];
 for (let record = stream.nextRecord(); record; record = stream.nextRecord()) records.push(record.type);
 expect(stream.done() && records.includes('Footer'), 'it is whole');
 
-const reader = await McapIndexedReader.Initialize({
-  readable: {
-    size: async () => BigInt(bytes.length),
-    read: async (offset, size) => new Uint8Array(bytes.subarray(Number(offset), Number(offset + size))),
-  },
+const readableOf = (file) => ({
+  size: async () => BigInt(file.length),
+  read: async (offset, size) => new Uint8Array(file.subarray(Number(offset), Number(offset + size))),
 });
+const reader = await McapIndexedReader.Initialize({ readable: readableOf(bytes) });
 const channels = new Map([...reader.channelsById].map(([id, channel]) => [id, channel]));
 const schemas = [...channels.values()].map((channel) => {
   const schema = reader.schemasById.get(channel.schemaId);
@@ -67,5 +66,31 @@ expect(of('/facts').some(({ gone }) => gone) && of('/facts').every(({ text }) =>
 const half = [];
 for await (const message of reader.readMessages({ startTime: latest / 2n, topics: ['/story'] })) half.push(message);
 expect(half.length > 0 && half.length < of('/story').length, 'a part of it is read by its index');
+
+// With what a console kept of it: the images between the journal's ends, as they are.
+const pixel = Buffer.from(
+  '/9j/4AAQSkZJRgABAQEASABIAAD/2wBDAP//////////////////////////////////////////////////////////////////////////////////////wgALCAABAAEBAREA/8QAFBABAAAAAAAAAAAAAAAAAAAAAP/aAAgBAQABPxA=',
+  'base64',
+);
+const kept = join(folder, 'kept');
+const moments = [Number(latest) / 4000, Number(latest) / 2000, Number(latest) / 1000 + 5_000_000].map(Math.floor);
+for (const stream of ['vision-colour', 'vision-annotated', 'vision-right']) {
+  mkdirSync(join(kept, stream), { recursive: true });
+  moments.forEach((at, i) => writeFileSync(join(kept, stream, `${at}_${i + 1}_1x1.jpg`), pixel));
+}
+run('replay', 'run.txt', '--mcap', 'seen.mcap', '--pictures', 'kept');
+const seen = await McapIndexedReader.Initialize({ readable: readableOf(readFileSync(join(folder, 'seen.mcap'))) });
+const images = [];
+for await (const message of seen.readMessages({ topics: ['/camera', '/annotated'] })) {
+  const image = JSON.parse(new TextDecoder().decode(message.data));
+  images.push([seen.channelsById.get(message.channelId).topic, Number(message.logTime) / 1000, image]);
+}
+expect(images.length === 4, `images of the run, and of no other time or kind: ${images.length}`);
+expect(
+  images.every(([, at, { data, format }]) => moments.includes(at) && format === 'jpeg' && Buffer.from(data, 'base64').equals(pixel)),
+  'each of its moment, as it was kept',
+);
+expect(new Set(images.map(([topic]) => topic)).size === 2, 'plain, and annotated');
+
 const later = run('replay', 'run.txt', '--at', '@20', '--mcap', 'later.mcap');
 expect(Number(later.match(/: (\d+) messages/)[1]) < written, 'it may begin later');
