@@ -88,7 +88,12 @@ void say_rows(Figures& figures, const std::string& where, const Measured& measur
       fmt::format("held for {:.0f} s", jogged_s));
   say("way from the last hold to standing, most", "stop-distance-max", "mm", at_most(10));
   say("standing after the deadline, most", "stop-after-deadline-max", "ms", at_most(50));
-  if (near) say("p99 of a question with ten pages, three stalled", "crowd-ratio", "x alone", at_most(1.2));
+  if (!near) return;
+  for (const std::string whom : {"arm", "board"}) {
+    const double alone_ms = measured.value(whom + "-alone-p99").value_or(0);
+    say("p99 of a question to the " + whom + ", ten pages, three stalled", whom + "-crowd-ratio", "x alone",
+        at_most(1.2), 1, fmt::format("alone {:.1f} ms", alone_ms));
+  }
 }
 
 int run(const Choices& choices) {

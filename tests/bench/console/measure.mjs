@@ -172,11 +172,11 @@ if (distances.length > 0) {
   say('stop-after-deadline-max', Math.max(...delays));
 }
 
-// Ten watchers, three of which take nothing in, and what a question to the arm takes meanwhile.
+// Ten watchers, three of which take nothing in, and what a question to the arm, and one to the board, takes meanwhile.
 if (options.includes('--crowd')) {
-  const asked = (crowd) =>
+  const asked = (whom, crowd) =>
     page.evaluate(
-      ([watchers, stalled]) =>
+      ([whom, [watchers, stalled]]) =>
         new Promise((done) => {
           const sockets = [];
           for (let i = 0; i < watchers; ++i) {
@@ -209,24 +209,35 @@ if (options.includes('--crowd')) {
           let sent = 0;
           const ask = () => {
             sent = performance.now();
-            socket.send(`(request ${took.length + 1} robot (get-status))`);
+            const number = took.length + 1;
+            socket.send(whom === 'arm' ? `(request ${number} robot (get-status))` : `(watch ${number} "(agent ?name ?kind ?host)")`);
           };
           socket.onmessage = ({ data }) => {
             const message = JSON.parse(data);
             if (message.hello) setTimeout(ask, 2000);
             if (message.pulse) socket.send(`(stamp ${message.pulse})`);
-            if (!message.reply) return;
+            if (message.arm) socket.send('(heard 1)');
+            if (message.watch) {
+              socket.send('(heard 1)');
+              socket.send(`(unwatch ${message.watch})`);
+            }
+            if ((message.reply ?? message.watch) !== took.length + 1) return;
             took.push(performance.now() - sent);
             if (took.length < 300) return setTimeout(ask, 10);
             for (const each of [...sockets, socket]) each.close();
             done(took);
           };
         }),
-      crowd,
+      [whom, crowd],
     );
-  const alone = p99(await asked([0, 0]));
-  await pause(1500);
-  say('crowd-ratio', p99(await asked([10, 3])) / alone);
+  for (const whom of ['arm', 'board']) {
+    const alone = p99(await asked(whom, [0, 0]));
+    await pause(1500);
+    const among = p99(await asked(whom, [10, 3]));
+    await pause(1500);
+    say(`${whom}-alone-p99`, alone);
+    say(`${whom}-crowd-ratio`, among / alone);
+  }
 }
 await browser.close();
 process.exit(0);
