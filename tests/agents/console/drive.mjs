@@ -1,5 +1,5 @@
 // node drive.mjs PIZARRA-CELL SCRATCH: the thesis' first subsystem in the Drive view: slides, poses, places by name,
-// actions typed, the questions.
+// actions typed, the questions, and the robot's service taken and given back.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -129,13 +129,19 @@ await done('Finish: stop', '(finish stop)', 'FINISH stop');
 expect(/stopped/.test((await driving.answered(`(turn right ${degrees})`)).answer), 'the motion is stopped');
 await setSpeed(0.9);
 
-await done('Get control', '(get-control)', 'GET CONTROL');
+await done('Release control', '(release-control)', 'the service is stopped');
+await page.waitForFunction(() => /released control/.test(document.getElementById('service-light').textContent));
+const home = page.locator('#drive button:text-is("Home")');
+expect(await home.isDisabled(), 'nothing that moves is pressed then');
+expect(/released control/.test(await home.getAttribute('title')), 'and the button says why');
+await page.screenshot({ path: join(pictures, 'released.png') });
+await expectAccessible(page, scratch, 'an arm whose control is released');
+await done('Get control', '(get-control)', 'the service is started');
 await page.waitForFunction(() => document.getElementById('service-light').textContent === 'In service');
 await done('Home', '(home)', 'and moves');
-await expectAccessible(page, scratch, 'the arm in hand');
 
 const log = await text(page, '#drive .log');
-for (const word of ['(get-control)', '(finish stop)', `(speed ${percent})`]) expect(log.includes(word), `the log has ${word}`);
+for (const word of ['(release-control)', '(finish stop)', `(speed ${percent})`]) expect(log.includes(word), `the log has ${word}`);
 await page.screenshot({ path: join(pictures, 'drive.png') });
 expect(page.troubles.length === 0, `nothing went wrong: ${page.troubles.join('; ')}`);
 expect((await served.end()) === 0, 'it ends in order');

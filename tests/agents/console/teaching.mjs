@@ -44,8 +44,32 @@ await clickAt(x, y);
 expect(/Switch training on/.test(await text(page, '#teach-hint')), 'without training a click learns nothing');
 await page.click('#training');
 expect((await text(page, '#training')) === 'Training: on', 'training is on');
+// What the eyes show of it, frame by frame, around that place: how much is red, and whether the rest is grey.
+await page.evaluate(([cx, cy]) => {
+  const canvas = document.querySelectorAll('figure canvas')[1];
+  window.shown = [];
+  new MutationObserver(() => {
+    const scale = canvas.width / 320;
+    const reach = 40;
+    const { data } = canvas.getContext('2d').getImageData(cx * scale - reach, cy * scale - reach, 2 * reach, 2 * reach);
+    const seen = { red: 0, green: 0, grey: 0 };
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = data.subarray(i, i + 3);
+      if (r > 140 && r - g > 70 && r - b > 70) ++seen.red;
+      else if (g - r > 60 && g - b > 60) ++seen.green;
+      else if (Math.max(r, g, b) - Math.min(r, g, b) < 12) ++seen.grey;
+    }
+    window.shown.push({ ...seen, learning: document.body.dataset.eyes === 'learning' });
+  }).observe(canvas, { attributes: true, attributeFilter: ['data-frame'] });
+}, [x, y]);
 await clickAt(x, y);
 await page.waitForSelector('#learned-window:not([hidden]) dl');
+const shown = await page.evaluate(() => window.shown);
+const reds = shown.map(({ red }) => red).filter((red) => red > 0);
+expect(reds.length >= 2 && reds.at(-1) > reds[0] * 1.5, `the fill is seen to grow: ${reds.join(' ')} red pixels`);
+expect(shown.some(({ red, green }) => green > 20), 'and then the border');
+const filling = shown.filter(({ red }) => red > 0);
+expect(filling.every(({ grey, red }) => grey > (6400 - red) * 0.6), 'the rest is grey meanwhile');
 const table = await text(page, '#learned-window dl');
 expect(/Area/.test(table) && /Perimeter/.test(table) && /NF/.test(table) && /M2/.test(table), 'Table C.1 is shown before it is named');
 await page.screenshot({ path: join(pictures, 'learned.png') });

@@ -77,11 +77,16 @@ function actionForm(log) {
   return { form, controls: [input, go] };
 }
 
-// Whether the robot's agent is there. Why nothing moves now is `why`, '' where something may.
+// The robot's service: whether its agent is there, and moves the arm or has given it back to the people beside it. Why
+// nothing moves now is `why`, '' where something may.
 function showService(connection, hands, changed) {
   const light = element('span', { id: 'service-light', class: 'chip', role: 'status' });
   let present = new Set();
-  const why = () => (present.has(hands.robot) ? '' : 'No robot is present');
+  let released = new Map();
+  const why = () => {
+    if (!present.has(hands.robot)) return 'No robot is present';
+    return released.has(hands.robot) ? `${released.get(hands.robot)} released control: get it first` : '';
+  };
   const show = () => {
     light.textContent = why() || 'In service';
     light.className = `chip ${why() ? 'bad' : 'good'}`;
@@ -91,6 +96,11 @@ function showService(connection, hands, changed) {
     present = new Set(answers.map((answer) => text(fact(answer)[1])));
     show();
   });
+  connection.followAlways('(robot-released ?robot ?client)', (answers) => {
+    released = new Map(answers.map((answer) => [text(fact(answer)[1]), text(fact(answer)[2])]));
+    show();
+  });
+  hands.onChange(show);
   return { light, why };
 }
 
@@ -135,7 +145,7 @@ export function showDrive(connection, hands) {
   const send = (form) => log.send(form);
   const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
   const poses = [button('Home', '(home)'), button('Ready', '(ready)')];
-  const service = [button('Get control', '(get-control)')];
+  const service = [button('Get control', '(get-control)'), button('Release control', '(release-control)')];
   // Open to all.
   const questions = [
     button('Monitor', '(monitor)'),
@@ -176,7 +186,7 @@ export function showDrive(connection, hands) {
     element('h2', {}, 'Commands received'),
     log.list,
   );
-  hands.onChange(show);
+  show();
   connection.follow('(robot-speed ?robot ?percent)', (answers) => {
     const told = answers.map(fact).find((row) => text(row[1]) === hands.robot);
     if (told) percent.put(told[2]);
