@@ -8,6 +8,7 @@
 #include "agents/pan_tilt/pan_tilt_contract.hpp"
 #include "agents/runtime/declared.hpp"
 #include "agents/runtime/service.hpp"
+#include "blackboard/away.hpp"
 
 namespace pizarra::pan_tilt {
 
@@ -79,7 +80,7 @@ Task<Result<void>> PanTiltAgent::State::run() {
 Task<Result<void>> PanTiltAgent::State::recall_speeds() {
   const Datum pattern = list("head-speed"_sym, "?"_sym, "?"_sym);
   Result<std::vector<Fact>> found = co_await context.board.facts(pattern);
-  while (!found && found.error().symbol == "unreachable") {
+  while (!found && is_away(found.error())) {
     co_await sleep(context.executor, retry_pause);
     found = co_await context.board.facts(pattern);
   }

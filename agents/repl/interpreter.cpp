@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/repl/answer_text.hpp"
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
+#include "blackboard/away.hpp"
 #include "lisp/nearest.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -23,15 +25,6 @@ const Command* find_command(std::string_view name) {
 
 // A person who leaves the parentheses of a lone command away is understood.
 Datum as_form(const Datum& typed) { return typed.is_symbol() ? list(typed) : typed; }
-
-std::string bindings_text(const Answer& answer) {
-  if (answer.bindings.all().empty()) return "yes";
-  std::string text;
-  for (const auto& [variable, value] : answer.bindings.all()) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : "  ", variable.text(), write(value));
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -56,7 +49,7 @@ Evaluation Interpreter::show(const Failure& failure, Evaluation outcome) {
 }
 
 Evaluation Interpreter::show(const Failure& failure) {
-  return show(failure, failure.symbol == "unreachable" ? Evaluation::unavailable : Evaluation::failed);
+  return show(failure, is_away(failure) ? Evaluation::unavailable : Evaluation::failed);
 }
 
 Evaluation Interpreter::usage(std::string_view command) {

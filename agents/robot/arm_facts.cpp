@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blackboard/away.hpp"
 #include "drivers/arm/kinematics.hpp"
 
 namespace pizarra::robot {
@@ -128,7 +129,7 @@ Task<Result<void>> ArmFacts::tell_surely(Transaction with) {
     const Result<void> told = co_await tell(with);
     if (told) co_return told;
     // A presence that has lapsed is announced anew before long.
-    const bool passing = told.error().symbol == "unreachable" || told.error().symbol == "unknown-lease";
+    const bool passing = is_away(told.error()) || told.error().symbol == "unknown-lease";
     if (!passing) co_return told;
     co_await sleep(context_.executor, retry_pause);
   }

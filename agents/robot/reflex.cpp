@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "blackboard/away.hpp"
+
 namespace pizarra::robot {
 
 namespace {
@@ -157,7 +159,7 @@ Task<void> Reflex::ask_board(LeaseId lease) {
   while (true) {
     const Result<void> answered = co_await context_.board.renew(lease);
     // One that has forgotten the lease is there all the same.
-    const bool there = answered || answered.error().symbol != "unreachable";
+    const bool there = answered || !is_away(answered.error());
     if (there) silence_ = 0;
     co_await sleep(context_.executor, beat);
   }

@@ -10,6 +10,7 @@
 #include "agents/robot/reflex.hpp"
 #include "agents/robot/robot_contract.hpp"
 #include "agents/runtime/service.hpp"
+#include "blackboard/away.hpp"
 #include "drivers/arm/placement.hpp"
 #include "lisp/writer.hpp"
 
@@ -134,7 +135,7 @@ Task<Result<void>> RobotAgent::State::run() {
 Task<Result<std::vector<Fact>>> RobotAgent::State::known(Datum pattern) {
   while (true) {
     const Result<std::vector<Fact>> found = co_await context.board.facts(pattern);
-    if (found || found.error().symbol != "unreachable") co_return found;
+    if (found || !is_away(found.error())) co_return found;
     co_await sleep(context.executor, retry_pause);
   }
 }
@@ -149,7 +150,7 @@ Task<void> RobotAgent::State::tell_properties() {
   properties.tell(list("property"_sym, name, "arm"_sym, Datum::symbol(model.type)));
   while (true) {
     const Result<Revision> told = co_await context.board.transact(properties);
-    if (told || told.error().symbol != "unreachable") co_return;
+    if (told || !is_away(told.error())) co_return;
     co_await sleep(context.executor, retry_pause);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "agents/runtime/declared.hpp"
 #include "agents/runtime/naming.hpp"
+#include "blackboard/away.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::runtime {
@@ -75,7 +76,7 @@ Task<void> Roles::begin() {
   const std::vector<Relation> of_roles = role_relations();
   relations.insert(relations.end(), of_roles.begin(), of_roles.end());
   Result<void> declared = co_await context_.board.declare(relations);
-  while (!declared && declared.error().symbol == "unreachable") {
+  while (!declared && is_away(declared.error())) {
     co_await sleep(context_.executor, retry_pause);
     declared = co_await context_.board.declare(relations);
   }

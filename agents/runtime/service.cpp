@@ -6,6 +6,7 @@
 
 #include "agents/runtime/naming.hpp"
 #include "agents/runtime/own_name.hpp"
+#include "blackboard/away.hpp"
 #include "blackboard/teller.hpp"
 #include "blackboard/time/latch.hpp"
 
@@ -29,7 +30,7 @@ Failure of_another_version(Failure failure) {
 }
 
 // Refusals that may pass with time.
-bool may_pass(const Failure& failure) { return failure.symbol == "unreachable" || failure.symbol == "too-many"; }
+bool may_pass(const Failure& failure) { return is_away(failure) || failure.symbol == "too-many"; }
 
 }  // namespace
 
@@ -69,7 +70,7 @@ Task<Result<void>> Service::declare() {
     const Result<void> declared = co_await context_.board.declare(relations);
     if (declared) co_return declared;
     if (declared.error().symbol == "wrong-shape") co_return fail(of_another_version(declared.error()));
-    if (declared.error().symbol != "unreachable") co_return declared;
+    if (!is_away(declared.error())) co_return declared;
     co_await sleep(context_.executor, retry_pause);
   }
 }
@@ -106,9 +107,9 @@ Task<Result<void>> Service::start() {
   while (true) {
     const Result<void> announced = co_await announce();
     if (announced) break;
-    const std::string& why = announced.error().symbol;
+    const Failure& why = announced.error();
     // The name is held by a living agent, or by one whose lease has yet to lapse.
-    if (why != "precondition-failed" && why != "unreachable") co_return announced;
+    if (why.symbol != "precondition-failed" && !is_away(why)) co_return announced;
     co_await sleep(context_.executor, retry_pause);
   }
   co_await bind_own_name();
@@ -262,7 +263,7 @@ Task<Result<Revision>> Service::deliver(Datum reply) {
     transaction.tell(reply, {cause}).settle(cause);
     const Result<Revision> told = co_await context_.board.transact(std::move(transaction));
     const bool retold = running_->in_hand.at(reply[1]) != cause;
-    const bool ended = told || (told.error().symbol != "unreachable" && !retold);
+    const bool ended = told || (!is_away(told.error()) && !retold);
     if (ended) co_return told;
     co_await sleep(context_.executor, retry_pause);
   }
@@ -279,8 +280,8 @@ Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
     telling.tell(request, {}, presence);
     const Result<Revision> told = co_await context_.board.transact(std::move(telling));
     if (!told) {
-      const std::string& why = told.error().symbol;
-      if (why != "unreachable" && why != "unknown-lease") co_return fail(told);
+      const Failure& why = told.error();
+      if (!is_away(why) && why.symbol != "unknown-lease") co_return fail(told);
       co_await sleep(context_.executor, retry_pause);
       continue;
     }
@@ -294,7 +295,7 @@ Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
       waiting = in_vain && !given_up && look_up < deadline && service_.presence() == presence;
     }
     if (given_up) co_return fail("replaced", "nobody waits for this answer any more");
-    const bool lost = !answer && (answer.error().symbol == "timeout" || answer.error().symbol == "unreachable");
+    const bool lost = !answer && (answer.error().symbol == "timeout" || is_away(answer.error()));
     if (!lost) co_return answer;
   }
   co_return answer;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "blackboard/away.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::scheme {
@@ -82,7 +83,7 @@ Task<Result<Revision>> Stage::commit(Transaction transaction) {
     Transaction again = transaction;
     const Result<Revision> told = co_await context_.board.transact(std::move(again));
     const Result<Revision> stands = if_it_stands(told);
-    if (stands || stands.error().symbol != "unreachable") co_return stands;
+    if (stands || !is_away(stands.error())) co_return stands;
     co_await sleep(context_.executor, retry_pause);
   }
 }

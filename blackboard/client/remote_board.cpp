@@ -150,6 +150,25 @@ Task<Result<Answers>> RemoteBoard::ask(Query query) {
   co_return all;
 }
 
+Task<Result<RemoteBoard::Recalled>> RemoteBoard::recall(Query query) {
+  const Result<void> checked = check_query(query);
+  if (!checked) co_return fail(checked);
+  Datum request = list("recall"_sym, query_to_datum(query));
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  if (!reply) co_return fail(reply);
+  const std::optional<std::uint64_t> age = wire::count_at(*reply, 0);
+  const std::optional<std::uint64_t> revision = wire::count_at(*reply, 2);
+  if (!age || !revision) co_return nonsense(*reply);
+  Result<std::vector<Answer>> answers = wire::answers_from_datum(query, reply->items().subspan(3));
+  if (!answers) co_return nonsense(*reply);
+  Recalled recalled;
+  recalled.answers.revision = *revision;
+  recalled.answers.answers = std::move(*answers);
+  recalled.age = Duration(*age);
+  recalled.settled = (*reply)[1].is_symbol("yes");
+  co_return recalled;
+}
+
 Task<Result<std::unique_ptr<Watch>>> RemoteBoard::watch(Query query) {
   const Result<void> checked = check_query(query);
   if (!checked) co_return fail(checked);
@@ -202,6 +221,8 @@ Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
     ~Registration() { board.forget(request); }
   };
   if (pending_.size() >= max_pending) co_return fail("too-large", "too many requests to the board are under way");
+  const bool refused = in_doubt_ && !waits_for_quorum_ && !recalls(body);
+  if (refused) co_return fail(unavailable(false));
   std::optional<Result<Datum>> reply;
   WaitList answered(executor_);
   const Registration registration{*this, next_request_++};

@@ -14,6 +14,10 @@
 // from its journal does an interrupted transaction or take exactly once. On a server that does not, it fails with
 // `unreachable`, because nobody can say whether it happened.
 //
+// Of several boards it may be that none can say whether it leads: they have no quorum of their log. Requests then wait,
+// and fail with `unavailable`, or at once where the client wants that. recall() is answered even so, by what may be
+// old.
+//
 // It outlives its watches and the tasks that use it.
 
 #include <functional>
@@ -57,6 +61,20 @@ class RemoteBoard : public Board {
   // The board's clock, as far as its answers tell: what a fact's `when` is to be compared with. Nothing until it has
   // said so.
   std::optional<Time> board_time() const { return board_clock_.there(executor_.now()); }
+
+  // From now on nothing waits for a quorum: what was not sent by then fails with `unavailable` and was not done.
+  void refuse_without_quorum() { waits_for_quorum_ = false; }
+  // How long ago the board knew that it led, where it does not know now.
+  const std::optional<Duration>& in_doubt_since() const { return in_doubt_; }
+
+  // Answers as things stood `age` ago or later. What is not settled may be undone.
+  struct Recalled {
+    Answers answers;
+    Duration age{};
+    bool settled = true;
+  };
+  // The same as ask() while a board leads.
+  Task<Result<Recalled>> recall(Query query);
 
   // Declares the relation and holds its facts from then on: a question about it alone is answered here, as it is at a
   // revision that has all that this board's own requests did. Failures as of declare() and watch().
@@ -114,6 +132,9 @@ class RemoteBoard : public Board {
   void tick();
   void retransmit(Time now);
   void give_up_overdue(Time now);
+  static bool recalls(std::string_view body) { return body.starts_with("(recall "); }
+  void be_in_doubt(Duration age);
+  Failure unavailable(bool sent) const;
 
   Executor& executor_;
   const std::string address_;  // or several, as they were given
@@ -132,6 +153,8 @@ class RemoteBoard : public Board {
   Time pinged_{};
   std::optional<Time> connect_again_;
   std::optional<Time> goodbye_;
+  std::optional<Duration> in_doubt_;
+  bool waits_for_quorum_ = true;
   ClockOffset board_clock_;
   int pings_under_way_ = 0;
   static constexpr Duration between_timed = 10ms;

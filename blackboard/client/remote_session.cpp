@@ -28,8 +28,9 @@ constexpr Duration tries_longest_for = 2s;
 void RemoteBoard::receive(std::string_view frame) {
   const Result<std::vector<Datum>> messages = wire::read_messages(frame);
   // A wrong message of the server counts as lost: the client asks again.
-  if (!messages) return;
-  heard_ = executor_.now();
+  if (!messages || messages->empty()) return;
+  // One that does not know whether it leads gives no sign of life.
+  if (!messages->front().is_form("unavailable")) heard_ = executor_.now();
   for (const Datum& message : *messages) hear(message);
 }
 
@@ -49,6 +50,7 @@ void RemoteBoard::hear(const Datum& message) {
     pings_under_way_ = std::max(pings_under_way_ - 1, 0);
     return;
   }
+  if (message.is_form("unavailable")) return be_in_doubt(Duration(static_cast<Duration::rep>(*number)));
   if (message.is_form("welcome")) return welcomed(*number, wire::count_at(message, 2).value_or(0));
   if (message.is_form("unknown-session") && *number == session_) return lose_session();
   const auto stream = streams_.find(*number);
@@ -68,13 +70,15 @@ void RemoteBoard::hear(const Datum& message) {
 // Goes nowhere before the connection is let in, or after it broke.
 void RemoteBoard::greet() {
   const Datum of_the_first = list("hello"_sym, teller_, session_);
-  const bool sent = send(is_of_the_first_ ? of_the_first : list("hello"_sym, teller_, session_, wire::protocol));
+  const Datum hello = list("hello"_sym, teller_, session_, wire::protocol, "doubts"_sym);
+  const bool sent = send(is_of_the_first_ ? of_the_first : hello);
   if (sent) greeted_ = executor_.now();
 }
 
 void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   if (joined_) return;
   joined_ = true;
+  in_doubt_.reset();
   tries_for_ = {};
   goodbye_.reset();
   pings_under_way_ = 0;
@@ -144,6 +148,25 @@ void RemoteBoard::refused(const Failure& failure) {
   fail_where([this](const Pending& pending) { return !joined_ || pending.sent; }, failure);
 }
 
+// None of these boards may answer. Those who want to know how it was are told so by one of them.
+void RemoteBoard::be_in_doubt(Duration age) {
+  in_doubt_ = age;
+  if (joined_) return;
+  for (auto& [request, pending] : pending_) {
+    if (!recalls(pending.body)) continue;
+    transmit(request, pending);
+    // A board that leads is asked anew.
+    pending.sent.reset();
+  }
+  if (waits_for_quorum_) return;
+  fail_where([](const Pending& pending) { return !pending.sent && !recalls(pending.body); }, unavailable(false));
+}
+
+Failure RemoteBoard::unavailable(bool sent) const {
+  const char* done = sent ? ": whether this happened is not known" : ": this was not done";
+  return {"unavailable", std::string("the board has no quorum of its log") + done, to_datum(address_), {}};
+}
+
 void RemoteBoard::redeclare() {
   if (declared_.empty()) return;
   std::vector<Datum> body = {"declare"_sym};
@@ -209,6 +232,10 @@ void RemoteBoard::retransmit(Time now) {
 
 void RemoteBoard::give_up_overdue(Time now) {
   const auto late = [now](const Pending& pending) { return pending.deadline && *pending.deadline <= now; };
+  if (in_doubt_) {
+    fail_where([&](const Pending& pending) { return late(pending) && !pending.sent; }, unavailable(false));
+    fail_where(late, unavailable(true));
+  }
   fail_where(late, {"unreachable", "the board does not answer", to_datum(address_), {}});
 }
 

@@ -71,6 +71,8 @@ class BoardServer {
   // client has not read, so that a server should live on for `goodbye_length`.
   void say_goodbye();
   static constexpr Duration goodbye_length = 50ms;
+  // What is said to a frame by a board that knew so long ago that it leads; nothing to those who do not ask for it.
+  std::string answer_in_doubt(const std::string& sender_key, std::string_view frame, Duration age);
 
  private:
   BoardServer(Executor& executor, memory::MemoryBoard& board, const BoardServerOptions& options,
@@ -103,6 +105,7 @@ class BoardServer {
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void note_journey(const Datum& body, Time sent);
   bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
+  std::string recall_in_doubt(const std::string& sender_key, const Datum& request, Duration age);
   void owe(const std::string& peer, const std::string& reply);
   void deliver();
   std::string with_progress(const Session& session, std::string reply) const;

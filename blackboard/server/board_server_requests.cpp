@@ -4,9 +4,9 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
+#include "blackboard/server/reply_text.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/wire/answer_form.hpp"
-#include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::server {
@@ -26,26 +26,6 @@ std::unexpected<Failure> too_many_watches() {
 // Whether doing it twice would differ from doing it once.
 bool must_be_done_once(const Datum& body) {
   return body.is_form("transact") || body.is_form("take") || body.is_form("lease") || body.is_form("release");
-}
-
-Datum result_to_datum(const Result<Datum>& result) {
-  if (result) return list("ok"_sym, *result);
-  Failure failure = result.error();
-  constexpr std::size_t longest_sentence = 1 << 10;
-  constexpr std::size_t heaviest_subject = 1 << 12;
-  failure.sentence = shortened(failure.sentence, longest_sentence);
-  const bool heavy = weigh(failure.subject).bytes > heaviest_subject;
-  if (heavy) failure.subject = failure.subject.items().empty() ? Datum() : failure.subject[0];
-  if (weigh(failure.subject).bytes > heaviest_subject) failure.subject = {};
-  return failure_to_datum(failure);
-}
-
-std::string reply_text(wire::RequestId id, const Datum& result) {
-  std::string text = "(reply ";
-  write_number_to(text, id);
-  write_to(text += ' ', result);
-  text += ')';
-  return text;
 }
 
 bool asks_past(const Datum& query) {

@@ -43,10 +43,10 @@ class Durability {
   // The same with what its retractions take away, each fact of which the journal names.
   Result<void> check_room(const store::Store& store, const Datum& body, const Transaction& transaction) const;
   journal::JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
+  // Whether the journal has all that happened.
+  bool has_all() const { return journal_ == nullptr || journal_->position() <= journal_->kept(); }
   // Whether an answer given now must wait.
-  bool must_hold(bool durable) const {
-    return durable || (of_all_ && journal_ != nullptr && journal_->position() > journal_->kept());
-  }
+  bool must_hold(bool durable) const { return durable || (of_all_ && !has_all()); }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
   void answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const;

@@ -32,6 +32,7 @@ Failure PermittedBoard::told(const Client& client, Failure failure, std::size_t&
 Result<Datum> PermittedBoard::act(const Client& client, const Datum& body, std::size_t& examined) {
   if (body.is_form("transact")) return transact(client, body, examined);
   if (body.is_form("ask")) return ask(client, body, examined);
+  if (body.is_form("recall")) return recall(client, body, Duration::zero(), examined);
   if (body.is_form("take")) return take(client, body, examined);
   if (body.is_form("declare")) return declare(client, body);
   return lease(client, body, examined);
@@ -76,7 +77,7 @@ Result<Datum> PermittedBoard::transact(const Client& client, const Datum& body, 
 }
 
 Result<Query> PermittedBoard::query_of(const Client& client, const Datum& body) const {
-  if (body.size() != 2) return bad_frame("a question is (ask QUERY)");
+  if (body.size() != 2) return bad_frame("a question is (ask QUERY) or (recall QUERY)");
   Result<Query> query = query_from_datum(body[1]);
   if (!query) return query;
   const Result<void> permitted = gate_.ask(client.key, *query);
@@ -93,6 +94,16 @@ Result<Datum> PermittedBoard::ask(const Client& client, const Datum& body, std::
   if (!answers) return fail(answers);
   examined += looks_an_answer * answers->answers.size();
   return wire::answers_to_datum(*answers);
+}
+
+// One that leads answers as it does any question, when the log has what came before.
+Result<Datum> PermittedBoard::recall(const Client& client, const Datum& body, Duration age, std::size_t& examined) {
+  const Result<Datum> answers = ask(client, body, examined);
+  if (!answers) return answers;
+  const bool settled = age == Duration::zero() || durability_.has_all();
+  std::vector<Datum> value = {Datum::integer(age.count()), settled ? "yes"_sym : "no"_sym};
+  value.insert(value.end(), answers->items().begin(), answers->items().end());
+  return Datum::list(std::move(value));
 }
 
 Result<Datum> PermittedBoard::take(const Client& client, const Datum& body, std::size_t& examined) {

@@ -33,7 +33,9 @@ class PermittedBoard {
   Result<std::unique_ptr<watch::WatchQueue>> watch(const Client& client, const Datum& query,
                                                    std::function<void()> ready, std::shared_ptr<watch::Backlog> backlog,
                                                    std::size_t& examined);
-  // The query of `(ask QUERY)`.
+  // The value of the reply to `(recall QUERY)`, of a board that led so long ago.
+  Result<Datum> recall(const Client& client, const Datum& body, Duration age, std::size_t& examined);
+  // The query of `(ask QUERY)` and its like.
   Result<Query> query_of(const Client& client, const Datum& body) const;
   // A failure as this client is told it: it hears of no relation that is none of its business.
   Failure told(const Client& client, Failure failure, std::size_t& examined) const;

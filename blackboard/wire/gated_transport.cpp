@@ -8,8 +8,15 @@ namespace {
 
 class GatedSocket : public FrameSocket {
  public:
-  GatedSocket(std::unique_ptr<FrameSocket> inner, const GatedTransport::Gate& gate)
-      : inner_(std::move(inner)), gate_(gate) {}
+  GatedSocket(const GatedTransport::Gate& gate, const GatedTransport::WhileClosed& while_closed, Receiver receiver)
+      : gate_(gate), while_closed_(while_closed), receiver_(std::move(receiver)) {}
+  void stand_before(std::unique_ptr<FrameSocket> inner) { inner_ = std::move(inner); }
+  void receive(const std::string& peer, std::optional<std::string_view> frame) {
+    if (gate_()) return receiver_(peer, frame);
+    if (!while_closed_ || !frame) return;
+    const std::string answer = while_closed_(inner_->sender_key(), *frame);
+    if (!answer.empty()) inner_->send(peer, answer);
+  }
 
   Result<std::string> bind(const std::string& address, const KeyPair* own) override {
     return inner_->bind(address, own);
@@ -26,18 +33,22 @@ class GatedSocket : public FrameSocket {
   Time heard_until() override { return inner_->heard_until(); }
 
  private:
-  const std::unique_ptr<FrameSocket> inner_;
   const GatedTransport::Gate& gate_;
+  const GatedTransport::WhileClosed& while_closed_;
+  const Receiver receiver_;
+  std::unique_ptr<FrameSocket> inner_;
 };
 
 }  // namespace
 
 std::unique_ptr<FrameSocket> GatedTransport::open(Executor& executor, FrameSocket::Kind kind,
                                                   FrameSocket::Receiver receiver) {
-  auto gated = [this, receiver = std::move(receiver)](const std::string& peer, std::optional<std::string_view> frame) {
-    if (gate_()) receiver(peer, frame);
-  };
-  return std::make_unique<GatedSocket>(inner_.open(executor, kind, std::move(gated)), gate_);
+  auto gated = std::make_unique<GatedSocket>(gate_, while_closed_, std::move(receiver));
+  gated->stand_before(inner_.open(
+      executor, kind, [socket = gated.get()](const std::string& peer, std::optional<std::string_view> frame) {
+        socket->receive(peer, frame);
+      }));
+  return gated;
 }
 
 }  // namespace pizarra::wire

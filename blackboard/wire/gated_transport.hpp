@@ -6,8 +6,8 @@
 //   GatedTransport gated(zeromq(), [&] { return term.may_answer(executor.now(), revision); });
 //   BoardServer::open(executor, board, {.transport = &gated});
 //
-// The gate is asked before each frame that comes or goes. What is dropped is asked for again by clients. It outlives
-// its sockets.
+// The gate is asked before each frame that comes or goes. What is dropped is asked for again by clients. Who is to say
+// something even so answers frames that come while it is closed; an empty answer is none. It outlives its sockets.
 
 #include <functional>
 
@@ -18,13 +18,16 @@ namespace pizarra::wire {
 class GatedTransport : public Transport {
  public:
   using Gate = std::function<bool()>;
-  GatedTransport(Transport& inner, Gate gate) : inner_(inner), gate_(std::move(gate)) {}
+  using WhileClosed = std::function<std::string(const std::string& sender_key, std::string_view frame)>;
+  GatedTransport(Transport& inner, Gate gate, WhileClosed while_closed = nullptr)
+      : inner_(inner), gate_(std::move(gate)), while_closed_(std::move(while_closed)) {}
   std::unique_ptr<FrameSocket> open(Executor& executor, FrameSocket::Kind kind,
                                     FrameSocket::Receiver receiver) override;
 
  private:
   Transport& inner_;
   const Gate gate_;
+  const WhileClosed while_closed_;
 };
 
 }  // namespace pizarra::wire

@@ -4,7 +4,7 @@
 // that go together, one after another: 64 at most.
 //
 // Client to server                              Server to client
-//   (hello TELLER SESSION [PROTOCOL])              (welcome SESSION LIFE)
+//   (hello TELLER SESSION [PROTOCOL [doubts]])     (welcome SESSION LIFE) or (unavailable MICROSECONDS)
 //   (request SESSION ID BODY [TIME])               (reply ID RESULT) or (reply ID RESULT REVISION SENT)
 //   (ack SESSION WATCH SEQ [RELATION TOOK])        (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
 //   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
@@ -12,6 +12,9 @@
 //   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...)), (goodbye)
 //
 // SESSION 0 in a hello: a new one. A hello that says no PROTOCOL is of 1, whose boards knew no other hello.
+//
+// A board that may have been replaced says nothing, but to a client that says `doubts`: it is `unavailable`, and so long
+// ago it knew that it led. It also answers `recall`, in a frame that begins so. Such a frame is no sign of life.
 //
 // A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
 // and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
@@ -26,12 +29,14 @@
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
 //   (transact (PRECONDITION ...) (STEP ...)) -> N      (lease MICROSECONDS) -> LEASE
 //   (ask QUERY) -> (REVISION ANSWER ...)               (renew LEASE), (release LEASE) -> ()
+//   (recall QUERY) -> (MICROSECONDS SETTLED REVISION ANSWER ...)
 //   (watch WATCH QUERY), (watch WATCH QUERY kept), (watch WATCH QUERY held) -> ()
 // PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
 // bindings follow from the query. To a client that keeps what it was sent, as one that holds it does too, an ANSWER
 // that is one fact is no list of it: what came is a FACT, or (ID DATUM CAUSE ...) where it was told when and by whom
-// the one before it was; what went is its ID.
+// the one before it was; what went is its ID. What is recalled may be so old. Where SETTLED is `no`, some of it may be
+// undone when another board takes over; else it is `yes`.
 //
 // A fault of a request is told in its reply, also where no more than `(request SESSION ID` can be read. `refused` is of
 // what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say: a client that

@@ -103,7 +103,9 @@ class Leading {
         leadership_(std::make_shared<Leadership>(standby_->take_leadership())),
         executor_(std::max(RealExecutor::wall_clock(), standby_->copy().end().when)),
         serves_at_(executor_.now() + (standby_->was_vacant() ? Duration::zero() : cluster::serves_after)),
-        gated_(wire::zeromq(), [this] { return may_answer(); }) {}
+        gated_(
+            wire::zeromq(), [this] { return may_answer(); },
+            [this](const std::string& sender_key, std::string_view frame) { return in_doubt(sender_key, frame); }) {}
 
   // The exit status, or nothing where another board leads now.
   std::optional<int> run();
@@ -112,6 +114,11 @@ class Leading {
   bool may_answer() const {
     return !deposed_ && !leaves_ &&
            term_.may_answer(executor_.now(), kept_ == nullptr ? 0 : kept_->board().store().revision());
+  }
+  // What may be said while it is not known whether this board leads.
+  std::string in_doubt(const std::string& sender_key, std::string_view frame) const {
+    if (deposed_ || leaves_ || server_ == nullptr || !term_.sent()) return "";
+    return server_->answer_in_doubt(sender_key, frame, executor_.now() - *term_.sent());
   }
   Task<void> confirm();
   Task<void> catch_up();
@@ -134,6 +141,7 @@ class Leading {
   std::optional<Failure> deposed_;
   std::optional<Failure> broken_;
   std::unique_ptr<server::KeptBoard> kept_;
+  std::unique_ptr<server::BoardServer> server_;
 };
 
 void Leading::end(const Failure& failure) {
@@ -217,6 +225,7 @@ std::optional<int> Leading::run() {
   if (broken_) return complain(*broken_, bad_journal);
   if (deposed_) return std::nullopt;
   const std::optional<int> status = serve();
+  server_.reset();
   kept_.reset();
   leaves_ = true;
   if (status && !deposed_) executor_.run_until([&] { return confirming.done(); });
@@ -248,13 +257,13 @@ std::optional<int> Leading::serve() {
   options.remembered = kept_->take_remembered();
   options.answers_from_journal = true;
   options.transport = &gated_;
-  const Result<std::unique_ptr<server::BoardServer>> server =
-      server::BoardServer::open(executor_, kept_->board(), options);
+  Result<std::unique_ptr<server::BoardServer>> server = server::BoardServer::open(executor_, kept_->board(), options);
   if (!server) return complain(server.error(), bad_address);
-  say(fmt::format("ready on {}", fmt::join((*server)->addresses(), " ")));
+  server_ = std::move(*server);
+  say(fmt::format("ready on {}", fmt::join(server_->addresses(), " ")));
   executor_.run_until([] { return false; });
   if (deposed_) return std::nullopt;
-  (*server)->say_goodbye();
+  server_->say_goodbye();
   executor_.call_at(executor_.now() + server::BoardServer::goodbye_length, [this] { executor_.stop(); });
   executor_.run_until([] { return false; });
   return stopped;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/runtime/declared.hpp"
+#include "blackboard/away.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::programs {
@@ -188,7 +189,7 @@ Task<Result<BoardSample>> BoardSampler::next() {
 
 // A relation that a client declared otherwise, or tells too much of, is no reason to hide the rest.
 Result<void> BoardSampler::go_without(BoardSample& sample, const Failure& failure) {
-  if (failure.symbol == "unreachable") return fail(failure);
+  if (is_away(failure)) return fail(failure);
   sample.agents_unknown = failure;
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
+#include "blackboard/away.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
@@ -84,7 +85,7 @@ int complain_as(repl::Style style, const Failure& failure, ExitCode code) {
 }
 
 int complain_of_board(repl::Style style, const Failure& failure) {
-  return complain_as(style, failure, failure.symbol == "unreachable" ? exit_unavailable : exit_failed);
+  return complain_as(style, failure, is_away(failure) ? exit_unavailable : exit_failed);
 }
 
 void add_board_options(CLI::App* word, BoardChoices& choices) {

@@ -12,6 +12,7 @@
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/goal_text.hpp"
+#include "programs/commands/recall.hpp"
 
 namespace pizarra::programs {
 
@@ -52,15 +53,20 @@ struct FormChoices {
   // Of `ask`.
   std::string at;
   std::string journal;
+  bool old = false;
 };
+
+Result<Query> only_query(const Source& typed, const char* option) {
+  if (typed.data().size() != 1) return fail("malformed", fmt::format("with {} there is one query", option));
+  return query_from_datum(typed.data().front());
+}
 
 // The query, with the moment that it asks about, for a board that keeps a journal.
 Result<std::string> ask_at(const Source& typed, const std::string& at) {
   const auto now = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
   const Result<Moment> moment = moment_from_text(at, Time(now.time_since_epoch()));
   if (!moment) return fail(moment);
-  if (typed.data().size() != 1) return fail("malformed", "with --at there is one query");
-  Result<Query> query = query_from_datum(typed.data().front());
+  Result<Query> query = only_query(typed, "--at");
   if (!query) return fail(query);
   query->at = *moment;
   return write(list("ask"_sym, query_to_datum(*query)));
@@ -75,6 +81,12 @@ int ask_journal(const std::string& form, const FormChoices& choices, repl::Style
   const auto board = memory::RecordedBoard::open(executor, choices.journal, *moment);
   if (!board) return complain_as(style, board.error(), exit_usage);
   return BoardSession(executor, **board, {.style = style, .present = false}).run({form});
+}
+
+int ask_even_if_old(const Source& typed, const Destination& to, repl::Style style) {
+  const Result<Query> query = only_query(typed, "--old");
+  if (!query) return complain_as(style, query.error(), exit_usage);
+  return print_recalled(to, *query, style);
 }
 
 int run_form(const FormWord& word, const FormChoices& choices) {
@@ -97,6 +109,7 @@ int run_form(const FormWord& word, const FormChoices& choices) {
   }
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
+  if (choices.old) return ask_even_if_old(*readable, *to, style);
   const bool stay = std::string_view(word.name) == "watch";
   return talk_to(*to, {form}, {.style = style, .stay = stay, .present = word.asks_agents});
 }
@@ -118,6 +131,10 @@ void add_form_command(CLI::App& app, int& status, const FormWord& word) {
     added->add_option("--journal", choices->journal, "Ask this journal instead of a board")
         ->check(CLI::ExistingFile)
         ->excludes("--board");
+    added
+        ->add_flag("--old", choices->old,
+                   "Be answered also by a board that may have been replaced, and told how old that is")
+        ->excludes("--at", "--journal");
   }
   added->callback([&word, choices, &status] { status = run_form(word, *choices); });
 }

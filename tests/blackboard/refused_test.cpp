@@ -45,7 +45,7 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
 
   const std::string address_ = ipc_address();
   bool welcomes_ = true;
-  std::size_t longest_hello_ = 4;  // that it can read
+  std::size_t longest_hello_ = 5;  // that it can read
   int hellos_ = 0;
   RealExecutor executor_;
   wire::WireSocket server_{

@@ -9,6 +9,7 @@
 #include "agents/planner/agent/replanner.hpp"
 #include "agents/planner/agent/running_plan.hpp"
 #include "agents/runtime/service.hpp"
+#include "blackboard/away.hpp"
 #include "blackboard/time/turns.hpp"
 
 namespace pizarra::planner {
@@ -149,7 +150,7 @@ Task<void> PlannerAgent::State::tell_state(std::string_view state, Datum detail)
 
 Task<void> PlannerAgent::State::tell(Transaction telling) {
   Result<Revision> told = co_await context.board.transact(telling);
-  while (!told && told.error().symbol == "unreachable") {
+  while (!told && is_away(told.error())) {
     co_await sleep(context.executor, retry_pause);
     told = co_await context.board.transact(telling);
   }

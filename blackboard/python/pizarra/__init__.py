@@ -18,7 +18,7 @@ It needs Debian's python3-zmq; images as arrays need python3-numpy.
 from pizarra.agent import Agent
 from pizarra.aio import AsyncBoard
 from pizarra.aio_watch import AsyncStream, AsyncWatch
-from pizarra.answers import Answer, Answers, Change, Fact
+from pizarra.answers import Answer, Answers, Change, Fact, Recalled
 from pizarra.board import Board
 from pizarra.contract import Contract
 from pizarra.datum import Datum, Symbol
@@ -35,5 +35,5 @@ from pizarra.writer import write
 __version__ = "0.1.0"
 
 __all__ = ["Agent", "Answer", "Answers", "AsyncBoard", "AsyncStream", "AsyncWatch", "Board", "Change", "Contract",
-           "Datum", "Fact", "Failure", "Frame", "Holder", "Presence", "Request", "Stream", "Symbol", "Watch", "absent",
-           "present", "read", "read_all", "retract", "settle", "tell", "unchanged", "write"]
+           "Datum", "Fact", "Failure", "Frame", "Holder", "Presence", "Recalled", "Request", "Stream", "Symbol", "Watch",
+           "absent", "present", "read", "read_all", "retract", "settle", "tell", "unchanged", "write"]

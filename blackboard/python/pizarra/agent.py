@@ -32,7 +32,7 @@ from pizarra.aio import AsyncBoard
 from pizarra.answers import Change, Fact
 from pizarra.contract import Contract, Operation
 from pizarra.datum import Symbol
-from pizarra.failure import Failure
+from pizarra.failure import AWAY, Failure
 from pizarra.patterns import are_declared
 from pizarra.presence import Presence
 from pizarra.service import Service
@@ -118,7 +118,7 @@ class Agent:
             try:
                 return await self.board.tell(fact, self.presence.lease, because)
             except Failure as failure:
-                if failure.symbol not in ("unreachable", "unknown-lease"):
+                if failure.symbol not in (*AWAY, "unknown-lease"):
                     raise
             await asyncio.sleep(self.RETRY)
 
@@ -180,7 +180,7 @@ class Agent:
                 for function in self._comings:
                     await _called(function)
             except Failure as failure:
-                if failure.symbol not in ("unreachable", "unknown-lease"):
+                if failure.symbol not in (*AWAY, "unknown-lease"):
                     raise
                 await asyncio.sleep(self.RETRY)
                 began.set()
@@ -197,7 +197,7 @@ class Agent:
                     await _called(function, await watch.next())
             except Failure as failure:
                 forgotten = failure is watch.feed.ended and failure.symbol == "undeclared-relation"
-                if failure.symbol != "unreachable" and not forgotten:
+                if failure.symbol not in AWAY and not forgotten:
                     raise
             finally:
                 watch.close()
@@ -209,7 +209,7 @@ class Agent:
             try:
                 await _called(function)
             except Failure as failure:
-                if failure.symbol not in ("unreachable", "unknown-lease"):
+                if failure.symbol not in (*AWAY, "unknown-lease"):
                     raise  # these pass with time, and so does the beat
 
     async def _do(self, request: Fact) -> List[Any]:

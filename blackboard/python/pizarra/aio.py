@@ -18,7 +18,7 @@ from typing import Any, Iterable, List, Optional, TypeVar, Union
 
 from pizarra import calls, patterns
 from pizarra.aio_watch import AsyncStream, AsyncWatch
-from pizarra.answers import Answer, Answers, Fact, query_of
+from pizarra.answers import Answer, Answers, Fact, Recalled, query_of
 from pizarra.calls import Call
 from pizarra.failure import Failure
 from pizarra.flow import Flow, Keep, Pause, Step, Until
@@ -36,8 +36,8 @@ TICK = 0.05  # how often what is due is looked for
 
 class AsyncBoard:
     def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None,
-                 timeout: float = 5.0) -> None:
-        self.session = Session(address, teller, key)
+                 timeout: float = 5.0, waits: bool = True) -> None:
+        self.session = Session(address, teller, key, waits)
         self.address, self.teller, self.timeout = address, self.session.teller, timeout
         self._replicas = Replicas(self.session)
         self._ticking: Optional["asyncio.Task[None]"] = None
@@ -102,6 +102,10 @@ class AsyncBoard:
 
     async def ask(self, query: Any) -> Answers:
         return await self._call(calls.ask(query))
+
+    async def recall(self, query: Any) -> Recalled:
+        """As ask(), and also from a board that may have been replaced: it says how old its answers may be."""
+        return await self._call(calls.recall(query))
 
     async def take(self, pattern: Any, lease: int = 0) -> Optional[Fact]:
         """One fact that fits, which nobody else has then; it is put back when the lease ends before it was settled."""
@@ -218,12 +222,13 @@ class AsyncBoard:
         try:
             if request.result is None:
                 await done
+        except asyncio.CancelledError:
+            self.session.forget(request)
+            raise
         finally:
             in_time.cancel()
-            if request.result is None:
-                self.session.forget(request)
         if request.result is None:
-            raise Failure("unreachable", "the board does not answer", self.address)
+            raise self.session.overdue(request)
         if isinstance(request.result, Failure):
             raise request.result
         return request.result[0] if request.result else None

@@ -51,6 +51,13 @@ class Answers(List[Answer]):
     revision: int = 0
 
 
+class Recalled(Answers):
+    """The answers as things stood `age` seconds ago or later. What is not settled may be undone."""
+
+    age: float = 0.0
+    settled: bool = True
+
+
 class Change:
     """What became true and false at a revision; resynchronised: `added` is all that holds, what was known is void."""
 

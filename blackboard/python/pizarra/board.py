@@ -17,7 +17,7 @@ import time
 from typing import Any, Callable, Iterable, List, Optional, TypeVar, Union
 
 from pizarra import calls, patterns
-from pizarra.answers import Answer, Answers, Fact, query_of
+from pizarra.answers import Answer, Answers, Fact, Recalled, query_of
 from pizarra.calls import Call
 from pizarra.failure import Failure
 from pizarra.flow import Flow, Keep, Pause, Step, Until
@@ -34,8 +34,8 @@ T = TypeVar("T")
 
 class Board:
     def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None,
-                 timeout: float = 5.0) -> None:
-        self.session = Session(address, teller, key)
+                 timeout: float = 5.0, waits: bool = True) -> None:
+        self.session = Session(address, teller, key, waits)
         self.address, self.teller, self.timeout = address, self.session.teller, timeout
         self.revision = 0  # of the answers that ask() gave last
         self._replicas = Replicas(self.session)
@@ -68,6 +68,10 @@ class Board:
         answers = self._call(calls.ask(query))
         self.revision = answers.revision
         return answers
+
+    def recall(self, query: Any) -> Recalled:
+        """As ask(), and also from a board that may have been replaced: it says how old its answers may be."""
+        return self._call(calls.recall(query))
 
     def take(self, pattern: Any, lease: int = 0) -> Optional[Fact]:
         """One fact that fits, which nobody else has then; it is put back when the lease ends before it was settled."""
@@ -202,8 +206,7 @@ class Board:
         try:
             self.wait_for(lambda: request.result, self.timeout, None)
         except TimeoutError:
-            self.session.forget(request)
-            raise Failure("unreachable", "the board does not answer", self.address) from None
+            raise self.session.overdue(request) from None
         if isinstance(request.result, Failure):
             raise request.result
         return request.result[0] if request.result else None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, Generic, Iterable, List, Optional, TypeVar
 
-from pizarra.answers import Answers, Fact, answers_from, query_of
+from pizarra.answers import Answers, Fact, Recalled, answers_from, query_of
 from pizarra.datum import Symbol
 from pizarra.failure import Failure
 from pizarra.writer import datum_of
@@ -45,6 +45,16 @@ def ask(query: Any) -> Call[Answers]:
         answers.revision = value[0]
         return answers
     return Call([Symbol("ask"), query], True, understand)
+
+
+def recall(query: Any) -> Call[Recalled]:
+    query = query_of(query)
+
+    def understand(value: Any) -> Recalled:
+        recalled = Recalled(answers_from(query, value[3:]))
+        recalled.age, recalled.settled, recalled.revision = value[0] / 1e6, value[1] == Symbol("yes"), value[2]
+        return recalled
+    return Call([Symbol("recall"), query], True, understand)
 
 
 def take(pattern: Any, lease: int = 0) -> Call[Optional[Fact]]:

@@ -6,14 +6,19 @@
         print(failure.symbol, failure.sentence, failure.subject)     # undeclared-relation ...
 
 Symbols of a board: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted, too-large and
-others. Of this client: unreachable, timeout; bad-datum for what cannot be said to a board, as None, nan or bytes;
-bad-address, bad-name, unreadable-file and bad-key for what it cannot begin with; closed for what is asked of it after
-close(). An agent's operation raises one to answer (fail SYMBOL SENTENCE SUBJECT).
+others. Of this client: unreachable; unavailable where several boards have no quorum of their log; timeout; bad-datum
+for what cannot be said to a board, as None, nan or bytes; bad-address, bad-name, unreadable-file and bad-key for what it
+cannot begin with; closed for what is asked of it after close(). An agent's operation raises one to answer (fail SYMBOL
+SENTENCE SUBJECT).
 """
 
 from __future__ import annotations
 
 from typing import Any
+
+
+# No board was there to do it: who asks again may be answered.
+AWAY = ("unreachable", "unavailable")
 
 
 class Failure(Exception):

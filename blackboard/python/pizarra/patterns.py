@@ -18,7 +18,7 @@ from pizarra.answers import Fact, query_of, relations_of
 from pizarra.calls import Call
 from pizarra.contract import RUNTIME_RELATIONS
 from pizarra.datum import Symbol
-from pizarra.failure import Failure, failure_from
+from pizarra.failure import AWAY, Failure, failure_from
 from pizarra.flow import Flow, Pause, do, until
 from pizarra.steps import retract, tell
 from pizarra.writer import datum_of
@@ -53,9 +53,9 @@ def request(teller: str, agent: str, operation: Any, timeout: float) -> Flow[Lis
             if reply is None:
                 yield from do(calls.renew(lease))
         except Failure as failure:
-            if failure.symbol not in ("unreachable", "unknown-lease"):
+            if failure.symbol not in (*AWAY, "unknown-lease"):
                 raise
-            lease = lease if failure.symbol == "unreachable" else 0
+            lease = lease if failure.symbol in AWAY else 0
             yield Pause(RETRY)
     yield from _withdraw(number, lease)
     return _values(reply, agent, fact[3], timeout)
@@ -93,7 +93,7 @@ def _withdraw(number: Symbol, lease: int) -> Flow[None]:
             yield from do(calls.release(lease))
     except Failure as failure:
         # A lease that the board has forgotten, or that is away with it, goes by itself.
-        if failure.symbol not in ("unreachable", "unknown-lease", "undeclared-relation"):
+        if failure.symbol not in (*AWAY, "unknown-lease", "undeclared-relation"):
             raise
 
 
@@ -152,7 +152,7 @@ def are_declared(query: Any) -> Flow[bool]:
             if not (yield from do(calls.ask([Symbol("relation-stats"), Symbol(relation), *every]))):
                 return False
     except Failure as failure:
-        if failure.symbol == "unreachable":
+        if failure.symbol in AWAY:
             return False
         if failure.symbol != "not-permitted":
             raise

@@ -21,7 +21,7 @@ from typing import Any, Callable, List, Optional
 from pizarra import calls
 from pizarra.contract import Contract
 from pizarra.datum import Symbol
-from pizarra.failure import Failure
+from pizarra.failure import AWAY, Failure
 from pizarra.flow import Flow, Keep, Pause, do
 from pizarra.steps import absent, tell
 from pizarra.writer import check_teller
@@ -64,7 +64,7 @@ class Presence:
         except Failure as failure:
             if failure.symbol == "unknown-lease":
                 return (yield from self._announce())
-            if failure.symbol != "unreachable":
+            if failure.symbol not in AWAY:
                 raise
         self._told = time.monotonic()
         return False
@@ -75,7 +75,7 @@ class Presence:
         try:
             yield from do(calls.release(self.lease))
         except Failure as failure:
-            if failure.symbol not in ("unknown-lease", "unreachable"):
+            if failure.symbol not in ("unknown-lease", *AWAY):
                 raise
 
     def _announce(self) -> Flow[bool]:
@@ -88,7 +88,7 @@ class Presence:
         except Failure as failure:
             if failure.symbol == "precondition-failed":
                 yield from do(calls.release(lease))
-            elif failure.symbol not in ("unreachable", "unknown-lease"):
+            elif failure.symbol not in (*AWAY, "unknown-lease"):
                 raise
             return False
         yield Keep(lease, self.RENEWAL)
@@ -124,7 +124,7 @@ class Presence:
 
 
 def _pass_with_time(failure: Failure, *others: str) -> None:
-    if failure.symbol not in ("unreachable", "unknown-lease", *others):
+    if failure.symbol not in (*AWAY, "unknown-lease", *others):
         raise failure
 
 

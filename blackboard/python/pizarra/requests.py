@@ -28,6 +28,10 @@ class Request:
         self.result: Union[None, List[Any], Failure] = None
         self.on_done: Callable[[], None] = lambda: None
 
+    @property
+    def recalls(self) -> bool:
+        return self.body.startswith("(recall ")
+
 
 class Requests:
     # None goes before the board has answered those so far behind it: it remembers the answers of the last 256.
@@ -54,13 +58,17 @@ class Requests:
     def forget(self, request: Request) -> None:
         self._pending = {number: other for number, other in self._pending.items() if other is not request}
 
-    def transmit(self, session: int, is_due: Callable[[Request], bool]) -> None:
+    def transmit(self, session: int, is_due: Callable[[Request], bool]) -> List[Request]:
+        """Those that went."""
         first = next(iter(self._pending), 0)
+        went: List[Request] = []
         for number, request in self._pending.items():
             if number >= first + self.MOST_AHEAD:
                 break
             if is_due(request) and self._send(f"(request {session} {number} {request.body})"):
                 request.sent = time.monotonic()
+                went.append(request)
+        return went
 
     def finish(self, number: int, result: Union[List[Any], Failure]) -> None:
         request = self._pending.pop(number, None)

@@ -20,7 +20,7 @@ from typing import Any, Awaitable, Callable, Dict, List, Optional, Set
 from pizarra.aio import AsyncBoard
 from pizarra.answers import Fact
 from pizarra.datum import Symbol
-from pizarra.failure import Failure
+from pizarra.failure import AWAY, Failure
 from pizarra.presence import Presence
 from pizarra.steps import settle, tell
 
@@ -61,7 +61,7 @@ class Service:
             lease = self._presence.lease
             fact = await self._board.take(request, lease)
         except Failure as failure:
-            if failure.symbol not in ("unknown-lease", "unreachable"):
+            if failure.symbol not in ("unknown-lease", *AWAY):
                 raise
             await asyncio.sleep(self.RETRY)
             return False
@@ -125,7 +125,7 @@ class Service:
                 told_again = self._in_hand[number] != cause
                 if failure.symbol == "precondition-failed" and not told_again:
                     return True
-                if failure.symbol != "unreachable" and not told_again:
+                if failure.symbol not in AWAY and not told_again:
                     return False
             await asyncio.sleep(self.RETRY)
 

@@ -7,6 +7,9 @@
 It never waits by itself, but for as long as turn() is told to: Board (board.py) and AsyncBoard (aio.py) stand on it. A
 request is sent again while it is not answered. When the board was lost, relations are declared again and feeds begin
 again; a transaction or a take that was under way then fails, because nobody can say whether it happened.
+
+Of several boards it may be that none can say whether it leads: they have no quorum of their log. Requests then wait, or
+fail at once with `unavailable` where `waits` is False; `recall` is answered even so, by what may be old.
 """
 
 from __future__ import annotations
@@ -36,7 +39,8 @@ class Session:
     PING_AMONG_OTHERS, SILENCE_AMONG_OTHERS = 0.1, 0.4
     PROTOCOL = 2  # of blackboard/wire/wire.hpp; a board of the first knows no hello that says one
 
-    def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None) -> None:
+    def __init__(self, address: str, teller: str, key: Union[None, str, "os.PathLike[str]"] = None,
+                 waits: bool = True) -> None:
         if not isinstance(address, str) or not isinstance(teller, str):
             raise Failure("wrong-shape", "a board's address and the name of a teller are strings")
         check_teller(teller)
@@ -49,6 +53,7 @@ class Session:
                 self.teller = f"{name}/{teller}"
         self.id = self._life = 0
         self.joined = self._is_of_the_first = False
+        self.in_doubt, self._waits = False, waits
         self._heard = self._greeted = self._pinged = -1e9
         self._listened = time.monotonic()
         self._declared: Dict[str, Any] = {}
@@ -84,6 +89,8 @@ class Session:
 
     def begin(self, body: Any, repeatable: bool) -> Request:
         self.check_open()
+        if self.in_doubt and not self._waits and body[0] != Symbol("recall"):
+            raise self._unavailable(False)
         request = self.requests.begin(body, repeatable)
         if self.joined:
             self.requests.transmit(self.id, lambda other: other is request)
@@ -91,6 +98,17 @@ class Session:
 
     def forget(self, request: Request) -> None:
         self.requests.forget(request)
+
+    def overdue(self, request: Request) -> Failure:
+        """What a request fails with that was not answered in time."""
+        self.forget(request)
+        if self.in_doubt:
+            return self._unavailable(request.sent is not None)
+        return Failure("unreachable", "the board does not answer", self.address)
+
+    def _unavailable(self, sent: bool) -> Failure:
+        done = "whether this happened is not known" if sent else "this was not done"
+        return Failure("unavailable", f"the board has no quorum of its log: {done}", self.address)
 
     def note_done(self, body: List[Any]) -> None:
         """What was declared is declared again when the board was lost."""
@@ -112,7 +130,11 @@ class Session:
         if seconds > 0:
             self.link.wait(seconds)
         for text in self.link.receive():
-            for message in read_all(text):
+            messages = read_all(text)
+            # One that does not know whether it leads gives no sign of life.
+            if messages and messages[0][0] != Symbol("unavailable"):
+                self._heard = time.monotonic()
+            for message in messages:
                 self._receive(message)
         self._tick()
         self._listened = time.monotonic()
@@ -146,7 +168,8 @@ class Session:
             self.addresses.go_on(now)
             self._greeted, self._is_of_the_first = -1e9, False
             self.link.begin_again(self.addresses.current)
-        hello = [Symbol("hello"), self.teller, self.id, *([] if self._is_of_the_first else [self.PROTOCOL])]
+        more = [] if self._is_of_the_first else [self.PROTOCOL, Symbol("doubts")]
+        hello = [Symbol("hello"), self.teller, self.id, *more]
         if self._greeted + self.GREET <= now and self.send(hello):
             self._greeted = now
 
@@ -159,10 +182,11 @@ class Session:
     # ---- what the board says
 
     def _receive(self, message: Any) -> None:
-        self._heard = time.monotonic()
         kind = str(message[0])
         if kind == "reply":
             self._replied(message)
+        elif kind == "unavailable":
+            self._be_in_doubt()
         elif kind == "change":
             self._changed(message)
         elif kind == "welcome" and not self.joined:
@@ -192,8 +216,18 @@ class Session:
         else:
             self.send([Symbol("unwatch"), self.id, message[1]])
 
+    def _be_in_doubt(self) -> None:
+        self.in_doubt = True
+        if self.joined:
+            return
+        # A board that leads is asked anew.
+        for request in self.requests.transmit(self.id, lambda request: request.recalls):
+            request.sent = None
+        if not self._waits:
+            self.requests.fail(self._unavailable(False), lambda request: request.sent is None and not request.recalls)
+
     def _welcomed(self, session: int, life: int) -> None:
-        self.joined = True
+        self.joined, self.in_doubt = True, False
         self.addresses.found()
         same_session, same_life = session == self.id, life == self._life
         self.id, self._life = session, life

@@ -157,6 +157,34 @@ TEST_F(Boards, AreOneBoardForAClientInPythonToo) {
   }
 }
 
+TEST_F(Boards, AreRecalledInPythonWhereNobodyLeads) {
+  const std::string script =
+      "import pizarra\n"
+      "board = pizarra.Board('" +
+      addresses_[0] + "," + addresses_[1] +
+      "', 'script', waits=False)\n"
+      "while True:\n"
+      "    try:\n"
+      "        board.tell('(note 7)')\n"
+      "        print('told', flush=True)\n"
+      "    except pizarra.Failure as failure:\n"
+      "        if failure.symbol != 'unavailable': raise\n"
+      "        recalled = board.recall('(note ?n)')\n"
+      "        print(recalled.age > 0.25, len(recalled), flush=True)\n";
+  setenv("PYTHONPATH", (source_dir() + "/blackboard/python").c_str(), 1);
+  tell(1);
+  ChildProgram client({"/usr/bin/python3", "-c", script});
+  EXPECT_EQ(client.line(), "told");
+  etcd_->signal(SIGSTOP);
+  std::string said = "told";
+  while (said == "told") said = client.line();
+  EXPECT_EQ(said, "True 2");
+  etcd_->signal(SIGCONT);
+  for (int tries = 0; tries < 100 && said != "told"; ++tries) said = client.line();
+  EXPECT_EQ(said, "told");
+  client.stop(SIGKILL);
+}
+
 TEST_F(Boards, HandOverAtOnceWhenTheLeaderIsEndedInOrder) {
   tell(1);
   const std::size_t leads = leader();
@@ -165,14 +193,24 @@ TEST_F(Boards, HandOverAtOnceWhenTheLeaderIsEndedInOrder) {
   EXPECT_EQ(notes(), 2u);
 }
 
-TEST_F(Boards, AnswerNothingWithoutALogAndGoOnWhenItIsBack) {
+TEST_F(Boards, ChangeNothingWithoutALogSayHowItWasAndGoOnWhenItIsBack) {
   tell(1);
+  const Query all = query_for(list("note"_sym, "?n"_sym));
   etcd_->signal(SIGSTOP);
   const Time begun = executor_.now();
   const Result<Revision> told = run(client_->tell(list("note"_sym, std::int64_t{2})));
   ASSERT_FALSE(told.has_value());
-  EXPECT_EQ(told.error().symbol, "unreachable");
-  EXPECT_FALSE(run(client_->facts(list("note"_sym, "?n"_sym))).has_value()) << "nor what may be old by now";
+  EXPECT_EQ(told.error().symbol, "unavailable");
+  EXPECT_FALSE(run(client_->ask(all)).has_value()) << "nor what may be old by now";
+  const auto recalled = run(client_->recall(all));
+  ASSERT_TRUE(recalled.has_value()) << describe(recalled.error());
+  EXPECT_GT(recalled->age, 250ms);
+  EXPECT_FALSE(recalled->answers.answers.empty());
+  EXPECT_GT(run(client_->recall(all))->age, recalled->age);
+  const auto impatient = client::RemoteBoard::connect(executor_, addresses_[0] + "," + addresses_[1], "hasty").value();
+  impatient->refuse_without_quorum();
+  EXPECT_EQ(run(impatient->tell(list("note"_sym, std::int64_t{9}))).error().sentence,
+            "the board has no quorum of its log: this was not done");
   EXPECT_LT(executor_.now() - begun, 60s);
   etcd_->signal(SIGCONT);
   tell(3);

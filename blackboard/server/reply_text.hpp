@@ -1,0 +1,17 @@
+#pragma once
+
+// The reply to a request, as wire.hpp says it.
+//
+//   socket.send(peer, reply_text(number, result_to_datum(result)));
+
+#include <string>
+
+#include "blackboard/wire/wire.hpp"
+
+namespace pizarra::server {
+
+// What a failure says is shortened where it is long.
+Datum result_to_datum(const Result<Datum>& result);
+std::string reply_text(wire::RequestId id, const Datum& result);
+
+}  // namespace pizarra::server
