@@ -91,6 +91,10 @@ std::string RealEtcd::address(const std::string& cell) const {
   return fmt::format("etcd://127.0.0.1:{}/{}", port_, cell);
 }
 
-void RealEtcd::signal(int number) const { kill(pid_, number); }
+void RealEtcd::signal(int number) const {
+  kill(pid_, number);
+  // Its threads do not stop at once.
+  if (number == SIGSTOP) waitpid(pid_, nullptr, WUNTRACED);
+}
 
 }  // namespace pizarra::cluster
