@@ -69,9 +69,10 @@ Result<void> LogCopy::begin() {
   end_ = {};
   later_.clear();
   replies_.clear();
-  ++begun_;
   const Result<void> restored = restore_snapshot();
   if (!restored) store_ = nullptr;
+  // What was not answered has put nothing into the store.
+  if (restored || restored.error().symbol != "unavailable") ++begun_;
   return restored;
 }
 

@@ -24,6 +24,7 @@ constexpr const char* disk_size = "size=192m";
 // Of a member that is slow: it runs 10 ms of every 100.
 constexpr auto stutter_stops = 90ms;
 constexpr auto stutter_runs = 10ms;
+constexpr auto reading_patience = 60s;
 
 void must(bool done, const char* what) {
   if (!done) throw std::system_error(errno, std::generic_category(), what);
@@ -193,10 +194,16 @@ Result<void> ClusterOrdeal::read_the_end(store::Store& store) {
   const Result<std::unique_ptr<cluster::EtcdClient>> client = cluster::EtcdClient::open(*address);
   if (!client) return fail(client);
   const cluster::LogKeys keys(address->cell);
-  const Result<std::optional<std::string>> head = cluster::get(**client, keys.head(), 5s);
+  // Etcd on a busy machine lets one wait, and may be choosing a leader.
+  const Clock::time_point patience = Clock::now() + reading_patience;
+  Result<std::optional<std::string>> head = cluster::get(**client, keys.head(), 5s);
+  while (!head && Clock::now() < patience) head = cluster::get(**client, keys.head(), 5s);
   if (!head) return fail(head);
   cluster::LogCopy copy(**client, keys, store, {});
-  return copy.follow_to(std::stoull(head->value_or("0")));
+  const std::uint64_t newest = std::stoull(head->value_or("0"));
+  Result<void> read = copy.follow_to(newest);
+  while (!read && read.error().symbol == "unavailable" && Clock::now() < patience) read = copy.follow_to(newest);
+  return read;
 }
 
 std::string ClusterOrdeal::faults() const {
