@@ -1,0 +1,60 @@
+#pragma once
+
+// Boards that name other boards, so that one address leads to a hall of cells. Two durable facts, one on either side:
+//
+//   (context-board NAME "ADDRESS")        of the board that names another one; key NAME
+//   (parent-board "ADDRESS" NAME)         of the board that is named: by whom, and how; key ADDRESS
+//
+//   Contexts contexts(executor, "alice", keys);
+//   Result<std::string> address = co_await contexts.resolve("tcp://hall:7943", "north/blocks");
+//   std::vector<Contexts::Row> rows = co_await contexts.list("tcp://hall:7943");
+//   Result<std::vector<std::string>> way = co_await contexts.ascend(*address);    // up to the board that nobody names
+//
+// It is the client that goes from board to board; boards know nothing of each other. Failures: no-context, unreachable
+// (which board of the way does not answer), context-loop, too-deep, orphan (the parent does not name it back), and
+// those of the boards.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blackboard/client/remote_board.hpp"
+
+namespace pizarra::client {
+
+class Contexts {
+ public:
+  static constexpr std::size_t most_deep = 16;
+  static constexpr std::size_t most_listed = 10'000;
+
+  Contexts(Executor& executor, std::string teller, std::optional<wire::ClientKeys> keys, Duration patience = 2s)
+      : executor_(executor), teller_(std::move(teller)), keys_(std::move(keys)), patience_(patience) {}
+
+  // Both facts. An earlier context of that name is replaced.
+  Task<Result<void>> add(std::string root, std::string name, std::string address);
+  // The address that the path of names with `/` between them leads to; that of the root for an empty one.
+  Task<Result<std::string>> resolve(std::string root, std::string path);
+
+  struct Row {
+    std::string path;
+    std::string address;
+    std::optional<Failure> fault = {};  // why nothing below it is listed
+  };
+  // All that is reached from there, each board once, what is named first before what is below it.
+  Task<std::vector<Row>> list(std::string root);
+  // The addresses from a board up to the one that says no parent. Of several parents the first by its address.
+  Task<Result<std::vector<std::string>>> ascend(std::string board);
+
+ private:
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  Result<std::unique_ptr<RemoteBoard>> reach(const std::string& address) const;
+  // The two parts of each fact of the relation on that board, sorted.
+  Task<Result<Pairs>> pairs_of(std::string address, std::string relation);
+
+  Executor& executor_;
+  const std::string teller_;
+  const std::optional<wire::ClientKeys> keys_;
+  const Duration patience_;
+};
+
+}  // namespace pizarra::client

@@ -1,0 +1,104 @@
+// Boards that name other boards: a hall names its areas, an area its cells.
+
+#include "blackboard/client/contexts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "blackboard/server/board_server.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "tests/blackboard/wall.hpp"
+#include "tests/run_task.hpp"
+
+namespace pizarra {
+namespace {
+
+using client::Contexts;
+
+class ContextsTest : public testing::Test {
+ protected:
+  struct Served {
+    explicit Served(Executor& executor)
+        : board(executor),
+          server(server::BoardServer::open(executor, board, {.addresses = {"tcp://127.0.0.1:*"}}).value()) {}
+    memory::MemoryBoard board;
+    std::unique_ptr<server::BoardServer> server;
+    const std::string address = server->addresses().front();
+  };
+  std::string add(const Served& above, const std::string& name, const std::string& address) {
+    const Result<void> added = run(executor, contexts.add(above.address, name, address));
+    return added ? "ok" : describe(added.error());
+  }
+  // The hall names north, and that names blocks.
+  void SetUp() override {
+    ASSERT_EQ(add(hall, "north", north.address), "ok");
+    ASSERT_EQ(add(north, "blocks", blocks.address), "ok");
+  }
+  Result<std::string> resolve(const std::string& path) { return run(executor, contexts.resolve(hall.address, path)); }
+  std::string listed() {
+    std::string all;
+    for (const Contexts::Row& row : run(executor, contexts.list(hall.address))) {
+      all += row.path + " " + (row.fault ? row.fault->symbol : "there") + "\n";
+    }
+    return all;
+  }
+
+  RealExecutor executor;
+  Contexts contexts{executor, "alice", std::nullopt, 2s};
+  Served hall{executor};
+  Served north{executor};
+  Served blocks{executor};
+};
+
+TEST_F(ContextsTest, APathOfNamesLeadsFromBoardToBoard) {
+  EXPECT_EQ(resolve("").value(), hall.address);
+  EXPECT_EQ(resolve("north").value(), north.address);
+  EXPECT_EQ(resolve("north/blocks").value(), blocks.address);
+  EXPECT_EQ(listed(), " there\nnorth there\nnorth/blocks there\n");
+}
+
+TEST_F(ContextsTest, ANameThatNobodyHasIsToldWithWhereItIsMissing) {
+  const Result<std::string> below = resolve("north/kits");
+  ASSERT_FALSE(below.has_value());
+  EXPECT_EQ(below.error().symbol, "no-context");
+  EXPECT_EQ(below.error().sentence, "north names no board kits");
+  const Result<std::string> beneath = resolve("north/blocks/deeper");
+  ASSERT_FALSE(beneath.has_value());
+  EXPECT_EQ(beneath.error().sentence, "north/blocks names no board deeper");
+}
+
+TEST_F(ContextsTest, ABoardOfTheWayThatDoesNotAnswerIsNamed) {
+  north.server.reset();
+  const Result<std::string> beyond = resolve("north/blocks");
+  ASSERT_FALSE(beyond.has_value());
+  EXPECT_EQ(beyond.error().symbol, "unreachable");
+  EXPECT_EQ(beyond.error().sentence, "the board does not answer: north at " + north.address);
+  EXPECT_EQ(listed(), " there\nnorth unreachable\n");
+  EXPECT_EQ(run(executor, contexts.ascend(blocks.address)).error().symbol, "unreachable");
+}
+
+TEST_F(ContextsTest, WhatLeadsBackIsListedOnceAndSaidToBeALoop) {
+  ASSERT_EQ(add(blocks, "up", hall.address), "ok");
+  ASSERT_EQ(add(hall, "also", blocks.address), "ok");
+  EXPECT_EQ(listed(), " there\nalso there\nnorth there\nalso/up context-loop\nnorth/blocks context-loop\n");
+  EXPECT_EQ(resolve("north/blocks/up/north").value(), north.address) << "a path ends, whatever it passes";
+  EXPECT_EQ(run(executor, contexts.ascend(north.address)).error().symbol, "context-loop");
+}
+
+TEST_F(ContextsTest, ABoardKnowsWhoNamesItUntilItIsAnOrphan) {
+  EXPECT_EQ(run(executor, contexts.ascend(blocks.address)).value(),
+            (std::vector<std::string>{blocks.address, north.address, hall.address}));
+  ASSERT_TRUE(north.board.transact("bob", Transaction().retract(read("(context-board blocks ?)"))).has_value());
+  const auto lost = run(executor, contexts.ascend(blocks.address));
+  ASSERT_FALSE(lost.has_value());
+  EXPECT_EQ(lost.error().symbol, "orphan");
+  EXPECT_EQ(lost.error().sentence, north.address + " does not name " + blocks.address + " as blocks any more");
+}
+
+TEST_F(ContextsTest, ABoardThatIsNotThereIsNotNamed) {
+  const std::string refused = add(hall, "south", "tcp://127.0.0.1:1");
+  EXPECT_TRUE(refused.starts_with("the board does not answer: south at tcp://127.0.0.1:1")) << refused;
+  EXPECT_EQ(resolve("south").error().symbol, "no-context");
+}
+
+}  // namespace
+}  // namespace pizarra
