@@ -32,7 +32,7 @@ struct GripperGeometry {
 
 struct CoordinatorOptions {
   std::string domain_file;
-  forms::CameraPose camera;
+  forms::BelievedCamera camera;
   bool head = false;  // whether the camera stands on a pan-tilt unit, whose (head ...) fact says how it is turned
   GripperGeometry gripper;
   ServoLimits servo;

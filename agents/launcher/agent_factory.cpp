@@ -56,7 +56,7 @@ class BuiltPanTilt : public BuiltAgent {
   BuiltPanTilt(runtime::AgentContext context, const forms::CellDescription& description, simulation::Link& link)
       : wire_(make_wire(context.executor, description.pan_tilt, link)),
         driver_(context.executor, *wire_, {description.pan_tilt.pan_reversed, description.pan_tilt.tilt_reversed}),
-        agent_(std::move(context), driver_, description.camera) {}
+        agent_(std::move(context), driver_, description.camera.pose) {}
 
  private:
   static std::unique_ptr<line::ByteWire> make_wire(Executor& executor, const forms::PanTiltLine& line,
@@ -96,6 +96,8 @@ coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription
   coordinator::CoordinatorOptions options;
   options.domain_file = description.domain_file;
   options.camera = description.camera;
+  options.gripper.mark_before_grip_mm = description.camera.mark_mm[0];
+  options.gripper.mark_above_grip_mm = -description.camera.mark_mm[2];
   options.head = has_pan_tilt(description);
   options.cube_mm = description.cube_mm;
   options.gripper.openings = description.openings;
@@ -219,7 +221,7 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   config.seed = seed;
   config.cube_mm = description.cube_mm;
   simulation::CameraConfig& camera = config.camera;
-  camera.pose = description.camera;
+  camera.pose = description.world_camera;
   camera.head = description.head;
   camera.noise_sigma = description.noise.sensor_grey;
   camera.blur_sigma_px = description.noise.blur_px;

@@ -159,12 +159,12 @@ Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view nam
   return list(mark->centre_px.x(), mark->centre_px.y());
 }
 
-Datum describe_scene(const Cell& cell, const WorldConfig& config) {
+Datum describe_scene(const Cell& cell, const WorldConfig& config, const forms::CameraPose& camera) {
   const TableConfig& table = config.table;
-  const forms::CameraPose& camera = config.camera.pose;
   std::vector<Datum> out;
   out.push_back(list("table"_sym, table.x_low_mm, table.x_high_mm, table.y_low_mm, table.y_high_mm));
-  out.push_back(list("camera"_sym, camera.at_mm[0], camera.at_mm[1], camera.at_mm[2], camera.pan_deg, camera.tilt_deg));
+  out.push_back(list("camera"_sym, camera.at_mm[0], camera.at_mm[1], camera.at_mm[2], camera.pan_deg, camera.tilt_deg,
+                     camera.roll_deg));
   for (CubeId cube = 0; cube < cell.physics().cubes(); ++cube) {
     out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), mark_name(cell.mark(cube))));
   }

@@ -12,6 +12,6 @@ namespace pizarra::simulation {
 Datum truth_of(const Cell& cell, const Eye& left, const Eye& right);
 // Failures: unknown-object, not-seen.
 Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view name);
-Datum describe_scene(const Cell& cell, const WorldConfig& config);
+Datum describe_scene(const Cell& cell, const WorldConfig& config, const forms::CameraPose& camera);
 
 }  // namespace pizarra::simulation

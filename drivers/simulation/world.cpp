@@ -55,6 +55,7 @@ struct World::Inside {
   Inside(Executor& the_executor, const WorldConfig& the_config)
       : executor(the_executor),
         config(the_config),
+        camera_pose(config.camera.pose),
         clock(the_executor.now()),
         cell(config),
         arm(cell, config.arm.type),
@@ -72,6 +73,7 @@ struct World::Inside {
   Result<Message> tell_truth(const Datum& request);
   // How the cameras look now.
   CameraConfig camera_now();
+  Result<Message> bump(const Datum& request);
   Task<Result<Message>> camera(Datum request);
   Message camera_model() const;
   Message frame_message(std::uint64_t frame, bool colour) const;
@@ -79,6 +81,7 @@ struct World::Inside {
 
   Executor& executor;
   const WorldConfig config;
+  forms::CameraPose camera_pose;  // where it was bumped to
   const FrameClock clock;
   Cell cell;
   PhysicalArm arm;
@@ -151,6 +154,7 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
 
 CameraConfig World::Inside::camera_now() {
   CameraConfig camera = config.camera;
+  camera.pose = camera_pose;
   if (head) {
     camera.pose.pan_deg += head->unit().pan_deg();
     camera.pose.tilt_deg += head->unit().tilt_deg();
@@ -163,14 +167,25 @@ Result<Message> World::Inside::tell_truth(const Datum& request) {
   if (request.is_form("truth")) {
     return Message{truth_of(cell, left, make_eye(camera_now(), Side::right))};
   }
-  if (request.is_form("scene")) return Message{describe_scene(cell, config)};
+  if (request.is_form("scene")) return Message{describe_scene(cell, config, camera_pose)};
   if (!request.is_form("where-seen") || request.size() != 2) return bad_request(request);
   const Result<Datum> seen = where_seen(cell, left, word(request, 1));
   if (!seen) return fail(seen);
   return Message{*seen};
 }
 
+Result<Message> World::Inside::bump(const Datum& request) {
+  const auto parts = request.items().subspan(2);
+  if (parts.size() != 6 || !std::ranges::all_of(parts, &Datum::is_number)) return bad_request(request);
+  for (std::size_t axis = 0; axis < 3; ++axis) camera_pose.at_mm[axis] += parts[axis].number();
+  camera_pose.pan_deg += parts[3].number();
+  camera_pose.tilt_deg += parts[4].number();
+  camera_pose.roll_deg += parts[5].number();
+  return Message();
+}
+
 Task<Result<Message>> World::Inside::camera(Datum request) {
+  if (word(request, 1) == "bump") co_return bump(request);
   if (word(request, 1) == "open") co_return camera_model();
   const bool colour = word(request, 3) == "colour";
   const bool sound = word(request, 1) == "next" && request.size() == 4 && request[2].is_integer() &&

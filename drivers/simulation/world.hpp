@@ -19,6 +19,7 @@
 // A second arm, where there is one, answers the same to (second-arm ...). It stands aside, at a table without cubes.
 //   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)
 //   (camera next AFTER grey|colour) -> (NUMBER MICROSECONDS), left and right image; waits for the frame
+//   (camera bump DX DY DZ DPAN DTILT DROLL)    somebody knocks against it: for stories, and no driver asks it
 //   (head send "bytes")               to the pan-tilt unit under the cameras, as over its line
 //   (head hear) -> ("bytes")          what it says next, waiting 50 ms at most; empty where it says nothing
 //   (head power on|off)               its power switch
@@ -36,7 +37,7 @@
 //                                     instant of the S seconds after the grasp
 //   (fingers misplace PART)           what is put down comes to lie off by up to PART of the cube's edge, uniformly
 // Truth, for the judge, the hand and the scripted person alone:
-//   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT) (cube NAME "mark") ...)
+//   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT ROLL) (cube NAME "mark") ...)
 //   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)
 //              (arm-empty)))   STATE: table, (on B), held, carried (by the hand), loose, gone; VISIBLE: the part of its
 //              mark, 0..1, that both cameras see

@@ -10,12 +10,22 @@
 namespace pizarra::forms {
 
 // The base line's centre in the base frame. The pair looks along the base's -x, turned by pan (positive: towards +y,
-// image right) and then by tilt (positive: up).
+// image right), then by tilt (positive: up), then by roll about its own axis (positive: its right side down).
 struct CameraPose {
   std::array<double, 3> at_mm{1330, 0, 200};
   double pan_deg = 0;
   double tilt_deg = 0;
+  double roll_deg = 0;
   bool operator==(const CameraPose&) const = default;
+};
+
+// Where the agents take the camera to be, how sure that is (one standard deviation), and where the gripper's mark is in
+// the tool's frame (drivers/arm/kinematics.hpp).
+struct BelievedCamera {
+  CameraPose pose;
+  double sure_mm = 1;
+  double sure_deg = 0.1;
+  std::array<double, 3> mark_mm{30, 0, -66};
 };
 
 }  // namespace pizarra::forms

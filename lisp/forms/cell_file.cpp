@@ -152,12 +152,38 @@ std::optional<CellDoor> door_from_datum(const Datum& datum, const std::string& f
   return door;
 }
 
+CameraPose camera_pose_from_datum(const Datum& datum) {
+  return {.at_mm = {datum[0].number(), datum[1].number(), datum[2].number()},
+          .pan_deg = datum[3].number(),
+          .tilt_deg = datum[4].number(),
+          .roll_deg = datum[5].number()};
+}
+
+BelievedCamera believed_camera_from_datum(const Datum& datum) {
+  return {.pose = camera_pose_from_datum(datum[0]),
+          .sure_mm = datum[1][0].number(),
+          .sure_deg = datum[1][1].number(),
+          .mark_mm = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()}};
+}
+
+// The file counts as soon as there is one.
+Result<BelievedCamera> believed_camera(const Datum& datum, const std::string& cell_file) {
+  const BelievedCamera guessed = believed_camera_from_datum(datum);
+  const std::string file = beside(cell_file, std::string(datum[3].text()));
+  if (file.empty() || !std::filesystem::exists(file)) return guessed;
+  const Result<Source> source = read_source_file(file);
+  if (!source) return fail(source);
+  const Result<Datum> measured = guile::interpret(*source, "camera-pose");
+  if (!measured) return fail(measured);
+  return believed_camera_from_datum(*measured);
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
   const Datum& camera = datum[1];
-  cell.camera = {{camera[0].number(), camera[1].number(), camera[2].number()}, camera[3].number(), camera[4].number()};
-  cell.head = camera[5].text();
+  cell.world_camera = camera_pose_from_datum(camera);
+  cell.head = camera[6].text();
   cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
   for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
   cell.arm_file = arm_file_from_datum(datum[4], file);
@@ -190,7 +216,12 @@ Result<CellDescription> interpret_cell(const Result<Source>& source) {
   for (const std::string& name : arm_names()) arms.push_back(Datum::symbol(name));
   const Result<Datum> cell = guile::interpret(*source, "cell", {Datum::list(std::move(arms))});
   if (!cell) return fail(cell);
-  return cell_from_datum(*cell, source->file());
+  CellDescription described = cell_from_datum(*cell, source->file());
+  const Result<BelievedCamera> camera = believed_camera((*cell)[24], source->file());
+  if (!camera) return fail(camera);
+  described.camera = *camera;
+  described.camera_pose_file = beside(source->file(), std::string((*cell)[24][3].text()));
+  return described;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 //
 //   (cell blocks
 //     (world
-//       (camera (at 1330 0 200) (pan 0) (tilt 0))              ; base-line centre mm, degrees; looks along -x
+//       (camera (at 1330 0 200) (pan 0) (tilt 0) (roll 0))     ; base-line centre mm, degrees; looks along -x
 //       (cube-size 60)                                         ; of every cube
 //       (openings 76 84 96)                                    ; of the gripper: narrow, normal, wide
 //       (row (x 450) (y -200 200))                             ; where cubes are put down
@@ -25,6 +25,11 @@
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
 //                                                              ; the cell file; left out: on the board alone
+//     (camera-pose (at 1350 0 190) (pan 2) (sure 20 2))        ; where the agents take the camera to be, and how sure
+//                                                              ; that is, mm and degrees; left out: as in the world;
+//                                                              ; (mark 30 0 -66) is the gripper's in the tool's frame;
+//                                                              ; with (file "camera-pose.scm") that counts once it is
+//                                                              ; there (`calibrate hand-eye` writes it)
 //     (camera (pair (device 0) (device 2)) (calibration "pair.calibration"))   ; camera_setup.hpp
 //     (tags (apriltag-36h11 40) (aruco-4x4-50 22.5))           ; families of tags that the eyes tell of without having
 //                                                              ; been shown them, and the sides of their squares, mm
@@ -155,8 +160,10 @@ struct CellHost {
 
 struct CellDescription {
   std::string name;
-  CameraPose camera;  // while its head, if it stands on one, is in the middle
-  std::string head;   // the simulated pan-tilt unit under it, empty: it stands still
+  CameraPose world_camera;  // where the simulated camera stands; while its head, if it stands on one, is in the middle
+  BelievedCamera camera;
+  std::string camera_pose_file;  // where a measured pose of the camera is kept, empty: nowhere
+  std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
   CellNoise noise;
   double cube_mm = 60;
   GripperOpenings openings;

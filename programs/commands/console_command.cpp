@@ -86,7 +86,7 @@ Result<console::CellView> view_of(const forms::CellDescription& cell) {
     view.arms.emplace("slave", std::move(*second));
   }
   view.cube_mm = cell.cube_mm;
-  if (cell.head.empty()) view.camera = cell.camera;
+  if (cell.head.empty()) view.camera = cell.camera.pose;
   return view;
 }
 

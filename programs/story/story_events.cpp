@@ -62,16 +62,17 @@ Task<Result<void>> StoryEvents::perform(Datum action) {
   co_return done;
 }
 
-Task<Result<void>> StoryEvents::make_clumsy(Datum action) {
+Task<Result<void>> StoryEvents::ask_world(Datum action) {
   narrator_.say(cell_.executor().now(), "world", write(action), action);
-  const Result<simulation::Message> made = co_await cell_.link().call(action, hand_timeout);
-  if (!made) co_return fail(made);
+  const Result<simulation::Message> done = co_await cell_.link().call(action, hand_timeout);
+  if (!done) co_return fail(done);
   co_return {};
 }
 
 Task<Result<void>> StoryEvents::act(Datum action) {
   if (action.is_form("hand")) co_return co_await move_hand(action);
-  if (action.is_form("fingers")) co_return co_await make_clumsy(action);
+  const bool of_world = action.is_form("fingers") || action.is_form("camera");
+  if (of_world) co_return co_await ask_world(action);
   if (action.is_form("goal")) {
     std::vector<Datum> goal(action.items().begin() + 1, action.items().end());
     co_return co_await give_goal_(std::move(goal));

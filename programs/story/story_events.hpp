@@ -45,7 +45,7 @@ class StoryEvents {
   Task<void> happen_once(forms::ScenarioEvent event);
   Task<Result<void>> act(Datum action);
   Task<Result<void>> move_hand(Datum action);
-  Task<Result<void>> make_clumsy(Datum action);
+  Task<Result<void>> ask_world(Datum action);
 
   launcher::LocalCell& cell_;
   Board& board_;

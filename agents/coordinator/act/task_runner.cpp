@@ -31,6 +31,13 @@ Task<Result<Revision>> TaskRunner::tell(const Datum& fact) {
   return commit(context_.board, context_.executor, std::move(transaction));
 }
 
+Result<void> TaskRunner::check() const {
+  if (!surroundings_.scene().camera().known()) {
+    return fail("camera-doubtful", "the camera may have been moved: where things are is not known well enough");
+  }
+  return vigil_.check(surroundings_.beliefs());
+}
+
 Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation) {
   const Result<std::vector<Datum>> steps = domain_.micro_tasks().expand(operation.name);
   if (!steps) co_return fail(steps);
@@ -94,7 +101,7 @@ Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
   const double seen_deg = surroundings_.scene().sightings().yaw_deg(object);
   const double wanted_deg =
       std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
-  const double square_deg = -options_.camera.pan_deg;
+  const double square_deg = -surroundings_.scene().camera().pose().pan_deg;
   const Result<void> turned = co_await arm_.face(square_deg + wanted_deg);
   co_return turned;
 }

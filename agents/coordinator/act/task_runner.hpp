@@ -6,8 +6,9 @@
 //   vigil.begin(table, index);
 //   Result<void> done = co_await runner.run(index, operation);
 //
-// Failures: interrupted, difference (see Vigil), missed (nothing was grasped), lost-sight, no-convergence, no-effect
-// (all was done and the eyes do not see its effect), no-room, absent, and the robot's own.
+// Failures: interrupted, difference (see Vigil), camera-doubtful (it may have been moved), missed (nothing was
+// grasped), lost-sight, no-convergence, no-effect (all was done and the eyes do not see its effect), no-room, absent,
+// and the robot's own.
 
 #include "agents/coordinator/act/aim.hpp"
 #include "agents/coordinator/act/arm.hpp"
@@ -61,7 +62,7 @@ class TaskRunner {
   Task<Result<void>> await_effects(GroundOperation operation);
   Task<Result<Revision>> tell_servo(int state, const Datum& target, const Aim& aim);
   Task<Result<Revision>> tell(const Datum& fact);
-  Result<void> check() const { return vigil_.check(surroundings_.beliefs()); }
+  Result<void> check() const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;

@@ -33,9 +33,20 @@ CameraView::CameraView(const forms::CameraPose& pose, const CameraModel& model, 
   right_ = away_.cross(Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d ahead = direction(pose.pan_deg + head.pan_deg);
   const double downwards = -(pose.tilt_deg + head.tilt_deg) * std::numbers::pi / 180;
-  across_ = ahead.cross(Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d level = ahead.cross(Eigen::Vector3d::UnitZ());
   forward_ = std::cos(downwards) * ahead - std::sin(downwards) * Eigen::Vector3d::UnitZ();
+  const double roll = pose.roll_deg * std::numbers::pi / 180;
+  across_ = std::cos(roll) * level + std::sin(roll) * forward_.cross(level);
   down_ = forward_.cross(across_);
+}
+
+Eigen::Vector3d CameraView::from_camera(const Eigen::Vector3d& seen) const {
+  return centre_ + seen.x() * across_ + seen.y() * down_ + seen.z() * forward_;
+}
+
+Eigen::Vector3d CameraView::to_camera(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d apart = point - centre_;
+  return {apart.dot(across_), apart.dot(down_), apart.dot(forward_)};
 }
 
 Datum CameraView::numbers() const {

@@ -52,6 +52,10 @@ class CameraView {
   // The point must be before the camera.
   Sight sight(const Eigen::Vector3d& point) const;
 
+  // A point of the base frame as the camera has it: across, down and ahead of its base line's centre; and back.
+  Eigen::Vector3d to_camera(const Eigen::Vector3d& point) const;
+  Eigen::Vector3d from_camera(const Eigen::Vector3d& seen) const;
+
   // Whether both images show all within `around_mm` of the point.
   bool shows(const Eigen::Vector3d& point, double around_mm) const;
 
@@ -62,6 +66,7 @@ class CameraView {
   const Eigen::Vector3d& right() const { return right_; }
   const Eigen::Vector3d& away() const { return away_; }
   double focal_px() const { return model_.focal_px; }
+  double base_line_mm() const { return model_.base_line_mm; }
 
  private:
   CameraModel model_;

@@ -25,7 +25,8 @@ Datum as_list(const Eigen::Vector3d& at) { return list(at.x(), at.y(), at.z()); 
 
 }  // namespace
 
-Scene::Scene(const CoordinatorOptions& options, const TaskDomain& domain) : options_(options), domain_(domain) {
+Scene::Scene(const CoordinatorOptions& options, const TaskDomain& domain)
+    : options_(options), domain_(domain), camera_(options.camera, options.row) {
   if (!options_.head) head_ = HeadTurn();
 }
 
@@ -48,12 +49,17 @@ void Scene::take_head(std::optional<HeadTurn> turn) {
 }
 
 void Scene::turn_view() {
-  if (model_ && head_) view_.emplace(options_.camera, *model_, *head_);
+  if (model_ && head_) view_.emplace(camera_.pose(), *model_, *head_);
 }
 
-void Scene::take_pose(const Eigen::Vector3d& grip_centre_mm) {
-  pose_mm_ = grip_centre_mm;
+void Scene::take_pose(const Eigen::Isometry3d& tool) {
+  tool_ = tool;
   pose_look_ = sightings_.looks();
+}
+
+void Scene::take_camera_pose(const forms::CameraPose& measured) {
+  camera_.go_on_from(measured);
+  turn_view();
 }
 
 bool Scene::places_next_look() {
@@ -81,16 +87,36 @@ forms::LookSituation Scene::situation() const {
   return out;
 }
 
-void Scene::take_look(std::int64_t frame, const forms::PerceivedLook& look) {
+CameraWatch::News Scene::take_look(std::int64_t frame, const forms::PerceivedLook& look) {
   sightings_.look(frame, look.seen, head_->pan_deg);
   for (const std::string& name : look.hidden) sightings_.excuse(name);
+  if (!arm_rests()) return CameraWatch::News::nothing;
   compare_pose();
+  return watch_camera();
+}
+
+// As far as it says, and its mark is seen.
+bool Scene::arm_rests() const {
+  const bool rests = sightings_.looks() >= pose_look_ + looks_till_rest;
+  return tool_ && rests && sightings_.recent(options_.gripper.mark, 1);
+}
+
+// The look was placed by the view that is taken back here.
+CameraWatch::News Scene::watch_camera() {
+  const bool still = sightings_.still_looks(options_.gripper.mark) >= looks_till_rest;
+  if (!still) return CameraWatch::News::nothing;
+  const Eigen::Vector3d& placed = sightings_.find(options_.gripper.mark)->place_mm;
+  const CameraWatch::News news = camera_.take({*tool_, *head_, seen_mark(*view_, placed)}, *model_);
+  const bool placed_anew = news == CameraWatch::News::corrected || news == CameraWatch::News::moved;
+  if (placed_anew) {
+    turn_view();
+    pose_off_mm_ = Eigen::Vector3d::Zero();
+  }
+  return news;
 }
 
 void Scene::compare_pose() {
-  const bool rests = sightings_.looks() >= pose_look_ + looks_till_rest;
-  if (!pose_mm_ || !rests || !sightings_.recent(options_.gripper.mark, 1)) return;
-  const Eigen::Vector3d said = *pose_mm_ - domain_.cube_mm() / 2 * view_->away();
+  const Eigen::Vector3d said = tool_->translation() - domain_.cube_mm() / 2 * view_->away();
   const Eigen::Vector3d off = *grip_mm() - said;
   if (off.norm() < most_off_mm) pose_off_mm_ = off;
 }
@@ -101,8 +127,8 @@ Eigen::Vector3d Scene::mark_to_front_mm() const {
 }
 
 std::optional<Eigen::Vector3d> Scene::grip_by_arm_mm() const {
-  if (!pose_mm_ || !view_) return std::nullopt;
-  return Eigen::Vector3d(*pose_mm_ - domain_.cube_mm() / 2 * view_->away() + pose_off_mm_);
+  if (!tool_ || !view_) return std::nullopt;
+  return Eigen::Vector3d(tool_->translation() - domain_.cube_mm() / 2 * view_->away() + pose_off_mm_);
 }
 
 std::optional<Eigen::Vector3d> Scene::grip_mm() const {

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "agents/coordinator/geometry/camera_watch.hpp"
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
@@ -20,6 +21,7 @@ class Scene {
   const Sightings& sightings() const { return sightings_; }
   // None before the camera-model fact is there.
   const std::optional<CameraView>& view() const { return view_; }
+  const CameraWatch& camera() const { return camera_; }
   std::optional<double> opening_mm() const { return opening_mm_; }
   // From the end effector's mark to where the mark of a held object would stand. There is a view.
   Eigen::Vector3d mark_to_front_mm() const;
@@ -44,19 +46,23 @@ class Scene {
   void forget_camera();
   void take_head(std::optional<HeadTurn> turn);
   void take_opening(double mm) { opening_mm_ = mm; }
-  void take_pose(const Eigen::Vector3d& grip_centre_mm);
+  void take_pose(const Eigen::Isometry3d& tool);
+  void take_camera_pose(const forms::CameraPose& measured);
 
   // Whether the next look can be placed: the camera's model and its head are known, and the head stands long enough for
   // no look under way to be older. Counts the looks that cannot.
   bool places_next_look();
   // The situation in which the next look is understood. There is a view.
   forms::LookSituation situation() const;
-  void take_look(std::int64_t frame, const forms::PerceivedLook& look);
+  // What it tells of where the camera stands.
+  CameraWatch::News take_look(std::int64_t frame, const forms::PerceivedLook& look);
 
  private:
   void turn_view();
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
+  bool arm_rests() const;
   void compare_pose();
+  CameraWatch::News watch_camera();
   std::optional<std::string> foremost(const std::set<std::string>& but) const;
   std::optional<std::string> nearest_to(const std::string& missing, const std::set<std::string>& but) const;
   std::string top_of_pile(std::string name) const;
@@ -64,12 +70,13 @@ class Scene {
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   Sightings sightings_;
+  CameraWatch camera_;
   std::optional<CameraModel> model_;
   std::optional<HeadTurn> head_;
   int blurred_looks_ = 0;  // that are still to come and may have been taken while it turned
   std::optional<CameraView> view_;
   std::optional<double> opening_mm_;
-  std::optional<Eigen::Vector3d> pose_mm_;
+  std::optional<Eigen::Isometry3d> tool_;                  // by the arm's word
   std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose
   Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen
 };

@@ -27,11 +27,17 @@ Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOpti
       scene_(options, domain),
       beliefs_(options.belief_looks),
       mirror_(context, options, domain, service, beliefs_),
+      camera_news_(context, options.camera.pose, story),
       looked_(context.executor) {}
 
 Job Surroundings::followed(Datum pattern, Take take) {
   const auto handler = [this, take](Change change) { return (this->*take)(std::move(change)); };
   return context_.executor.spawn(follow(context_, std::move(pattern), handler));
+}
+
+Task<void> Surroundings::resume() {
+  const std::optional<forms::CameraPose> measured = co_await camera_news_.told_before();
+  if (measured) scene_.take_camera_pose(*measured);
 }
 
 void Surroundings::start() {
@@ -79,7 +85,8 @@ Task<void> Surroundings::take_gripper(Change change) {
 Task<void> Surroundings::take_pose(Change change) {
   if (change.added.empty()) co_return;
   const Datum& pose = change.added.back().facts.front().datum;
-  scene_.take_pose(Eigen::Vector3d(pose[2].number(), pose[3].number(), pose[4].number()));
+  const Eigen::Vector3d at(pose[2].number(), pose[3].number(), pose[4].number());
+  scene_.take_pose(tool_pose(at, pose[5].number(), pose[6].number(), pose[7].number()));
 }
 
 Task<void> Surroundings::take_look(Change change) {
@@ -94,7 +101,7 @@ Task<void> Surroundings::take_look(Change change) {
     co_await tell_failure(perceived.error());
     co_return;
   }
-  scene_.take_look(frame, *perceived);
+  const CameraWatch::News news = scene_.take_look(frame, *perceived);
   Beliefs::Change changed;
   if (perceived->facts) {
     Facts facts;
@@ -105,6 +112,7 @@ Task<void> Surroundings::take_look(Change change) {
   }
   co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
   if (!perceived->facts) co_await tell_failure(perceived->facts.error());
+  co_await camera_news_.tell(scene_.camera(), news);
   looked_.wake_all();
 }
 

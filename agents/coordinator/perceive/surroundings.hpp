@@ -11,6 +11,7 @@
 //   surroundings.beliefs();                                                             // {(on circle triangle), ...}
 
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/camera_news.hpp"
 #include "agents/coordinator/perceive/mirror.hpp"
 #include "agents/coordinator/perceive/scene.hpp"
 #include "blackboard/time/latch.hpp"
@@ -23,6 +24,8 @@ class Surroundings {
   Surroundings(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
                const runtime::Service& service, Story& story);
 
+  // The camera's pose that an earlier life had measured.
+  Task<void> resume();
   void start();
   // Follows the facts of these agents from now on: they play the roles.
   void follow_eyes(const std::string& agent);
@@ -59,6 +62,7 @@ class Surroundings {
   Scene scene_;
   Beliefs beliefs_;
   Mirror mirror_;
+  CameraNews camera_news_;
   std::string told_failure_;
   WaitList looked_;
   Job head_;

@@ -25,7 +25,8 @@ struct Life {
         planning(context, options, domain, roles, surroundings),
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
         rescues(domain, surroundings.scene(), story, arm, runner, options.gripper.openings.wide_mm),
-        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil),
+        survey(options, domain, surroundings, story, arm, eyes, runner, vigil),
+        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, survey, vigil),
         why_not(options, domain, surroundings, eyes, planning) {}
 
   TaskDomain domain;
@@ -40,6 +41,7 @@ struct Life {
   Planning planning;
   TaskRunner runner;
   Rescues rescues;
+  CameraSurvey survey;
   Pursuit pursuit;
   WhyNot why_not;
   Job changing, pursuing;
@@ -122,6 +124,7 @@ Task<Result<void>> CoordinatorAgent::run() {
   if (!started) co_return started;
   life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
   co_await life->story.resume();
+  co_await life->surroundings.resume();
   co_await life->pursuit.resume();
   life->roles.start();
   life->surroundings.start();

@@ -20,8 +20,10 @@ constexpr std::string_view contract_form = R"scheme(
          (relation operation ((index integer) (operation list) (state symbol)) (key) (durable))
          (relation micro-task ((index integer) (step list) (state symbol)) (key) (durable))
          (relation servo ((state integer) (object symbol) (err-x number) (err-y number) (err-d number)) (key))
+         (relation camera-pose ((x number) (y number) (z number) (pan number) (tilt number) (roll number)
+                                (state symbol) (spread number) (guess list)) (key) (durable))
          (relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq) (durable)){})
-  (reads agent bound wired look camera-model gripper arm-pose goal goal-state event believed{})
+  (reads agent bound wired look camera-model gripper arm-pose goal goal-state camera-pose event believed{})
   (configures)
   (monitors goal-state operation servo event))
 )scheme";

@@ -19,6 +19,8 @@ constexpr int most_failures = 25;
 constexpr int most_failures_of_one = 5;
 // Failures of one operation till something else is tried.
 constexpr int failures_till_otherwise = 2;
+// Verdicts of one attempt after another that may come of a camera that was moved.
+constexpr int most_doubts = 3;
 constexpr Duration untold_pause = 1s;
 
 // The operation that follows this one, unless something differs. What must hold after that is not known yet.
@@ -49,8 +51,12 @@ Task<void> Pursuit::run() {
 Task<Result<void>> Pursuit::pursue_once(Goal goal) {
   hold_up_.went_on();
   set_aside_ = 0;
+  int doubts = 0;
   while (true) {
     const Result<void> outcome = co_await attempt(goal);
+    // What ended it may not be so.
+    const bool in_doubt = !outcome && !is_final(outcome.error()) && surroundings_.scene().camera().doubtful();
+    if (in_doubt && ++doubts <= most_doubts) continue;
     const bool held_up = !outcome && is_hold_up(outcome.error());
     if (!held_up) co_return outcome;
     const Result<void> over = co_await hold_up_.await_end(outcome.error());
@@ -63,6 +69,8 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
   if (!tracking) co_return tracking;
   const Result<void> looked = co_await eyes_.fresh_look();
   if (!looked) co_return looked;
+  const Result<void> found = co_await find_camera();
+  if (!found) co_return found;
   const std::vector<std::string> objects = objects_of(goal);
   const Result<void> there = co_await look_for(objects);
   if (!there) co_return there;
@@ -73,6 +81,13 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
   }
   const Result<void> outcome = co_await rounds(goal);
   co_return outcome;
+}
+
+Task<Result<void>> Pursuit::find_camera() {
+  if (surroundings_.scene().camera().known()) co_return Result<void>();
+  vigil_.rest();
+  const Result<void> found = co_await survey_.run();
+  co_return found;
 }
 
 Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {
@@ -95,6 +110,8 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
   Progress progress;
   for (int round = 0; round < most_rounds; ++round) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    const Result<void> found = co_await find_camera();
+    if (!found) co_return found;
     // The arm keeps out of the way of a hand at work.
     const bool calm = surroundings_.scene().calm();
     if (!calm) co_await await_steady(objects);
@@ -164,7 +181,7 @@ Task<Result<void>> Pursuit::recover(GroundOperation operation, Failure why, Prog
   if (ends) co_return fail(why);
   // A difference was told when it was noticed; what follows from it is not another one.
   progress.expected.reset();
-  if (why.symbol == "difference") {
+  if (why.symbol == "difference" || why.symbol == "camera-doubtful") {
     progress.announced.reset();
     co_return Result<void>();
   }

@@ -14,6 +14,7 @@
 #include <map>
 #include <set>
 
+#include "agents/coordinator/act/camera_survey.hpp"
 #include "agents/coordinator/act/rescues.hpp"
 #include "agents/coordinator/act/task_runner.hpp"
 #include "agents/coordinator/pursue/hold_up.hpp"
@@ -27,7 +28,7 @@ class Pursuit {
  public:
   Pursuit(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
           Surroundings& surroundings, Story& story, Eyes& eyes, Planning& planning, TaskRunner& runner,
-          Rescues& rescues, Vigil& vigil)
+          Rescues& rescues, CameraSurvey& survey, Vigil& vigil)
       : context_(context),
         options_(options),
         domain_(domain),
@@ -37,6 +38,7 @@ class Pursuit {
         planning_(planning),
         runner_(runner),
         rescues_(rescues),
+        survey_(survey),
         vigil_(vigil),
         hold_up_(context, story, vigil),
         turns_(context.executor),
@@ -88,6 +90,8 @@ class Pursuit {
   // Until it holds, cannot, or something holds the cell up.
   Task<Result<void>> attempt(Goal goal);
   Task<Result<void>> rounds(Goal goal);
+  // Where it is not known well enough, or no more, where the camera stands.
+  Task<Result<void>> find_camera();
   // The first plan, whatever comes of it.
   Task<Result<void>> carry_out_blindly(Goal goal);
   // The operation to go on with; none where a plan had to be made first.
@@ -127,6 +131,7 @@ class Pursuit {
   Planning& planning_;
   TaskRunner& runner_;
   Rescues& rescues_;
+  CameraSurvey& survey_;
   Vigil& vigil_;
   HoldUp hold_up_;
   Turns turns_;  // to change what is wanted

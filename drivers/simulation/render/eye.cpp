@@ -14,7 +14,9 @@ Eye make_eye(const CameraConfig& camera, Side side) {
   const double pan = camera.pose.pan_deg * std::numbers::pi / 180;
   const double tilt = camera.pose.tilt_deg * std::numbers::pi / 180;
   const Eigen::Vector3d forward(-std::cos(pan) * std::cos(tilt), std::sin(pan) * std::cos(tilt), std::sin(tilt));
-  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const double roll = camera.pose.roll_deg * std::numbers::pi / 180;
+  const Eigen::Vector3d level = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Vector3d right = std::cos(roll) * level + std::sin(roll) * forward.cross(level);
   Eye eye{.width = camera.model.width,
           .height = camera.model.height,
           .focal_px = camera.model.focal_px,

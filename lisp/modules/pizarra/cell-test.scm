@@ -11,11 +11,11 @@
     (if (eq? (car outcome) 'errors) (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))) outcome)))
 
 (check "what is left out has a default" (interpret '((cell c)))
-       '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () ())))
+       '(ok (c (1330 0 200 0 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) ""))))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () () ()))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "")))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -60,7 +60,7 @@
 (check "a folder of keys is text" (complaint '(board "a" "tcp://a:7800" (keys 5))) '(1 malformed (0 2 3 1)))
 (define (pan-tilt-of . sections)
   (let ((cell (cadr (interpret (list (append '(cell c) sections))))))
-    (list (list-ref (list-ref cell 1) 5) (list-ref cell 13) (memq 'pan-tilt (car (list-ref cell 8))))))
+    (list (list-ref (list-ref cell 1) 6) (list-ref cell 13) (memq 'pan-tilt (car (list-ref cell 8))))))
 (check "cameras on a pan-tilt unit bring the agent that turns it"
        (pan-tilt-of '(world (camera (head ptu46-70))))
        '(ptu46-70 ("" "" 0 ()) (pan-tilt planner coordinator person)))
@@ -74,6 +74,17 @@
        (cadr (pan-tilt-of '(pan-tilt (serial "/dev/ttyUSB0")))) '(serial "/dev/ttyUSB0" 9600 ()))
 (check "a unit on a network counts as it is said to"
        (cadr (pan-tilt-of '(pan-tilt (tcp "ptu" 4000) (reversed tilt)))) '(tcp "ptu" 4000 (tilt)))
+;; The last element is where the agents take the camera to be, the second where it stands.
+(define (camera-poses-of . sections)
+  (let ((cell (cadr (interpret (list (append '(cell c) sections))))))
+    (list (list-ref cell 1) (list-ref cell 24))))
+(check "agents take the camera to be where the world has it"
+       (camera-poses-of '(world (camera (at 1350 0 210) (roll 1))))
+       '((1350 0 210 0 0 1 "") ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "")))
+(check "agents may take it to be elsewhere, until a file says better"
+       (camera-poses-of '(world (camera (at 1350 0 210))) '(camera-pose (at 1330 5 200) (file "camera.scm")))
+       '((1350 0 210 0 0 0 "") ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm")))
+(check "a camera's pose needs its place" (complaint '(camera-pose (pan 3))) '(1 malformed (0 2 2)))
 (check "a unit that is not known is refused" (complaint '(world (camera (head ptu47)))) '(1 unknown-name (0 2 1 1 1)))
 (check "a unit needs a line" (complaint '(pan-tilt)) '(1 malformed (0 2)))
 (check "a line is serial or tcp" (complaint '(pan-tilt (usb 3))) '(1 malformed (0 2 1)))

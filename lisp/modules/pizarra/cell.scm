@@ -1,10 +1,10 @@
 ;; Cell files: see lisp/forms/cell_file.hpp for the language and for what is taken where something is left out.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
+;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
 ;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
-;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...) DOOR))
+;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
@@ -14,12 +14,13 @@
 ;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own; RATE how
 ;; often a second the arm tells its state; then the agents that are Scheme files, and the tags that the eyes look for;
 ;; DOOR is the text door, (PORT ((FILE BAUD) ...) KEYS), PORT -1 where it has none over TCP, or () where the cell has no
-;; door.
+;; door; CAMERA-POSE is what (pizarra camera-pose) makes of where the agents take the camera to be.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
   #:use-module (pizarra camera)
+  #:use-module (pizarra camera-pose)
   #:use-module (pizarra driver)
   #:use-module (pizarra gripper)
   #:use-module (pizarra tags)
@@ -154,12 +155,16 @@
 
 (define (camera-of found)
   (let* ((camera (section-in found 'camera))
-         (parts (if camera (sections (node-rest (node-within camera "in the camera")) '(at pan tilt head)) '()))
+         (parts (if camera (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head)) '()))
          (head (section-in parts 'head)))
-    (append (numbers-in parts 'at '((600 3000) (-2000 2000) (20 2000)) '(1330 0 200))
-            (numbers-in parts 'pan '((-60 60)) '(0))
-            (numbers-in parts 'tilt '((-60 60)) '(0))
-            (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")))))
+    (append (pose-of parts) (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")))))
+
+;; Where the agents take the camera to be.
+(define (believed-camera-of found world-camera)
+  (let ((section (section-in found 'camera-pose)))
+    (if section
+        (camera-pose-of-section section '(at pan tilt roll sure mark file))
+        (standing-as (take world-camera 6)))))
 
 ;; ---- the pan-tilt unit of the agent, where it is not the simulated one
 
@@ -419,8 +424,8 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera tags pan-tilt objects domain board agent host
-                                                          door)
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera camera-pose tags pan-tilt objects domain board
+                                                          agent host door)
                           '(agent host)))
          (world (section-in found 'world))
          (things (if world
@@ -433,7 +438,7 @@
          (slave (section-in found 'slave))
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
-         (has-unit (or (section-in found 'pan-tilt) (symbol? (sixth camera))))
+         (has-unit (or (section-in found 'pan-tilt) (symbol? (last camera))))
          (own-cameras (section-in found 'camera))
          (named-hosts (sections-in found 'host))
          ;; A person who sees the simulation alone moves no real arm by it, unless told to.
@@ -476,7 +481,8 @@
           (rate-of arm-parts)
           agents
           (tags-of found)
-          (door-of found (third board)))))
+          (door-of found (third board))
+          (believed-camera-of found camera))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "agents/coordinator/geometry/camera_pose.hpp"
 #include "agents/planner/agent/planner_agent.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -104,6 +105,7 @@ void FakeCell::stop_planner() {
 void FakeCell::start_coordinator() {
   CoordinatorOptions options;
   options.domain_file = source_dir() + "/domains/" + domain_.domain().name + ".scm";
+  options.camera = believed;
   agents_->agent = std::make_unique<CoordinatorAgent>(agents_->coordinator, options);
   agents_->coordinator_job = executor_.spawn(live(*agents_->agent));
   executor_.run_for(3s);
@@ -257,6 +259,10 @@ Task<void> FakeCell::tell_pose() {
   co_await agents_->robot_view->tell(pose);
 }
 
+Eigen::Vector3d FakeCell::gripper_mark() const {
+  return tool_pose(grip, 180, 0, yaw_deg_) * Eigen::Vector3d(30, 0, -66);
+}
+
 Task<Result<Datum>> FakeCell::handle_vision(Datum operation) {
   if (operation.is_form("track")) tracking_ = true;
   std::string text;
@@ -281,11 +287,12 @@ Task<void> FakeCell::look() {
   while (true) {
     co_await sleep(executor_, 60ms);
     const Eigen::Vector3d front(30, 0, 0);
-    std::vector<std::pair<std::string, Eigen::Vector3d>> marks{{"end-effector", grip + Eigen::Vector3d(30, 0, 66)}};
+    std::vector<std::pair<std::string, Eigen::Vector3d>> marks{{"end-effector", gripper_mark()}};
+    const CameraView view(camera, {});
     for (const auto& [name, place] : cubes) marks.emplace_back(name, place + front);
     std::string text = fmt::format("(TRACK {}", marks.size());
     for (const auto& [name, place] : marks) {
-      const Sight sight = view_.sight(place);
+      const Sight sight = view.sight(place);
       const bool shown = name == "end-effector" ? !mark_hidden() : shows(name);
       const bool seen = shown && sight.y_px > 0;
       text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)

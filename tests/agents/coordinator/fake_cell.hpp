@@ -61,6 +61,8 @@ class FakeCell {
   std::function<bool(const std::string& name)> covered = [](const std::string&) { return false; };
   bool tells_pose = true;                  // the robot, as a fact
   Eigen::Vector3d pose_error_mm{0, 0, 0};  // of the arm's own word for where it is
+  forms::CameraPose camera;                // where it stands; the test may knock against it
+  forms::BelievedCamera believed;          // where the coordinator takes it to be, as it starts
   Eigen::Vector3d grip{370, 0, 410};       // the grip centre
   double opening_mm = 100;
   std::string held;                // between the fingers
@@ -81,6 +83,7 @@ class FakeCell {
   Task<Result<Datum>> handle_vision(Datum operation);
   void move_to(const Eigen::Vector3d& place);
   Task<void> tell_pose();
+  Eigen::Vector3d gripper_mark() const;
   double close_gripper(double wanted_mm);
   void let_go();
 
@@ -88,7 +91,6 @@ class FakeCell {
   memory::MemoryBoard board_{executor_};
   std::vector<std::string> journal_;
   TaskDomain domain_;
-  CameraView view_{{}, {}};
   bool tracking_ = false;
   std::int64_t frame_ = 0;
   double yaw_deg_ = 0;

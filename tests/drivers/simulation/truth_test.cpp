@@ -56,7 +56,17 @@ TEST(Truth, TheSceneListsTheCubesWithTheirMarks) {
   Bench bench(four_cubes());
   const std::string scene = write(bench.ask("(scene)"));
   EXPECT_NE(scene.find("(cube triangle \"triangle\")"), std::string::npos) << scene;
-  EXPECT_NE(scene.find("(camera 1330.0 0.0 200.0 0.0 0.0)"), std::string::npos) << scene;
+  EXPECT_NE(scene.find("(camera 1330.0 0.0 200.0 0.0 0.0 0.0)"), std::string::npos) << scene;
+}
+
+TEST(Truth, ABumpedCameraSeesOtherwise) {
+  Bench bench(four_cubes());
+  const Datum before = bench.ask("(where-seen circle)");
+  bench.ask("(camera bump 10 0 0 0 1 0)");
+  const Datum after = bench.ask("(where-seen circle)");
+  EXPECT_GT(after[1].number() - before[1].number(), 5) << "a camera that looks up sees things lower";
+  EXPECT_NE(write(bench.ask("(scene)")).find("(camera 1340.0 0.0 200.0 0.0 1.0 0.0)"), std::string::npos);
+  EXPECT_EQ(bench.outcome("(camera bump 10)"), "bad-request");
 }
 
 TEST(Truth, ATiltedCubeIsOnNothing) {

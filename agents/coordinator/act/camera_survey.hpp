@@ -1,0 +1,49 @@
+#pragma once
+
+// The arm carries its mark to places before the camera until it is known where the camera stands.
+//
+//   if (!surroundings.scene().camera().known()) {
+//     const Result<void> surveyed = co_await survey.run();
+//   }
+//
+// Failures: camera-moved (the mark was not seen at places enough, with what to do), interrupted, absent, and the
+// robot's own.
+
+#include "agents/coordinator/act/task_runner.hpp"
+
+namespace pizarra::coordinator {
+
+class CameraSurvey {
+ public:
+  // All outlive it.
+  CameraSurvey(const CoordinatorOptions& options, const TaskDomain& domain, Surroundings& surroundings, Story& story,
+               Arm& arm, Eyes& eyes, TaskRunner& runner, const Vigil& vigil)
+      : options_(options),
+        domain_(domain),
+        surroundings_(surroundings),
+        story_(story),
+        arm_(arm),
+        eyes_(eyes),
+        runner_(runner),
+        vigil_(vigil) {}
+
+  Task<Result<void>> run();
+
+ private:
+  // Of the grip, so that the mark is at all corners of the room above the row.
+  std::vector<Eigen::Vector3d> places() const;
+  double lowest_mm() const;
+  // Whether the mark was seen there.
+  Task<Result<bool>> look_from(Eigen::Vector3d grip_mm);
+
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  Surroundings& surroundings_;
+  Story& story_;
+  Arm& arm_;
+  Eyes& eyes_;
+  TaskRunner& runner_;
+  const Vigil& vigil_;
+};
+
+}  // namespace pizarra::coordinator

@@ -1,0 +1,131 @@
+#include "agents/coordinator/geometry/camera_watch.hpp"
+
+#include <algorithm>
+
+namespace pizarra::coordinator {
+
+namespace {
+
+constexpr std::size_t most_pairs = 24;
+constexpr int most_looks = 10;
+constexpr double same_place_mm = 2;
+constexpr double same_turn = 0.01;  // rad
+constexpr double same_head_deg = 0.01;
+// Corrections smaller than this would only make everything jump.
+constexpr double least_shift_mm = 1.5;
+constexpr double sure_deviations = 2;
+constexpr int strange_looks = 5;
+constexpr int strange_looks_of_a_place = 3;
+constexpr double elsewhere_mm = 40;
+// Looks that tell of one pose agree with it so well.
+constexpr double one_pose_px = 1;
+constexpr double mark_sure_mm = 0.5;
+constexpr Sureness after_a_move{.at_mm = 30, .turned_deg = 3, .mark_mm = mark_sure_mm};
+constexpr Sureness as_measured{.at_mm = 1.5, .turned_deg = 0.15, .mark_mm = mark_sure_mm};
+
+bool same_place(const MarkPair& one, const MarkPair& other) {
+  return (one.tool.translation() - other.tool.translation()).norm() < same_place_mm &&
+         Eigen::AngleAxisd(one.tool.linear().transpose() * other.tool.linear()).angle() < same_turn &&
+         std::abs(one.head.pan_deg - other.head.pan_deg) < same_head_deg &&
+         std::abs(one.head.tilt_deg - other.head.tilt_deg) < same_head_deg;
+}
+
+// False where that place has been looked at often enough.
+bool add(std::vector<MarkPair>& pairs, const MarkPair& pair) {
+  const auto known = std::ranges::find_if(pairs, [&](const MarkPair& other) { return same_place(pair, other); });
+  if (known == pairs.end()) {
+    if (pairs.size() == most_pairs) pairs.erase(pairs.begin());
+    pairs.push_back(pair);
+    return true;
+  }
+  if (known->looks >= most_looks) return false;
+  ++known->looks;
+  known->seen += (pair.seen - known->seen) / known->looks;
+  return true;
+}
+
+int looks_in(const std::vector<MarkPair>& pairs) {
+  int looks = 0;
+  for (const MarkPair& pair : pairs) looks += pair.looks;
+  return looks;
+}
+
+}  // namespace
+
+CameraWatch::CameraWatch(const forms::BelievedCamera& guess, const forms::CubeRow& row)
+    : guess_{guess.pose, {guess.mark_mm[0], guess.mark_mm[1], guess.mark_mm[2]}}, pose_(guess.pose) {
+  constexpr double low_mm = 30;
+  constexpr double high_mm = 200;
+  for (const double y : {row.y_low_mm, row.y_high_mm}) {
+    for (const double z : {low_mm, high_mm}) row_.emplace_back(row.x_mm, y, z);
+  }
+  begin_anew({guess.sure_mm, guess.sure_deg, mark_sure_mm}, {}, {});
+}
+
+void CameraWatch::go_on_from(const forms::CameraPose& measured) {
+  pose_ = measured;
+  begin_anew(as_measured, {}, {});
+}
+
+void CameraWatch::begin_anew(const Sureness& sure, std::vector<MarkPair> pairs, const CameraModel& model) {
+  guess_.pose = pose_;
+  sure_ = sure;
+  pairs_ = std::move(pairs);
+  strange_.clear();
+  doubtful_ = false;
+  fit(model);
+}
+
+void CameraWatch::place_by(const forms::CameraPose& pose) {
+  shift_mm_ = 0;
+  for (const Eigen::Vector3d& point : row_) shift_mm_ = std::max(shift_mm_, apart_mm(pose_, pose, point));
+  pose_ = pose;
+}
+
+CameraWatch::News CameraWatch::take(const MarkPair& pair, const CameraModel& model) {
+  return surprise(fit_, pair, model).is_one() ? take_strange(pair, model) : take_agreeing(pair, model);
+}
+
+CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraModel& model) {
+  strange_.clear();
+  doubtful_ = false;
+  if (!add(pairs_, pair)) return News::nothing;
+  fit(model);
+  double off_mm = 0;
+  for (const Eigen::Vector3d& point : row_) off_mm = std::max(off_mm, apart_mm(pose_, fit_.camera.pose, point));
+  if (off_mm < least_shift_mm || off_mm < sure_deviations * spread_mm_) return News::nothing;
+  place_by(fit_.camera.pose);
+  return News::corrected;
+}
+
+CameraWatch::News CameraWatch::take_strange(const MarkPair& pair, const CameraModel& model) {
+  add(strange_, pair);
+  const MountedCamera before{pose_, guess_.mark_mm};
+  const MountFit moved = fit_mount(before, after_a_move, strange_, model);
+  if (tell_of_one_pose(moved)) {
+    begin_anew(after_a_move, strange_, model);
+    place_by(fit_.camera.pose);
+    return News::moved;
+  }
+  if (doubtful_ || looks_in(strange_) < strange_looks) return News::nothing;
+  doubtful_ = true;
+  return News::doubtful;
+}
+
+bool CameraWatch::tell_of_one_pose(const MountFit& moved) const {
+  std::vector<MarkPair> well_seen;
+  std::ranges::copy_if(strange_, std::back_inserter(well_seen),
+                       [](const MarkPair& pair) { return pair.looks >= strange_looks_of_a_place; });
+  const bool elsewhere = std::ranges::any_of(well_seen, [&](const MarkPair& pair) {
+    return (pair.tool.translation() - well_seen.front().tool.translation()).norm() >= elsewhere_mm;
+  });
+  return elsewhere && moved.error_px <= one_pose_px;
+}
+
+void CameraWatch::fit(const CameraModel& model) {
+  fit_ = fit_mount(guess_, sure_, pairs_, model);
+  spread_mm_ = 0;
+  for (const Eigen::Vector3d& point : row_) spread_mm_ = std::max(spread_mm_, fit_.spread_mm(point));
+}
+
+}  // namespace pizarra::coordinator

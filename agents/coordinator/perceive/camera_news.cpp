@@ -1,0 +1,74 @@
+#include "agents/coordinator/perceive/camera_news.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "agents/coordinator/retried_commit.hpp"
+
+namespace pizarra::coordinator {
+
+namespace {
+
+using News = CameraWatch::News;
+
+double hundredths(double value) { return std::round(value * 100) / 100; }
+double thousandths(double value) { return std::round(value * 1000) / 1000; }
+
+std::vector<Datum> numbers_of(const forms::CameraPose& pose) {
+  return {to_datum(hundredths(pose.at_mm[0])),  to_datum(hundredths(pose.at_mm[1])),
+          to_datum(hundredths(pose.at_mm[2])),  to_datum(thousandths(pose.pan_deg)),
+          to_datum(thousandths(pose.tilt_deg)), to_datum(thousandths(pose.roll_deg))};
+}
+
+std::string state_of(const CameraWatch& camera) {
+  return camera.doubtful() ? "doubtful" : camera.known() ? "measured" : "guessed";
+}
+
+std::string sentence_of(const CameraWatch& camera, News news) {
+  if (news == News::corrected) {
+    return fmt::format(
+        "the gripper's mark shows where the camera stands: things are placed {:.1f} mm from where they were",
+        camera.shift_mm());
+  }
+  if (news == News::moved) {
+    return fmt::format("the camera was moved: things are placed {:.1f} mm from where they were", camera.shift_mm());
+  }
+  return "the gripper's mark is not seen where the arm says it is: the camera may have been moved";
+}
+
+}  // namespace
+
+Task<std::optional<forms::CameraPose>> CameraNews::told_before() {
+  const Datum any = "?"_sym;
+  const Datum pattern =
+      list("camera-pose"_sym, any, any, any, any, any, any, any, any, Datum::list(numbers_of(guess_)));
+  const std::vector<Fact> told = co_await facts_now(context_.board, context_.executor, pattern);
+  if (told.empty()) co_return std::nullopt;
+  const Datum& fact = told.back().datum;
+  if (fact[7].is_symbol("guessed")) co_return std::nullopt;
+  told_ = fact[7].text();
+  co_return forms::CameraPose{.at_mm = {fact[1].number(), fact[2].number(), fact[3].number()},
+                              .pan_deg = fact[4].number(),
+                              .tilt_deg = fact[5].number(),
+                              .roll_deg = fact[6].number()};
+}
+
+Task<void> CameraNews::tell(const CameraWatch& camera, News news) {
+  const std::string state = state_of(camera);
+  if (told_.empty()) told_ = state;
+  if (news == News::nothing && told_ == state) co_return;
+  std::vector<Datum> fact = numbers_of(camera.pose());
+  fact.insert(fact.begin(), "camera-pose"_sym);
+  fact.push_back(Datum::symbol(state));
+  fact.push_back(to_datum(hundredths(camera.spread_mm())));
+  fact.push_back(Datum::list(numbers_of(guess_)));
+  const Datum pose = Datum::list(std::move(fact));
+  Transaction transaction;
+  transaction.tell(pose);
+  if (news != News::nothing) story_.add(transaction, "agent", sentence_of(camera, news), pose);
+  const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
+  // What the board cannot keep is told again with the next look that tells something.
+  if (told) told_ = state;
+}
+
+}  // namespace pizarra::coordinator

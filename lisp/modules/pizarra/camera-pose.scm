@@ -1,0 +1,44 @@
+;; Where a cell's camera stands: see lisp/forms/cell_file.hpp for the section, and lisp/forms/camera_pose.hpp for what
+;; the numbers mean.
+;;
+;; (camera-pose-of-section NODE), NODE the section (camera-pose PART ...) of a cell file, answers
+;;   ((X Y Z PAN TILT ROLL) (SURE-MM SURE-DEGREES) (MARK-X MARK-Y MARK-Z) FILE)
+;; FILE being the empty string where no file is to be preferred.
+;; (interpret DATA), the data of such a file, answers (ok (the same)) or (errors ...).
+
+(define-module (pizarra camera-pose)
+  #:use-module (srfi srfi-1)
+  #:use-module (pizarra forms)
+  #:export (interpret pose-of camera-pose-of-section standing-as))
+
+;; What is taken where nobody says how sure a pose is: as a person measures with a rule; and as the world has it.
+(define measured-by-hand '(20 2))
+(define as-in-the-world '(1 0.1))
+;; Of the gripper that the arms come with, in the tool's frame.
+(define usual-mark '(30 0 -66))
+
+;; (X Y Z PAN TILT ROLL) of a section's parts.
+(define (pose-of parts)
+  (append (numbers-in parts 'at '((600 3000) (-2000 2000) (20 2000)) '(1330 0 200))
+          (numbers-in parts 'pan '((-60 60)) '(0))
+          (numbers-in parts 'tilt '((-60 60)) '(0))
+          (numbers-in parts 'roll '((-45 45)) '(0))))
+
+;; Where a cell has no such section, the agents know the pose as well as the world does.
+(define (standing-as pose)
+  (list pose as-in-the-world usual-mark ""))
+
+(define (camera-pose-of-section node known)
+  (let ((parts (sections (node-rest (node-within node "in the camera's pose")) known)))
+    (unless (section-in parts 'at)
+      (complain-missing! node '(at) "the camera's pose needs its place: (at X Y Z)"))
+    (list (pose-of parts)
+          (numbers-in parts 'sure '((0.01 200) (0.001 20)) measured-by-hand)
+          (numbers-in parts 'mark '((-300 300) (-300 300) (-300 300)) usual-mark)
+          (text-of-section parts 'file "the file of the pose" ""))))
+
+(define (interpret data)
+  (interpreting data
+    (lambda (root)
+      (let ((section (only-form root 'camera-pose)))
+        (and section (camera-pose-of-section section '(at pan tilt roll sure mark)))))))

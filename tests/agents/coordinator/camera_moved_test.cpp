@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include "lisp/writer.hpp"
+#include "tests/agents/coordinator/fake_cell.hpp"
+
+namespace pizarra::coordinator {
+namespace {
+
+class CameraMoved : public testing::Test {
+ protected:
+  static constexpr std::string_view measured = "(camera-pose ? ? ? ? ? ? measured ? ?)";
+
+  void begin() { cell.start_coordinator(); }
+  void want(std::string_view goal) { cell.request("coordinator", goal); }
+  void bump() {
+    cell.camera.at_mm[0] -= 15;
+    cell.camera.at_mm[1] += 20;
+    cell.camera.pan_deg += 1.5;
+    cell.camera.tilt_deg -= 2;
+  }
+  void expect_on(const std::string& upper, const std::string& lower) {
+    const Eigen::Vector3d apart = cell.cubes[upper] - cell.cubes[lower];
+    EXPECT_LT(std::hypot(apart.x(), apart.y()), 6) << upper;
+    EXPECT_NEAR(apart.z(), 60, 1) << upper;
+  }
+  void expect_found() {
+    const std::vector<Datum> poses = cell.facts(measured);
+    ASSERT_EQ(poses.size(), 1U) << write(Datum::list(cell.facts("(camera-pose ? ? ? ? ? ? ? ? ?)")));
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(poses[0][axis + 1].number(), cell.camera.at_mm[axis], 10);
+    EXPECT_NEAR(poses[0][4].number(), cell.camera.pan_deg, 0.4);
+    EXPECT_NEAR(poses[0][5].number(), cell.camera.tilt_deg, 0.4);
+  }
+
+  FakeCell cell{"blocks.scm", {{"circle", {450, -150, 30}}, {"triangle", {455, -50, 30}}, {"square", {445, 50, 30}}}};
+};
+
+TEST_F(CameraMoved, AGuessIsFoundOutBeforeTheGoalIsPursued) {
+  cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
+  bump();
+  begin();
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  expect_on("circle", "triangle");
+  expect_found();
+  EXPECT_EQ(cell.times_told("(operation ? ? failed)"), 0);
+}
+
+TEST_F(CameraMoved, ABumpInTheMiddleOfAGoalIsNoticedToldAndCorrected) {
+  begin();
+  want("(goal (on circle triangle) (on triangle square))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK triangle square) running)", 60s));
+  bump();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 240s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  expect_on("circle", "triangle");
+  expect_on("triangle", "square");
+  EXPECT_GT(cell.times_told("(camera-pose ? ? ? ? ? ? doubtful ? ?)"), 0);
+  expect_found();
+}
+
+TEST_F(CameraMoved, WhatWasMeasuredOutlivesARestart) {
+  cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
+  bump();
+  begin();
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  cell.stop_coordinator();
+  cell.run_for(3s);
+  begin();
+  const int moved = cell.motions;
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 20s));
+  EXPECT_EQ(cell.motions, moved) << "the camera's place is known";
+}
+
+TEST_F(CameraMoved, AMarkThatIsNeverSeenIsRefusedWithWhatToDo) {
+  cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
+  cell.mark_hidden = [] { return true; };
+  begin();
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 240s));
+  const Datum why = cell.facts("(goal-state 1 refused ?)")[0][3];
+  EXPECT_EQ(why[1], "camera-moved"_sym) << write(why);
+  EXPECT_NE(why[2].text().find("seen at 0 of 16 places"), std::string_view::npos) << write(why);
+}
+
+}  // namespace
+}  // namespace pizarra::coordinator
