@@ -30,11 +30,11 @@ constexpr Duration hand_was_there = 4s;
 class Play {
  public:
   Play(ChaosCell& cell, const ChaosStory& story, std::vector<Fault> faults, const story::Judge& judge,
-       Workspace workspace, story::Narrator& narrator)
+       simulation::WorldConfig config, story::Narrator& narrator)
       : cell_(cell),
         story_(story),
         judge_(judge),
-        workspace_(std::move(workspace)),
+        config_(std::move(config)),
         narrator_(narrator),
         director_(cell, "director"),
         bystander_(cell, "bystander"),
@@ -172,7 +172,7 @@ class Play {
 
   bool judge_refused(const std::vector<Datum>& goal, const Datum& why) {
     result_.why = describe(failure_from_datum(why));
-    const Result<bool> possible = judge_.plan_exists(goal, workspace_.within(observers_.world()));
+    const Result<bool> possible = judge_.plan_exists(goal, workspace().within(observers_.world()));
     if (!possible || *possible) {
       failed("refused, though there is a plan: " + result_.why);
       return false;
@@ -183,6 +183,13 @@ class Play {
     result_.why += "; it lies where no camera looks or the arm does not reach";
     result_.coverage.hit("cell refused-out-of-reach");
     return true;
+  }
+
+  // As the camera stands.
+  Workspace workspace() const {
+    simulation::WorldConfig config = config_;
+    config.camera.pose = player_.camera();
+    return Workspace(config);
   }
 
   void failed(std::string why) {
@@ -209,7 +216,7 @@ class Play {
   ChaosCell& cell_;
   const ChaosStory& story_;
   const story::Judge& judge_;
-  const Workspace workspace_;
+  const simulation::WorldConfig config_;
   story::Narrator& narrator_;
   ChaosCell::Client director_;
   ChaosCell::Client bystander_;
@@ -254,7 +261,7 @@ Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, stor
   narrator.begin(time.now());
   const Result<void> started = cell.start_all();
   if (!started) return fail(started);
-  Play play(cell, story, chosen(story, options), *judge, Workspace(*config), narrator);
+  Play play(cell, story, chosen(story, options), *judge, *config, narrator);
   const Job job = time.spawn(play.run());
   time.run_until([&] { return job.done(); });
   RunResult result = play.result();

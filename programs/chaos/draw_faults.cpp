@@ -18,6 +18,7 @@ struct Draw {
   double phase_s;
   Random& random;
 
+  // Rounded to hundredths, as lengths are too.
   double seconds(double low, double high) { return std::round(random.uniform(low, high) * 100) / 100; }
   template <std::size_t N>
   Datum one_of(const char* const (&words)[N]) {
@@ -118,6 +119,18 @@ Datum arm(Draw& draw) {
   }
 }
 
+// 30 mm and 3 degrees at most, in any direction.
+Datum bump(Draw& draw) {
+  constexpr double most_mm = 17;
+  constexpr double most_deg = 1.7;
+  std::vector<Datum> parts{word("bump")};
+  for (int axis = 0; axis < 6; ++axis) {
+    const double most = axis < 3 ? most_mm : most_deg;
+    parts.push_back(to_datum(draw.seconds(-most, most)));
+  }
+  return Datum::list(std::move(parts));
+}
+
 Datum what(const std::string& kind, Draw& draw) {
   if (kind == "network") return network(draw);
   if (kind == "reply") return list(word("lose-reply"), draw.one_of(agents));
@@ -142,6 +155,7 @@ Datum what(const std::string& kind, Draw& draw) {
   if (kind == "stop") return list(word("stop"), draw.seconds(0.3, 5));
   if (kind == "swap") return swap(draw);
   if (kind == "alarm") return list(word("alarm"), draw.seconds(0.3, 5));
+  if (kind == "bump") return bump(draw);
   return list(word("light"), draw.seconds(0.5, 1.5), draw.seconds(0.5, 6));
 }
 

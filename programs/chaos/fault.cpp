@@ -31,6 +31,7 @@ const std::vector<FaultClass>& fault_classes() {
       {"swap", "the eyes call two objects by each other's names", true},
       {"alarm", "the arm's controller raises an alarm, which somebody resets after a while", true},
       {"light", "the camera's light grows brighter or darker for a while", true},
+      {"bump", "somebody knocks against the camera, which stands elsewhere from then on", true},
   };
   return classes;
 }

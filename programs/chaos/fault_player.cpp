@@ -21,7 +21,12 @@ Duration seconds(const Datum& s) { return seconds(s.number()); }
 
 FaultPlayer::FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, runtime::Caller& caller,
                          std::vector<Fault> faults, std::function<void(const std::string&)> tell)
-    : cell_(cell), bystander_(bystander), caller_(caller), faults_(std::move(faults)), tell_(std::move(tell)) {}
+    : cell_(cell),
+      bystander_(bystander),
+      caller_(caller),
+      faults_(std::move(faults)),
+      tell_(std::move(tell)),
+      camera_(cell.description().world_camera) {}
 
 FaultPlayer::~FaultPlayer() = default;
 
@@ -65,6 +70,7 @@ void FaultPlayer::happen(const Fault& fault) {
   if (fault.kind == "network" || fault.kind == "reply") return do_to_network(what);
   if (fault.kind == "disk") return do_to_disk(what);
   if (fault.kind == "frames" || fault.kind == "sight" || fault.kind == "light") return do_to_camera(what);
+  if (fault.kind == "bump") return bump_camera(what);
   if (fault.kind == "arm" || fault.kind == "pendant" || fault.kind == "sensor") return do_to_arm(what);
   if (fault.kind == "agent") {
     const auto steps = static_cast<std::uint64_t>(what[2].integer());
@@ -129,6 +135,16 @@ void FaultPlayer::do_to_camera(const Datum& what) {
     faults.jumps_until = until;
     faults.jump_px = static_cast<int>(what[1].integer());
   }
+}
+
+void FaultPlayer::bump_camera(const Datum& what) {
+  for (std::size_t axis = 0; axis < 3; ++axis) camera_.at_mm[axis] += what[axis + 1].number();
+  camera_.pan_deg += what[4].number();
+  camera_.tilt_deg += what[5].number();
+  camera_.roll_deg += what[6].number();
+  std::vector<Datum> request{"camera"_sym};
+  request.insert(request.end(), what.items().begin(), what.items().end());
+  acting_.push_back(cell_.time().spawn(ask_world(Datum::list(std::move(request)))));
 }
 
 void FaultPlayer::do_to_arm(const Datum& what) {

@@ -35,6 +35,8 @@ class FaultPlayer {
   // When a hand last moved something.
   Time hand_moved() const { return hand_moved_; }
   bool hand_is_busy() const { return hands_ > 0; }
+  // Where the camera truly stands.
+  const forms::CameraPose& camera() const { return camera_; }
 
  private:
   Task<void> happen_in_time(const Fault& fault);
@@ -43,6 +45,7 @@ class FaultPlayer {
   void do_to_network(const Datum& what);
   void do_to_disk(const Datum& what);
   void do_to_camera(const Datum& what);
+  void bump_camera(const Datum& what);
   void do_to_arm(const Datum& what);
   Task<void> move_hand(Datum request);
   Task<void> borrow(Datum what);
@@ -55,6 +58,7 @@ class FaultPlayer {
   runtime::Caller& caller_;
   const std::vector<Fault> faults_;
   const std::function<void(const std::string&)> tell_;
+  forms::CameraPose camera_;
   Coverage coverage_;
   std::size_t happened_ = 0;
   int hands_ = 0;
