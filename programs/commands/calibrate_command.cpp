@@ -274,7 +274,10 @@ void add_calibrate_command(CLI::App& app, int& status) {
   add_key_option(word, choices->board_to_tell.key);
   word->add_flag("--json", choices->json, "Print one JSON object a line");
   word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));
-  word->callback([choices, &status] { status = run_calibrate(*choices); });
+  add_hand_eye_command(*word, status);
+  word->callback([choices, word, &status] {
+    if (word->get_subcommands().empty()) status = run_calibrate(*choices);
+  });
 }
 
 }  // namespace pizarra::programs

@@ -24,6 +24,8 @@ void add_ps_command(CLI::App& app, int& status);
 void add_down_command(CLI::App& app, int& status);
 void add_shapes_command(CLI::App& app, int& status);
 void add_calibrate_command(CLI::App& app, int& status);
+// Below `calibrate`.
+void add_hand_eye_command(CLI::App& calibrate, int& status);
 void add_find_command(CLI::App& app, int& status);
 void add_measure_command(CLI::App& app, int& status);
 void add_look_command(CLI::App& app, int& status);

@@ -47,17 +47,18 @@ std::vector<std::string> part_of(const std::string& help, const std::string& tit
   return part;
 }
 
-// A command with subcommands is these; one without is itself.
+// A command with subcommands is these, and itself where it has options of its own; one without is itself.
 void add_helped(const std::string& program, const std::string& command, Commands& commands) {
   const Said said = shell(program + " " + command + " --help 2>&1");
   ASSERT_EQ(said.status, 0) << program << " " << command << "\n" << said.text;
-  const std::vector<std::string> below = found(part_of(said.text, "Subcommands:"), std::regex("^  ([a-z]+)"));
+  const std::vector<std::string> below =
+      found(part_of(said.text, "Subcommands:"), std::regex("^  ([a-z]+(?:-[a-z]+)*)"));
   for (const std::string& one : below) add_helped(program, command + (command.empty() ? "" : " ") + one, commands);
-  if (!below.empty()) return;
-  Options& options = commands[command.empty() ? "board" : command];
+  Options options;
   for (const std::string& option : found(lines_of(said.text), std::regex("^  (?:-[a-z],)?(--[a-z-]+)"))) {
     if (option != "--help") options.insert(option);
   }
+  if (below.empty() || (!command.empty() && !options.empty())) commands[command.empty() ? "board" : command] = options;
 }
 
 Commands asked_of_the_programs() {
@@ -77,7 +78,7 @@ const Commands& of_the_programs() {
 // A heading, as in ### `ask QUERY`, begins the section of a command, or of several that have the same options.
 std::vector<std::string> commands_of_heading(const std::string& heading) {
   std::vector<std::string> commands;
-  const std::regex quoted("`([a-z]+(?: [a-z]+)*)");
+  const std::regex quoted("`([a-z]+(?:[ -][a-z]+)*)");
   for (std::sregex_iterator at(heading.begin(), heading.end(), quoted), end; at != end; ++at) {
     commands.push_back((*at)[1]);
   }

@@ -1,0 +1,84 @@
+#include "programs/commands/hand_eye_poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pizarra::programs {
+
+namespace {
+
+constexpr double grid_mm = 40;
+constexpr double yaws_deg[] = {-30, 0, 30};
+constexpr double tilts_deg[] = {0, 12};
+// A turn by so many degrees is worth as much as a millimetre.
+constexpr double mm_per_degree = 4;
+
+Eigen::Isometry3d tool_at(const CarriedPose& pose) {
+  constexpr double degree = std::numbers::pi / 180;
+  Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();
+  tool.linear() = (Eigen::AngleAxisd(pose.yaw_deg * degree, Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(-pose.tilt_deg * degree, Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()))
+                      .toRotationMatrix();
+  tool.translation() = pose.grip_mm;
+  return tool;
+}
+
+double apart(const CarriedPose& one, const CarriedPose& other) {
+  const double turned = std::hypot(one.yaw_deg - other.yaw_deg, one.tilt_deg - other.tilt_deg);
+  return std::hypot((one.grip_mm - other.grip_mm).norm(), mm_per_degree * turned);
+}
+
+std::vector<CarriedPose> possible(const arm::ArmModel& arm, const coordinator::CameraView& view,
+                                  const Eigen::Vector3d& mark_mm, const CarryingRoom& room, double margin_mm) {
+  std::vector<CarriedPose> poses;
+  const auto consider = [&](const CarriedPose& pose) {
+    const Eigen::Isometry3d tool = tool_at(pose);
+    if (view.shows(tool * mark_mm, margin_mm) && arm::inverse(arm, tool, arm.ready)) poses.push_back(pose);
+  };
+  for (double x = room.low_mm.x(); x <= room.high_mm.x(); x += grid_mm) {
+    for (double y = room.low_mm.y(); y <= room.high_mm.y(); y += grid_mm) {
+      for (double z = room.low_mm.z(); z <= room.high_mm.z(); z += grid_mm) {
+        for (const double yaw : yaws_deg) {
+          for (const double tilt : tilts_deg) consider({{x, y, z}, yaw, tilt});
+        }
+      }
+    }
+  }
+  return poses;
+}
+
+// Each the farthest from those before it.
+std::vector<CarriedPose> spread_out(const std::vector<CarriedPose>& poses, std::size_t wanted) {
+  std::vector<CarriedPose> chosen;
+  std::vector<double> nearest(poses.size(), std::numeric_limits<double>::infinity());
+  std::size_t next = 0;
+  while (chosen.size() < std::min(wanted, poses.size())) {
+    chosen.push_back(poses[next]);
+    for (std::size_t i = 0; i < poses.size(); ++i) nearest[i] = std::min(nearest[i], apart(poses[i], poses[next]));
+    next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coordinator::CameraView& view,
+                                           const Eigen::Vector3d& mark_mm, const CarryingRoom& room, double margin_mm,
+                                           std::size_t wanted) {
+  std::vector<CarriedPose> left = spread_out(possible(arm, view, mark_mm, room, margin_mm), wanted);
+  std::vector<CarriedPose> ordered;
+  while (!left.empty()) {
+    const auto nearest =
+        ordered.empty()
+            ? left.begin()
+            : std::ranges::min_element(left, {}, [&](const CarriedPose& pose) { return apart(pose, ordered.back()); });
+    ordered.push_back(*nearest);
+    left.erase(nearest);
+  }
+  return ordered;
+}
+
+}  // namespace pizarra::programs
