@@ -167,7 +167,8 @@ std::vector<Fault> draw_faults(const std::string& kind, const forms::CellDescrip
   // It is drawn for the whole run.
   if (kind == "clock") return faults;
   Draw draw{cell, goal, phase_s, random};
-  const std::uint64_t most = kind == "hand" ? 5 : 3;
+  // More than one bump might take the gripper's mark out of the view.
+  const std::uint64_t most = kind == "hand" ? 5 : kind == "bump" ? 1 : 3;
   for (std::uint64_t left = random.below(most) + 1; left > 0; --left) {
     Fault::When when = draw.when();
     Datum drawn = what(kind, draw);

@@ -7,6 +7,8 @@ namespace pizarra::coordinator {
 namespace {
 
 constexpr std::size_t most_pairs = 24;
+// Of looks that do not agree the newest count: somebody may knock against the camera again.
+constexpr std::size_t most_strange_pairs = 3;
 constexpr int most_looks = 10;
 constexpr double same_place_mm = 2;
 constexpr double same_turn = 0.01;  // rad
@@ -31,10 +33,10 @@ bool same_place(const MarkPair& one, const MarkPair& other) {
 }
 
 // False where that place has been looked at often enough.
-bool add(std::vector<MarkPair>& pairs, const MarkPair& pair) {
+bool add(std::vector<MarkPair>& pairs, const MarkPair& pair, std::size_t most) {
   const auto known = std::ranges::find_if(pairs, [&](const MarkPair& other) { return same_place(pair, other); });
   if (known == pairs.end()) {
-    if (pairs.size() == most_pairs) pairs.erase(pairs.begin());
+    if (pairs.size() == most) pairs.erase(pairs.begin());
     pairs.push_back(pair);
     return true;
   }
@@ -89,7 +91,7 @@ CameraWatch::News CameraWatch::take(const MarkPair& pair, const CameraModel& mod
 CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraModel& model) {
   strange_.clear();
   doubtful_ = false;
-  if (!add(pairs_, pair)) return News::nothing;
+  if (!add(pairs_, pair, most_pairs)) return News::nothing;
   fit(model);
   double off_mm = 0;
   for (const Eigen::Vector3d& point : row_) off_mm = std::max(off_mm, apart_mm(pose_, fit_.camera.pose, point));
@@ -99,7 +101,7 @@ CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraM
 }
 
 CameraWatch::News CameraWatch::take_strange(const MarkPair& pair, const CameraModel& model) {
-  add(strange_, pair);
+  add(strange_, pair, most_strange_pairs);
   const MountedCamera before{pose_, guess_.mark_mm};
   const MountFit moved = fit_mount(before, after_a_move, strange_, model);
   if (tell_of_one_pose(moved)) {

@@ -205,6 +205,21 @@ TEST(CameraWatch, NoticesABumpDoubtsItAndFindsTheCameraAgain) {
   }
 }
 
+TEST(CameraWatch, FindsACameraThatIsBumpedAgainWhileItIsInDoubt) {
+  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    SCOPED_TRACE(seed);
+    Watched cell({}, {}, seed);
+    for (int i = 0; i < 6; ++i) cell.stop_at(somewhere(cell.random));
+    cell.stands.pan_deg += 2;
+    cell.stop_at(somewhere(cell.random), 10);
+    cell.stands.at_mm[1] += 25;
+    cell.stands.roll_deg += 1;
+    for (int i = 0; i < 10; ++i) cell.stop_at(somewhere(cell.random));
+    EXPECT_TRUE(cell.watch.known());
+    EXPECT_LT(worst_mm(cell.stands, cell.watch.pose()), 6);
+  }
+}
+
 TEST(CameraWatch, ForgivesAnOldWordOfTheArm) {
   Watched cell({}, {}, 1);
   const Eigen::Isometry3d here = tool_pose({450, -100, 300}, 180, 0, 0);
