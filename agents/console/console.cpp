@@ -67,6 +67,7 @@ Console::Console(Setup setup, PageFiles page)
     : setup_(std::move(setup)),
       page_(std::move(page)),
       images_(setup_.executor, setup_.streams),
+      truth_(setup_.executor, setup_.truth),
       emptied_(setup_.executor) {}
 
 Console::~Console() = default;
@@ -208,8 +209,11 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
     pages_.erase(number);
     if (pages_.empty()) emptied_.set();
   };
-  Session::Setup setup{setup_.executor,   images_,       setup_.cell, name,
-                       std::move(*board), session.until, ended,       setup_.pictures};
+  Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), session.until, ended};
+  setup.pictures = setup_.pictures;
+  setup.truth = &truth_;
+  setup.instruments = &setup_.instruments;
+  setup.connect = [this, key = session.key](const std::string& as) { return setup_.board(as, key); };
   pages_.emplace(number, Page{session.number, std::make_unique<Session>(std::move(setup), std::move(socket))});
 }
 

@@ -64,6 +64,8 @@ class Console {
     std::optional<Foxglove> foxglove = std::nullopt;
     PictureStore* pictures = nullptr;                       // what the eyes see is kept there; it outlives the console
     std::function<void(const Failure&)> trouble = nullptr;  // pictures are not kept
+    TruthFeed::Ask truth = nullptr;                         // of a simulated cell
+    Instruments instruments = {};
   };
 
   // Failures: unreadable-file, cannot-listen, those of a board that refuses this console.
@@ -97,6 +99,7 @@ class Console {
   Setup setup_;
   PageFiles page_;
   ImageFeeds images_;
+  TruthFeed truth_;
   std::unique_ptr<PictureKeeper> keeper_;
   std::unique_ptr<Wiring> wiring_;
   std::unique_ptr<HttpServer> server_;

@@ -11,17 +11,33 @@ namespace {
 
 constexpr ReadLimits message_limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
 
-std::string hello_text(const CellView& cell, const std::string& name) {
+std::string reach_text(const ReachOutline& reach) {
+  std::string parts;
+  for (const ReachOutline::Part& reached : reach.parts) {
+    parts += fmt::format("{}[{:.0f},{:.0f}]", parts.empty() ? "" : ",", reached.from_mm, reached.to_mm);
+  }
+  return fmt::format("{{\"height\":{:.1f},\"parts\":[{}]}}", reach.height_mm, parts);
+}
+
+// `truth`: whether there is any to lay over what is believed.
+std::string hello_text(const CellView& cell, const std::string& name, bool truth) {
   std::string arms;
   for (const auto& [arm, model] : cell.arms) arms += (arms.empty() ? "" : ",") + json_string(arm);
+  std::string reaches;
+  for (const auto& [arm, reach] : cell.reaches) {
+    reaches += fmt::format("{}{}:{}", reaches.empty() ? "" : ",", json_string(arm), reach_text(reach));
+  }
   std::string camera = "null";
   if (cell.camera) {
     const forms::CameraPose& at = *cell.camera;
-    camera = fmt::format("{{\"at\":[{:.2f},{:.2f},{:.2f}],\"pan\":{:.3f},\"tilt\":{:.3f}}}", at.at_mm[0], at.at_mm[1],
-                         at.at_mm[2], at.pan_deg, at.tilt_deg);
+    camera = fmt::format("{{\"at\":[{:.2f},{:.2f},{:.2f}],\"pan\":{:.3f},\"tilt\":{:.3f},\"head\":{}}}", at.at_mm[0],
+                         at.at_mm[1], at.at_mm[2], at.pan_deg, at.tilt_deg, cell.head);
   }
-  return fmt::format("{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"camera\":{},\"cube\":{:.1f}}}}}",
-                     json_string(name), json_string(cell.name), arms, camera, cell.cube_mm);
+  return fmt::format(
+      "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"reaches\":{{{}}},\"camera\":{},\"cube\":{:.1f},\"truth\":{"
+      "}}}"
+      "}}",
+      json_string(name), json_string(cell.name), arms, reaches, camera, cell.cube_mm, truth);
 }
 
 }  // namespace
@@ -50,6 +66,7 @@ std::span<const Session::Verb> Session::Verb::all() {
   static const std::vector<Verb> verbs = {{"follow", {number, form}, &Session::follow},
                                           {"watch", {number, text}, &Session::watch},
                                           {"unwatch", {number}, &Session::unwatch},
+                                          {"ask", {number, form}, &Session::ask},
                                           {"then", {number, form, number}, &Session::then},
                                           {"picture", {number, name, number}, &Session::picture},
                                           {"request", {number, name, form}, &Session::request},
@@ -65,6 +82,11 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"jog", {number, name, name, number}, &Session::jog},
                                           {"hold-on", {number}, &Session::hold_on},
                                           {"release", {}, &Session::release},
+                                          {"truth", {}, &Session::truth},
+                                          {"truth-no-more", {}, &Session::truth_no_more},
+                                          {"activity", {}, &Session::activity},
+                                          {"activity-no-more", {}, &Session::activity_no_more},
+                                          {"method", {number, number}, &Session::method},
                                           {"look", {name}, &Session::look},
                                           {"look-away", {name}, &Session::look_away},
                                           {"drawn", {name}, &Session::drawn},
@@ -97,6 +119,9 @@ void Session::leave() {
   opening_ = Job();
   running_out_ = Job();
   arms_ = Job();
+  activity_ = Job();
+  method_ = Job();
+  truth_.reset();
   beating_ = Job();
   hands_ = Job();
   holding_ = Job();
@@ -122,7 +147,7 @@ Task<void> Session::open() {
     co_return;
   }
   co_await declare_wishes();
-  say(hello_text(setup_.cell, setup_.name));
+  say(hello_text(setup_.cell, setup_.name, setup_.truth != nullptr && setup_.truth->is_there()));
   beating_ = setup_.executor.spawn(keep_beating());
 }
 

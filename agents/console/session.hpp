@@ -7,6 +7,7 @@
 //   (follow N QUERY)            what holds of the query and every change, also of relations that are yet to come
 //   (watch N "QUERY")           the same of what a person typed: refused where it cannot be read or is not known
 //   (unwatch N)
+//   (ask N QUERY)               what holds now, once; nothing where a relation is not known
 //   (then N QUERY TIME-US)      what held of the query then, where the board keeps a journal
 //   (picture N STREAM TIME-US)  what was seen then, where it is kept
 //   (request N AGENT OPERATION) asks an agent, as any client does; `coordinator` is whoever plays that role
@@ -19,10 +20,13 @@
 //   (stamp N)                   the page has the stamp N (pulse.hpp)
 //   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release), its answer says how it ended
 //   (hold-on STAMP), (release)                   what keeps it moving, said every 50 ms, and what ends it
+//   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp)
+//   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
+//   (method N SECONDS)          what the components are and how they are connected, as seen for so long
 //   (look STREAM), (look-away STREAM), (drawn STREAM)            images; each that was drawn makes room for the next
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
-// {"reply":N,...}, {"arm":NAME,...},
+// {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; images as
 // binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it; one that was asked for as
 // `(picture N NUMBER CAPTURED-US WIDTH HEIGHT)`.
@@ -39,8 +43,11 @@
 #include <vector>
 
 #include "agents/console/image_feed.hpp"
+#include "agents/console/instruments.hpp"
 #include "agents/console/picture_store.hpp"
 #include "agents/console/pulse.hpp"
+#include "agents/console/reach_outline.hpp"
+#include "agents/console/truth_feed.hpp"
 #include "agents/console/web_socket.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/time/latch.hpp"
@@ -52,9 +59,11 @@ namespace pizarra::console {
 // What is known of the cell from its file: nothing of it is on the board.
 struct CellView {
   std::string name;
-  std::map<std::string, arm::ArmModel> arms;  // by their agents' names
-  std::optional<forms::CameraPose> camera;    // in the base frame
-  double cube_mm = 60;                        // the length of what is drawn as a cube
+  std::map<std::string, arm::ArmModel> arms;         // by their agents' names
+  std::optional<forms::CameraPose> camera;           // in the base frame
+  bool head = false;                                 // a unit turns it from there, and tells by how much
+  double cube_mm = 60;                               // the length of what is drawn as a cube
+  std::map<std::string, ReachOutline> reaches = {};  // of these arms, at the height of a cube's middle
 };
 
 class Session {
@@ -77,6 +86,9 @@ class Session {
     Time until;                   // the page is let go then
     std::function<void()> ended;  // it has left the board; this may be destroyed
     const PictureStore* pictures = nullptr;
+    TruthFeed* truth = nullptr;
+    const Instruments* instruments = nullptr;
+    Instruments::Connect connect = nullptr;  // others on the board with this page's rights
   };
 
   Session(Setup setup, UpgradedSocket socket);
@@ -117,6 +129,7 @@ class Session {
   void follow(const Datum& form);
   void watch(const Datum& form);
   void unwatch(const Datum& form);
+  void ask(const Datum& form);
   void then(const Datum& form);
   void picture(const Datum& form);
   void request(const Datum& form);
@@ -132,6 +145,11 @@ class Session {
   void jog(const Datum& form);
   void hold_on(const Datum& form);
   void release(const Datum& form);
+  void truth(const Datum& form);
+  void truth_no_more(const Datum& form);
+  void activity(const Datum& form);
+  void activity_no_more(const Datum& form);
+  void method(const Datum& form);
   void look(const Datum& form);
   void look_away(const Datum& form);
   void drawn(const Datum& form);
@@ -147,7 +165,10 @@ class Session {
   Task<void> say_goodbye();
   Task<void> start_watch(Number number, Query query, bool when_declared);
   Task<void> send_changes(Number number, std::unique_ptr<Watch> watch);
+  Task<void> ask_now(Number number, Query query);
   Task<void> ask_then(Number number, Query query);
+  Task<void> sample_activity();
+  Task<void> look_at_method(Number number, Duration length);
   Task<void> show_kept(Number number, std::string stream, Time moment);
   void say_arms(const std::vector<Answer>& answers, const std::string& past);
   Task<void> room();
@@ -184,10 +205,13 @@ class Session {
   std::size_t image_bytes_under_way_ = 0;
   Duration image_wait_{};  // how much longer than the line an image took, smoothed
   bool light_images_ = false;
+  std::unique_ptr<TruthFeed::Look> truth_;
   std::unique_ptr<WebSocket> socket_;
   Job opening_;
   Job running_out_;
   Job arms_;
+  Job activity_;
+  Job method_;
   Job beating_;
   Job hands_;
   Job holding_;     // the newest hold on its way to the board

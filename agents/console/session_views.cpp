@@ -125,6 +125,24 @@ void Session::watch(const Datum& form) {
   watches_.emplace(number, setup_.executor.spawn(start_watch(number, std::move(*query), false)));
 }
 
+void Session::ask(const Datum& form) {
+  const Number number = form[1].integer();
+  const Result<Query> query = query_from_datum(form[2]);
+  if (!query) return say(failed_watch_text(number, query.error()));
+  begin_request(number, ask_now(number, *query));
+}
+
+Task<void> Session::ask_now(Number number, Query query) {
+  const Result<Answers> answers = co_await runtime::answers_if_declared(context_.board, std::move(query));
+  if (!answers) {
+    say(failed_watch_text(number, answers.error()));
+    co_return;
+  }
+  const Change change{answers->revision, true, answers->answers, {}};
+  co_await room();
+  say_fact(change_text(number, change));
+}
+
 void Session::then(const Datum& form) {
   const Number number = form[1].integer();
   const Result<Query> read = query_from_datum(form[2]);

@@ -74,7 +74,8 @@ Supervisor::~Supervisor() {
   }
 }
 
-void Supervisor::tell(const Child& child, std::string sentence) {
+void Supervisor::tell(Child& child, std::string sentence) {
+  child.newest = sentence;
   if (tell_) tell_(ProcessEvent{child.program.name, std::move(sentence), child.given_up});
 }
 
@@ -187,7 +188,7 @@ bool Supervisor::stopped() const {
 
 std::vector<Supervisor::Process> Supervisor::processes() const {
   std::vector<Process> out;
-  for (const Child& child : children_) out.push_back({child.program.name, child.pid, child.restarts});
+  for (const Child& child : children_) out.push_back({child.program.name, child.pid, child.restarts, child.newest});
   return out;
 }
 

@@ -46,6 +46,7 @@ class Supervisor {
     std::string name;
     pid_t pid = 0;  // 0: not running
     int restarts = 0;
+    std::string newest = {};  // the sentence of its last event
   };
 
   Supervisor(Executor& executor, std::function<void(const ProcessEvent&)> tell);
@@ -70,13 +71,14 @@ class Supervisor {
     int restarts = 0;
     Executor::TimerId timer = 0;
     bool given_up = false;
+    std::string newest = {};
   };
 
   void on_signal();
   void reap();
   void on_death(Child& child, int status);
   Result<void> spawn(Child& child);
-  void tell(const Child& child, std::string sentence);
+  void tell(Child& child, std::string sentence);
 
   Executor& executor_;
   std::function<void(const ProcessEvent&)> tell_;

@@ -43,6 +43,16 @@ Task<Result<std::vector<Fact>>> facts_if_declared(Board& board, Datum pattern) {
   co_return co_await board.facts(std::move(pattern));
 }
 
+Task<Result<Answers>> answers_if_declared(Board& board, Query query) {
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare) continue;
+    const Result<bool> declared = co_await is_declared(board, std::string(clause.form.head()));
+    if (!declared) co_return fail(declared);
+    if (!*declared) co_return Answers();
+  }
+  co_return co_await board.ask(std::move(query));
+}
+
 Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Query query) {
   for (const Query::Clause& clause : query.clauses) {
     if (clause.kind == Query::Clause::Kind::compare) continue;

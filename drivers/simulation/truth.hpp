@@ -1,7 +1,7 @@
 #pragma once
 
-// The truth about the cell, told geometrically: for the judge, the hand and the scripted person alone. The forms stand
-// in world.hpp.
+// The truth about the cell, told geometrically: for the judge, the hand, the scripted person and pages of the console
+// alone. The forms stand in world.hpp.
 
 #include "drivers/simulation/physics/physical_cell.hpp"
 #include "drivers/simulation/render/eye.hpp"

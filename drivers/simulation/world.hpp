@@ -36,7 +36,7 @@
 //   (fingers slips CHANCE DRAWS S)    from the next grasp on: each of DRAWS draws a carry has this chance, at a uniform
 //                                     instant of the S seconds after the grasp
 //   (fingers misplace PART)           what is put down comes to lie off by up to PART of the cube's edge, uniformly
-// Truth, for the judge, the hand and the scripted person alone:
+// Truth, for the judge, the hand, the scripted person and pages of the console alone:
 //   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT ROLL) (cube NAME "mark") ...)
 //   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)
 //              (arm-empty)))   STATE: table, (on B), held, carried (by the hand), loose, gone; VISIBLE: the part of its

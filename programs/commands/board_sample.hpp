@@ -88,6 +88,9 @@ struct BoardSample {
   std::optional<Journey> journey;
 };
 
+// One JSON object, as `top --json` prints it.
+std::string json_of(const BoardSample& sample);
+
 class BoardSampler {
  public:
   BoardSampler(Executor& executor, Board& board, std::string who)

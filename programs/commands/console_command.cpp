@@ -14,10 +14,13 @@
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/opencv_files.hpp"
+#include "drivers/simulation/socket_link.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/commands/console_instruments.hpp"
 #include "programs/commands/line_pipe.hpp"
 
 namespace pizarra::programs {
@@ -86,27 +89,41 @@ Result<console::CellView> view_of(const forms::CellDescription& cell) {
     view.arms.emplace("slave", std::move(*second));
   }
   view.cube_mm = cell.cube_mm;
-  if (cell.head.empty()) view.camera = cell.camera.pose;
+  view.camera = cell.camera.pose;
+  view.head = !cell.head.empty();
+  for (const auto& [name, arm] : view.arms) view.reaches.emplace(name, console::reach_outline(arm, cell.cube_mm / 2));
   return view;
 }
 
+// Of a cell of which nothing but its name is known.
+console::CellView unknown_cell(std::string name) {
+  console::CellView view;
+  view.name = std::move(name);
+  return view;
+}
+
+// Arm and eyes are those of the simulated world, which so is what they are about.
+bool is_simulated(const forms::CellDescription& cell) {
+  return cell.arm_line.protocol.empty() && cell.eyes.is_simulated();
+}
+
 // The cell file of a running cell is not on its board: it is the one given, else that of the examples of its name.
-Result<console::CellView> view_of_running(const ConsoleChoices& choices, const std::optional<launcher::RunState>& run) {
+Result<std::optional<forms::CellDescription>> file_of_running(const ConsoleChoices& choices, const std::string& name) {
   if (!choices.cell_file.empty()) {
-    const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell_file);
+    Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell_file);
     if (!cell) return fail(cell);
-    return view_of(*cell);
+    return std::move(*cell);
   }
-  const std::string name = run ? run->cell : std::string();
   for (const char* example : {"01-blocks", "02-numbered-places", "03-moving-head", "04-plain-english", "05-own-camera",
                               "06-master-and-slave"}) {
-    const auto cell = forms::read_cell_file(shipped_file(fmt::format("examples/{}/cell.scm", example)));
-    if (cell && cell->name == name) return view_of(*cell);
+    Result<forms::CellDescription> cell =
+        forms::read_cell_file(shipped_file(fmt::format("examples/{}/cell.scm", example)));
+    if (cell && cell->name == name) return std::move(*cell);
   }
   fmt::print(stderr,
              "pizarra: of this cell the console knows no file, and draws no arm: name it, as ./pizarra console "
              "CELL\n");
-  return console::CellView{.name = name, .arms = {}, .camera = std::nullopt};
+  return std::nullopt;
 }
 
 void print_address(const std::string& address) {
@@ -205,7 +222,9 @@ int console_of_own_cell(const ConsoleChoices& choices) {
                 .name = {},
                 .page_folder = {},
                 .port = choices.port,
-                .foxglove = choices.viewers()},
+                .foxglove = choices.viewers(),
+                .truth = is_simulated(*cell) ? truth_of_world(local.link()) : nullptr,
+                .instruments = console_instruments(executor)},
                choices);
 }
 
@@ -214,7 +233,10 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!to) return complain(to.error(), exit_unavailable);
   const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
   if (!keys) return complain(keys.error(), exit_usage);
-  const Result<console::CellView> view = view_of_running(choices, to->run);
+  const std::string running = to->run ? to->run->cell : std::string();
+  const auto cell = file_of_running(choices, running);
+  if (!cell) return complain(cell.error(), exit_usage);
+  const Result<console::CellView> view = *cell ? view_of(**cell) : unknown_cell(running);
   if (!view) return complain(view.error(), exit_usage);
   auto abroad = abroad_of(choices);
   if (!abroad) return complain(abroad.error(), exit_usage);
@@ -233,6 +255,9 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!board) return complain(board.error(), exit_usage);
   const auto streams = streams::RemoteStreams::open(executor, **board);
   if (!streams) return complain(streams.error(), exit_unavailable);
+  zmq::context_t device_context(1);
+  std::optional<simulation::SocketLink> world;
+  if (*cell && is_simulated(**cell) && to->run) world.emplace(executor, device_context, to->run->world_address);
   const auto board_of_page = [&](const std::string& name, const std::string& key) -> Result<std::unique_ptr<Board>> {
     Result<std::optional<wire::ClientKeys>> its = *keys;
     if (!key.empty()) its = keys_from(choices.keys + "/" + key + ".secret");
@@ -250,7 +275,9 @@ int console_of_running_cell(const ConsoleChoices& choices) {
                 .page_folder = {},
                 .port = choices.port,
                 .abroad = *abroad,
-                .foxglove = choices.viewers()},
+                .foxglove = choices.viewers(),
+                .truth = world ? truth_of_world(*world) : nullptr,
+                .instruments = console_instruments(executor)},
                choices);
 }
 

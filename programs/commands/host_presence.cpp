@@ -11,6 +11,8 @@ namespace {
 constexpr Duration told_every = 1s;
 constexpr Duration lease_length = 4s;
 
+Datum yes_or_no(bool whether) { return whether ? "yes"_sym : "no"_sym; }
+
 // Nothing before the board has said what its clock shows.
 Task<Result<void>> tell_once(client::RemoteBoard& board, std::string host, LeaseId* lease) {
   const std::vector<Relation> relations = {host_relation()};
@@ -32,6 +34,28 @@ Task<Result<void>> tell_once(client::RemoteBoard& board, std::string host, Lease
   co_return Result<void>();
 }
 
+Relation process_relation() {
+  const auto form = read_one(
+      "(relation process ((host string) (name string) (running symbol) (restarts integer) (newest string)) (key host "
+      "name))");
+  return relation_from_datum(form.value()).value();
+}
+
+// A key that may not tell it still tells of its host. What stands already is told for nothing.
+Task<void> tell_processes(client::RemoteBoard& board, std::string host,
+                          std::vector<launcher::Supervisor::Process> processes, LeaseId lease) {
+  const std::vector<Relation> relations = {process_relation()};
+  const Result<void> declared = co_await board.declare(relations);
+  if (!declared) co_return;
+  Transaction telling;
+  for (const launcher::Supervisor::Process& process : processes) {
+    telling.tell(list("process"_sym, to_datum(host), to_datum(process.name), yes_or_no(process.pid != 0),
+                      process.restarts, to_datum(process.newest)),
+                 {}, lease);
+  }
+  [[maybe_unused]] const Result<Revision> told = co_await board.transact(std::move(telling));
+}
+
 }  // namespace
 
 Relation host_relation() {
@@ -40,10 +64,11 @@ Relation host_relation() {
 }
 
 // Where the board is away, it is told when it is back.
-Task<void> tell_host(client::RemoteBoard& board, Executor& executor, std::string host) {
+Task<void> tell_host(client::RemoteBoard& board, Executor& executor, std::string host, Processes processes) {
   LeaseId lease = 0;
   while (true) {
-    (void)co_await tell_once(board, host, &lease);
+    const Result<void> told = co_await tell_once(board, host, &lease);
+    if (told) co_await tell_processes(board, host, processes(), lease);
     co_await sleep(executor, told_every);
   }
 }

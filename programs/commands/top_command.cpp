@@ -6,7 +6,6 @@
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
@@ -33,12 +32,6 @@ std::string spread_text(const Spread& spread) {
   return spread.count == 0 ? "-" : fmt::format("{} / {}", spread.p50_us, spread.p99_us);
 }
 
-std::string spread_json(const Spread& spread) {
-  if (spread.count == 0) return "null";
-  return fmt::format("{{\"count\":{},\"p50\":{},\"p90\":{},\"p99\":{}}}", spread.count, spread.p50_us, spread.p90_us,
-                     spread.p99_us);
-}
-
 void print_clients(const std::vector<ClientSample>& clients) {
   fmt::print("\n{:<20} {:>10} {:>9}  {}\n", "CLIENT", "REQUESTS/S", "REFUSED", "NEWEST REFUSAL");
   std::size_t shown = 0;
@@ -48,16 +41,6 @@ void print_clients(const std::vector<ClientSample>& clients) {
     fmt::print("{:<20} {:>10} {:>9}  {}\n", client.name.empty() ? "(no hello)" : client.name,
                client.requests_per_second, client.refused, text_of_bytes(client.newest_refusal));
   }
-}
-
-std::string clients_json(const std::vector<ClientSample>& clients) {
-  std::vector<std::string> objects;
-  for (const ClientSample& client : clients) {
-    objects.push_back(fmt::format("{{\"name\":{},\"requests_per_second\":{},\"refused\":{},\"newest_refusal\":{}}}",
-                                  json_string(client.name), client.requests_per_second, client.refused,
-                                  client.refused == 0 ? "null" : json_string(client.newest_refusal)));
-  }
-  return fmt::format("[{}]", fmt::join(objects, ","));
 }
 
 void print_text(const BoardSample& sample, const std::string& address) {
@@ -88,38 +71,6 @@ void print_text(const BoardSample& sample, const std::string& address) {
   print_clients(sample.clients);
 }
 
-void print_json(const BoardSample& sample) {
-  std::vector<std::string> agents;
-  for (const AgentSample& agent : sample.agents) {
-    agents.push_back(
-        fmt::format("{{\"name\":{},\"kind\":{},\"host\":{},\"told_per_second\":{:.1f},\"waiting\":{},"
-                    "\"queued\":{}}}",
-                    json_string(agent.name), json_string(agent.kind), json_string(agent.host), agent.told_per_second,
-                    agent.waiting, agent.queued));
-  }
-  std::vector<std::string> relations;
-  for (const RelationSample& relation : sample.relations) {
-    std::vector<std::string> tellers;
-    for (const std::string& teller : relation.tellers) tellers.push_back(json_string(teller));
-    relations.push_back(
-        fmt::format("{{\"name\":{},\"facts\":{},\"told_per_second\":{:.1f},\"watches\":{},\"tellers\":[{}],"
-                    "\"told_us\":{},\"delivered_us\":{}}}",
-                    json_string(relation.name), relation.facts, relation.told_per_second, relation.watches,
-                    fmt::join(tellers, ","), spread_json(relation.told), spread_json(relation.delivered)));
-  }
-  const std::string journey =
-      sample.journey
-          ? fmt::format("{{\"committed_us\":{:.0f},\"acknowledged_us\":{:.0f},\"delivered_us\":{:.0f}}}",
-                        sample.journey->committed_us, sample.journey->acknowledged_us, sample.journey->delivered_us)
-          : "null";
-  fmt::print(
-      "{{\"revision\":{},\"facts\":{},\"transactions_per_second\":{:.1f},\"journey\":{},\"agents\":{},"
-      "\"relations\":[{}],\"clients\":{}}}\n",
-      sample.revision, sample.facts, sample.transactions_per_second, journey,
-      sample.agents_unknown ? "null" : fmt::format("[{}]", fmt::join(agents, ",")), fmt::join(relations, ","),
-      clients_json(sample.clients));
-}
-
 Task<void> show(const TopChoices& choices, const std::string& address, Executor& executor, Board& board, int& status) {
   const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   const Duration interval(static_cast<std::int64_t>(choices.interval_s * 1e6));
@@ -138,7 +89,7 @@ Task<void> show(const TopChoices& choices, const std::string& address, Executor&
       co_return;
     }
     if (choices.json) {
-      print_json(*sample);
+      fmt::print("{}\n", json_of(*sample));
     } else {
       print_text(*sample, address);
     }

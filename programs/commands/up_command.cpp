@@ -355,7 +355,8 @@ int Up::run() {
   narrator_.say(executor_.now(), "logs", directory_.path());
   {
     const Job told = executor_.spawn(narrator_.follow(**ears, executor_));
-    const Job present = executor_.spawn(tell_host(**ears, executor_, host_.name));
+    const Processes processes = [this] { return supervisor_.processes(); };
+    const Job present = executor_.spawn(tell_host(**ears, executor_, host_.name, processes));
     executor_.run_until([this] { return supervisor_.stopping(); });
   }
   narrator_.say(executor_.now(), "process", "stopping");

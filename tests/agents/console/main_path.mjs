@@ -70,7 +70,11 @@ await page.waitForFunction(() => document.getElementById('goal-chip').textConten
 expect(true, 'the goal is reached');
 await page.click('#why');
 await page.waitForFunction(() => document.querySelector('#story pre.answer').textContent.length > 20);
-await page.click('#story .timeline details >> nth=0');
+await page.selectOption('#story select', { label: '10 minutes' });
+const lanes = () => page.locator('#work .mark').evaluateAll((marks) => [...new Set(marks.map((mark) => mark.getAttribute('data-lane')))].sort());
+await page.waitForFunction(() => document.querySelectorAll('#work .mark[data-lane=Servo]').length > 2);
+const worked = await lanes();
+expect(['Goals', 'Operations', 'Plans', 'Servo', 'Sightings'].every((lane) => worked.includes(lane)), `what was done, over time: ${worked}`);
 await picture(page, 'story');
 await ask(page, '(on ?x ?y)');
 await page.waitForFunction(() => document.querySelectorAll('#answers tbody tr').length === 2);

@@ -1,37 +1,56 @@
-// Who is there, and what each offers; who serves whom; and whom the board refused what.
+// Who is there, how busy each is, and what it offers; the processes; who serves whom; whom the board refused what; the
+// method.
 
 import { clipped, element, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { showMethod } from './method.js';
+import { showProcesses } from './processes.js';
 import { showRefusals } from './refusals.js';
 import { showServed } from './served.js';
 import { text, write } from './datum.js';
 
-export function showAgents(connection) {
+function load(agent, restarts) {
+  const busy = agent ? `${agent.told_per_second.toFixed(1)} told/s, ${agent.waiting} waiting, ${agent.queued} queued` : '';
+  const again = restarts === undefined ? '' : `${restarts} restart${restarts === 1 ? '' : 's'}`;
+  return [busy, again].filter(Boolean).join(', ');
+}
+
+export function showAgents(connection, activity) {
   const list = element('div', { class: 'timeline' });
-  find('agents').append(list, showRefusals(connection), showServed(connection));
-  let present = [];
   const contracts = new Map();
-  const draw = () => {
-    const rows = present.slice(0, 64).map((agent) => {
-      const offers = (contracts.get(text(agent[1])) ?? [])
-        .filter((part) => text(part[0]) === 'offers')
-        .flatMap((part) => part.slice(1));
-      return element(
-        'details',
-        {},
-        element(
-          'summary',
-          {},
-          element('strong', {}, clipped(text(agent[1]), 64)),
-          element('span', { class: 'quiet' }, `${text(agent[2])} on ${clipped(text(agent[3]), 64)}`),
-        ),
-        element('pre', {}, clipped(offers.map(write).join('\n') || 'offers nothing', 4000)),
-      );
-    });
-    list.replaceChildren(...rows);
+  const rows = new Map(); // by name, so that what is open stays open
+  let present = [];
+  let busy = new Map();
+  const rowOf = (name) => {
+    if (rows.has(name)) return rows.get(name);
+    const who = element('span', { class: 'quiet' });
+    const does = element('span', { class: 'quiet load' });
+    const offers = element('pre', {});
+    const made = element('details', { 'data-agent': name }, element('summary', {}, element('strong', {}, clipped(name, 64)), who, does), offers);
+    rows.set(name, { made, who, does, offers });
+    return rows.get(name);
   };
+  const draw = () => {
+    const names = present.slice(0, 64).map((agent) => {
+      const name = text(agent[1]);
+      const { who, does, offers } = rowOf(name);
+      who.textContent = `${text(agent[2])} on ${clipped(text(agent[3]), 64)}`;
+      does.textContent = load(busy.get(name), processes.restarts.get(name));
+      const form = contracts.get(name);
+      offers.textContent = form ? clipped(form.map(write).join('\n'), 6000) : 'it told no contract';
+      return name;
+    });
+    for (const name of rows.keys()) if (!names.includes(name)) rows.delete(name);
+    list.replaceChildren(...names.map((name) => rows.get(name).made));
+  };
+  const processes = showProcesses(connection, () => draw());
+  find('agents').append(list, processes.panel, showRefusals(connection, activity), showServed(connection), showMethod(connection));
+  activity.shownIn(list, (sample) => {
+    busy = new Map((sample?.agents ?? []).map((agent) => [agent.name, agent]));
+    draw();
+  });
   connection.follow('(agent ?name ?kind ?host)', (answers) => {
-    present = answers.map(fact);
+    present = answers.map(fact).sort((a, b) => text(a[1]).localeCompare(text(b[1])));
     draw();
   });
   connection.follow('(contract ?name ?form)', (answers) => {

@@ -17,6 +17,8 @@ export class Connection {
   #pause = 500;
   #heard = 0;
   #stamp = 0;
+  #laid = null; // who is shown the world's truth
+  #sampled = null; // and what goes on on the board
   #moment = null; // what is shown is of then, in microseconds; null: of now
   #asked = new Map(); // questions of the past, by their watches
 
@@ -82,6 +84,8 @@ export class Connection {
       this.onState('live');
       for (const [number, watch] of this.#watches) this.#ask(number, watch);
       for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
+      if (this.#laid) this.#say(sym('truth'));
+      if (this.#sampled) this.#say(sym('activity'));
     } else if (message.arm) {
       if ((message.past ?? null) === this.#moment) this.onArm(message);
       this.#takenIn();
@@ -90,6 +94,12 @@ export class Connection {
       if ((message.past ?? null) === (watch?.always ? null : this.#moment)) watch?.take(message);
       if (!message.error) this.#takenIn();
       if (message.past) this.#asked.get(message.watch)?.(message);
+    } else if ('truth' in message) {
+      this.#laid?.(message.truth === null ? null : read(message.truth), message.said);
+      this.#takenIn();
+    } else if ('activity' in message) {
+      this.#sampled?.(message.activity, message.said);
+      this.#takenIn();
     } else if (message.pulse) {
       this.#stamp = message.pulse;
       this.#say(sym('stamp'), message.pulse);
@@ -98,6 +108,7 @@ export class Connection {
       this.#requests.get(message.reply)?.take(message);
       // A question that the console refuses to take up.
       this.#asked.get(message.reply)?.(message);
+      if (message.error) this.#watches.get(message.reply)?.take(message);
     }
   }
 
@@ -111,7 +122,8 @@ export class Connection {
   }
 
   #ask(number, watch) {
-    if (watch.typed) this.#say(sym('watch'), number, watch.query);
+    if (watch.once) this.#say(sym('ask'), number, read(watch.query));
+    else if (watch.typed) this.#say(sym('watch'), number, watch.query);
     else this.#say(sym('follow'), number, read(watch.query));
   }
 
@@ -153,12 +165,14 @@ export class Connection {
   }
   // What holds now, asked once: an answer to a request comes before the facts that were told for it.
   ask(query) {
+    const number = this.#next++;
     return new Promise((resolve) => {
-      const take = (answers) => {
-        end();
-        resolve(answers);
+      const take = (message) => {
+        this.#watches.delete(number);
+        resolve(message.added ?? []);
       };
-      const end = this.#begin(write(query), true, take, () => take([]), true);
+      this.#watches.set(number, { query: write(query), once: true, take, always: true });
+      this.#ask(number, this.#watches.get(number));
     });
   }
 
@@ -245,6 +259,21 @@ export class Connection {
   // 'command', 'take-over' or 'let-go'
   hold(verb, robot) {
     return this.#call(null, verb, sym(robot));
+  }
+
+  // Five times a second, until it ends: what the simulated world is like, or null and why that is not known.
+  layTruth(show) {
+    this.#laid = show;
+    this.#say(sym(show ? 'truth' : 'truth-no-more'));
+  }
+  // Once a second, until it ends: what goes on on the board.
+  sampleActivity(show) {
+    this.#sampled = show;
+    this.#say(sym(show ? 'activity' : 'activity-no-more'));
+  }
+  async method(seconds) {
+    const [report] = await this.#call(null, 'method', seconds);
+    return JSON.parse(report);
   }
 
   // The arm moves while holdOn() comes in time, and until release(); answers when it has ended.

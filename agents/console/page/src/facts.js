@@ -1,8 +1,9 @@
-// The board itself: a question typed, and its answers as they come and go.
+// The board itself: a question typed, and its answers as they come and go; below them every relation.
 
 import { clipped, eachFrame, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { provenance, toldBy } from './provenance.js';
+import { showRelations } from './relations.js';
 import { text } from './datum.js';
 
 const shown = 200;
@@ -30,7 +31,7 @@ function table(answers, isNew) {
   return element('table', {}, element('thead', {}, head), element('tbody', {}, ...rows));
 }
 
-export function showFacts(connection) {
+export function showFacts(connection, activity) {
   const input = element('input', {
     id: 'query',
     spellcheck: 'false',
@@ -51,7 +52,16 @@ export function showFacts(connection) {
     count,
   );
   const because = element('div', { id: 'because', role: 'group', 'aria-label': 'Reasons', tabindex: 0, hidden: true });
-  find('facts').append(form, wrong, because, result);
+  const questions = new Map(); // for all of a relation
+  const relations = showRelations(
+    activity,
+    (name) => questions.has(name),
+    (name) => {
+      input.value = questions.get(name);
+      form.requestSubmit();
+    },
+  );
+  find('facts').append(form, wrong, because, result, relations);
 
   // The rows are drawn anew whenever something changes: what is pressed counts, not what is let go.
   let shownAnswers = [];
@@ -103,8 +113,9 @@ export function showFacts(connection) {
     const posts = answers
       .flatMap((answer) => fact(answer)[2])
       .filter((part) => Array.isArray(part) && text(part[0]) === 'posts');
-    const relations = posts.flatMap((part) => part.slice(1)).filter((relation) => Array.isArray(relation?.[2]));
-    const questions = [...new Set(relations.map(questionFor))].sort();
-    known.replaceChildren(...questions.map((question) => element('option', { value: question })));
+    const told = posts.flatMap((part) => part.slice(1)).filter((relation) => Array.isArray(relation?.[2]));
+    questions.clear();
+    for (const relation of told) questions.set(text(relation[1]), questionFor(relation));
+    known.replaceChildren(...[...questions.values()].sort().map((question) => element('option', { value: question })));
   });
 }

@@ -1,5 +1,6 @@
 // The page: what each part shows is its own file's affair; here they meet.
 
+import { Activity } from './activity.js';
 import { Connection } from './connection.js';
 import { Hands } from './hands.js';
 import { find } from './dom.js';
@@ -39,8 +40,9 @@ showStory(connection, entries, images, showPast(connection, images));
 showHead(connection, images, () => hands.me);
 showEyes(connection, images, roles, () => hands.me);
 showDrive(connection, hands);
-showFacts(connection);
-showAgents(connection);
+const activity = new Activity(connection);
+showFacts(connection, activity);
+showAgents(connection, activity);
 
 connection.onArm = scene.moveArm;
 connection.onHello = (hello) => {

@@ -1,27 +1,24 @@
-// What the board refused, to whom, how often and why, the most frequent first.
+// What the board refused, to whom, how often and why, the most frequent first; and how much each client asks.
 
-import { clipped, element } from './dom.js';
+import { element } from './dom.js';
 import { fact } from './live_answers.js';
+import { table } from './tables.js';
 import { text } from './datum.js';
 
 const shown = 50;
 
-export function showRefusals(connection) {
+export function showRefusals(connection, activity) {
   const count = element('span', { class: 'quiet', id: 'refusal-count' }, '0');
-  const body = element('tbody', {});
-  const heads = ['Client', 'Refused', 'Times', 'The newest'].map((name) => element('th', {}, name));
-  const table = element('table', { id: 'refusals' }, element('thead', {}, element('tr', {}, ...heads)), body);
+  const refusals = table({ id: 'refusals' }, ['Client', 'Refused', 'Times', 'The newest']);
+  const clients = table({ id: 'clients' }, ['Client', 'Requests/s']);
   connection.follow('(board-refusal ?client ?symbol ?count ?sentence)', (answers) => {
-    const refusals = answers.map(fact).sort((a, b) => b[3] - a[3]);
-    count.textContent = String(refusals.length);
-    const rows = refusals.slice(0, shown).map(([, client, symbol, times, sentence]) =>
-      element(
-        'tr',
-        {},
-        ...[text(client), text(symbol), String(times), text(sentence)].map((cell) => element('td', {}, clipped(cell))),
-      ),
-    );
-    body.replaceChildren(...rows);
+    const told = answers.map(fact).sort((a, b) => b[3] - a[3]);
+    count.textContent = String(told.length);
+    refusals.fill(told.slice(0, shown).map(([, client, symbol, times, sentence]) => [text(client), text(symbol), times, text(sentence)]));
   });
-  return element('details', { class: 'goals' }, element('summary', {}, 'Refused by the board ', count), table);
+  const panel = element('details', { class: 'goals' }, element('summary', {}, 'Refused by the board ', count), refusals.panel, clients.panel);
+  activity.shownIn(panel, (sample) =>
+    clients.fill((sample?.clients ?? []).slice(0, shown).map((client) => [client.name || '(no hello)', client.requests_per_second])),
+  );
+  return panel;
 }

@@ -4,7 +4,7 @@
 import { clipped, clock, eachFrame, element } from './dom.js';
 import { fact } from './live_answers.js';
 import { toldBy } from './provenance.js';
-import { entryMarks, goalMarks, refusalMarks, servoMarks } from './work_marks.js';
+import { entryMarks, goalMarks, refusalMarks, servoMarks, sightingMarks } from './work_marks.js';
 import { WorkPicture } from './work_picture.js';
 
 const spans = [
@@ -12,7 +12,7 @@ const spans = [
   ['1 hour', 3600e6],
   ['8 hours', 8 * 3600e6],
 ];
-const mostServoChanges = 2000;
+const mostChanges = 2000; // of the servo, and of what is in sight
 const mostOpened = 20;
 const goesOn = 5000; // ms between two drawings of a time in which nothing happens
 
@@ -28,7 +28,18 @@ function servoChanges(connection, changed) {
     if (same) return changed();
     if (last) last.ended = true;
     if (answer) changes.push({ answer, until: answer.facts[0].when, ended: false });
-    if (changes.length > mostServoChanges) changes.shift();
+    if (changes.length > mostChanges) changes.shift();
+    changed();
+  });
+  return changes;
+}
+
+// What came into sight and went, as far as the page was told of it.
+function sightChanges(connection, changed) {
+  const changes = new Map();
+  connection.follow('(tracked ?eyes ?name ?state ?frame ?confidence)', (answers) => {
+    for (const answer of answers) changes.set(answer.ids[0], answer);
+    for (const id of [...changes.keys()].slice(0, Math.max(0, changes.size - mostChanges))) changes.delete(id);
     changed();
   });
   return changes;
@@ -64,11 +75,13 @@ export function showWork(connection, entries, entryOf) {
       ...goalMarks(held.goals, held.states, until),
       ...entryMarks(entries.until(until)),
       ...servoMarks(servo.filter((change) => change.until <= until)),
+      ...sightingMarks([...sightings.values()].filter((answer) => answer.facts[0].when <= until)),
       ...refusalMarks(held.refusals),
     ];
     picture.draw(marks, since, until);
   });
   const servo = servoChanges(connection, draw);
+  const sightings = sightChanges(connection, draw);
   const follow = (query, name) =>
     connection.follow(query, (answers) => {
       held[name] = answers;

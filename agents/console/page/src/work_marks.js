@@ -6,7 +6,7 @@
 import { fact } from './live_answers.js';
 import { text, write } from './datum.js';
 
-export const lanes = ['Goals', 'Plans', 'Operations', 'Servo', 'Differences', 'Refusals', 'Faults'];
+export const lanes = ['Goals', 'Plans', 'Operations', 'Servo', 'Sightings', 'Differences', 'Refusals', 'Faults'];
 const servoStates = ['up', 'align x', 'align depth', 'approach', 'fine'];
 const laneOf = { plan: 'Plans', operation: 'Operations', servo: 'Servo', difference: 'Differences', missing: 'Differences', agent: 'Faults' };
 const endsOperation = new Set(['operation', 'plan', 'result', 'goal']);
@@ -46,6 +46,15 @@ export function refusalMarks(refusals) {
     const [, client, symbol, count, sentence] = fact(answer);
     const label = `${text(client)}: ${text(symbol)}, ${count} times: ${text(sentence)}`;
     return { lane: 'Refusals', from: told(answer), until: told(answer), kind: 'bad', label, answer };
+  });
+}
+
+// Where an object came into sight, or went out of it.
+export function sightingMarks(changes) {
+  return changes.map((answer) => {
+    const [, eyes, name, state, frame] = fact(answer);
+    const label = `${text(eyes)}: ${text(name)} ${text(state)} since frame ${frame}`;
+    return { lane: 'Sightings', from: told(answer), until: told(answer), kind: text(state), label, answer };
   });
 }
 

@@ -1,0 +1,34 @@
+// The objects in words, beside the arm's numbers: how sure the eyes are of each, and how far its distance may be off.
+
+import { clipped, eachFrame, element, find } from './dom.js';
+import { fact } from './live_answers.js';
+import { text } from './datum.js';
+
+const shown = 8;
+
+function wordsOf(sighting) {
+  if (!sighting) return 'not looked for';
+  const sure = sighting.confidence === undefined ? sighting.state : `${(sighting.confidence * 100).toFixed(0)} %`;
+  const off = sighting.spread > 0 ? `  ±${(2 * sighting.spread).toFixed(1)} mm` : '';
+  return sighting.state === 'seen' ? sure + off : sighting.state;
+}
+
+// Answers what is told whenever the eyes have looked.
+export function showBeliefs(connection) {
+  const list = find('beliefs');
+  let names = [];
+  let seen = new Map();
+  const draw = eachFrame(() => {
+    const rows = names.slice(0, shown).flatMap((name) => [element('dt', {}, clipped(name, 16)), element('dd', {}, wordsOf(seen.get(name)))]);
+    const more = names.length > shown ? [element('dt', {}, 'and'), element('dd', {}, `${names.length - shown} more`)] : [];
+    list.replaceChildren(...rows, ...more);
+  });
+  connection.follow('(place ?name ?x ?y ?z ?frame)', (answers) => {
+    names = answers.map((answer) => text(fact(answer)[1])).sort();
+    draw();
+  });
+  return (sightings) => {
+    seen = sightings;
+    draw();
+  };
+}

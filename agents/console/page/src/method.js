@@ -1,0 +1,124 @@
+// The method of the thesis on the running cell, as `./pizarra method --live` has it: Divide, Wrap, Connect, and what is
+// wrong.
+
+import { clipped, drawn, element, failureText } from './dom.js';
+import { table } from './tables.js';
+
+const seconds = 10;
+const size = 560;
+const circle = 220;
+const box = { width: 104, height: 26 };
+const patterns = ['QUERY', 'SEND', 'PUSH'];
+
+// Components on a circle, an arrow for each connection, each pattern in a lane beside the line between the two.
+function graph({ components, connections }) {
+  const places = new Map(
+    components.map(({ name }, i) => {
+      const angle = (2 * Math.PI * i) / components.length - Math.PI / 2;
+      return [name, { x: size / 2 + (circle + 10) * Math.cos(angle), y: size / 2 + circle * Math.sin(angle) }];
+    }),
+  );
+  const arrow = ({ from, to, pattern, about }) => {
+    const [a, b] = [places.get(from), places.get(to)];
+    if (!a || !b) return null;
+    const length = Math.max(Math.hypot(b.x - a.x, b.y - a.y), 1);
+    const [ux, uy] = [(b.x - a.x) / length, (b.y - a.y) / length];
+    const aside = 4 + 5 * patterns.indexOf(pattern);
+    const cut = Math.min(box.width / 2 / Math.max(Math.abs(ux), 0.01), box.height / 2 / Math.max(Math.abs(uy), 0.01)) + 4;
+    const line = { x1: a.x + ux * cut + uy * aside, y1: a.y + uy * cut - ux * aside, x2: b.x - ux * cut + uy * aside, y2: b.y - uy * cut - ux * aside };
+    const title = drawn('title', {}, `${from} ${pattern} ${to}: ${about.join(' ')}`);
+    return drawn('line', { ...line, class: `way ${pattern}`, 'marker-end': `url(#end-${pattern})` }, title);
+  };
+  const markers = patterns.map((pattern) =>
+    drawn(
+      'marker',
+      { id: `end-${pattern}`, markerWidth: 7, markerHeight: 7, refX: 6, refY: 3, orient: 'auto' },
+      drawn('path', { d: 'M0,0 L6,3 L0,6 z', class: pattern }),
+    ),
+  );
+  const boxes = [...places].flatMap(([name, { x, y }]) => [
+    drawn('rect', { x: x - box.width / 2, y: y - box.height / 2, ...box, rx: 5, class: 'component' }),
+    drawn('text', { x, y: y + 4, 'text-anchor': 'middle' }, clipped(name, 14)),
+  ]);
+  return drawn(
+    'svg',
+    { class: 'graph', viewBox: `0 0 ${size} ${size}`, role: 'img', 'aria-label': `${components.length} components and ${connections.length} connections` },
+    drawn('defs', {}, ...markers),
+    ...connections.map(arrow).filter(Boolean),
+    ...boxes,
+  );
+}
+
+const marks = { physical: 'a device', performance: 'a reaction time', abstraction: 'a function' };
+
+function wrapperRows({ components, wrappers }) {
+  const wrapped = new Map(wrappers.map((wrapper) => [wrapper.component, wrapper]));
+  return components.map((component) => {
+    const wrapper = wrapped.get(component.name);
+    const reasons = Object.keys(marks).filter((reason) => component[reason]).map((reason) => marks[reason]);
+    const hides = (wrapper?.abstraction ?? []).map((index) => `${index.wrapped} ${index.operations}/${index.functions} = ${index.i_abstract.toFixed(3)}`);
+    return [component.name, reasons.join(', ') || 'none told', wrapper?.offered ?? 0, hides.join('; ') || '–', (wrapper?.parts ?? []).join(' ')];
+  });
+}
+
+function connectionRows({ connections }) {
+  return connections.map((one) => [
+    `${one.from} → ${one.to}`,
+    one.pattern,
+    one.count,
+    one.p50_ms ? `${one.p50_ms.toFixed(1)} / ${one.p99_ms.toFixed(1)}` : '–',
+    one.about.join(' '),
+    one.remark || (one.recommended === one.pattern ? 'as the tables have it' : one.recommended),
+  ]);
+}
+
+function section(name, ...children) {
+  return element('section', { 'aria-label': name }, element('h2', {}, name), ...children);
+}
+
+function filled(id, heads, rows) {
+  const made = table({ id }, heads);
+  made.fill(rows);
+  return element('div', { class: 'scroll', tabindex: 0, role: 'group', 'aria-label': heads[0] }, made.panel);
+}
+
+function report(seen) {
+  const { i_cpx: cpx, i_struct: struct, i_cnx: cnx } = seen;
+  const scales = seen.scales.map(({ subscribers, p50_ms: ms }) => `${subscribers}: ${ms.toFixed(2)} ms`).join(', ');
+  return [
+    section(
+      'Divide',
+      element('p', { id: 'indices' }, `I_cpx ${cpx.toFixed(3)}, I_struct ${struct.toFixed(3)}, I_cnx ${cnx.toFixed(3)}`),
+      graph(seen),
+      element('p', { class: 'quiet' }, 'QUERY blue, SEND violet, PUSH green.'),
+    ),
+    section('Wrap', filled('wrappers', ['Component', 'Is one for', 'Operations', 'I_abstract', 'Parts of a wrapper'], wrapperRows(seen))),
+    section('Connect', filled('connections', ['Connection', 'Pattern', 'Times', 'ms p50 / p99', 'About', 'The tables say'], connectionRows(seen))),
+    section(
+      'What is wrong',
+      seen.faults.length
+        ? filled('faults', ['Fault', 'Of', 'Why'], seen.faults.map((fault) => [fault.symbol, fault.subject, fault.sentence]))
+        : element('p', {}, 'no fault was found'),
+      scales && element('p', { class: 'quiet' }, `A fact reaches so many readers: ${scales}.`),
+    ),
+  ];
+}
+
+export function showMethod(connection) {
+  const note = element('span', { class: 'quiet', role: 'status', id: 'method-note' });
+  const seen = element('div', { id: 'method' });
+  const button = element('button', { type: 'button', id: 'method-look' }, `Look for ${seconds} s`);
+  button.addEventListener('click', async () => {
+    button.disabled = true;
+    note.textContent = 'looking at who asks, answers, tells and watches …';
+    try {
+      const found = await connection.method(seconds);
+      seen.replaceChildren(...report(found).filter(Boolean));
+      note.textContent = `seen for ${found.seconds} s`;
+    } catch (failure) {
+      note.textContent = failureText(failure);
+    }
+    button.disabled = false;
+  });
+  return element('details', { class: 'goals' }, element('summary', {}, 'The method: Divide, Wrap, Connect'), element('div', { class: 'row' }, button, note), seen);
+}

@@ -1,0 +1,20 @@
+// Tables whose rows are filled anew while they are read.
+//
+//   const refusals = table({ id: 'refusals' }, ['Client', 'Times']);
+//   refusals.fill([['anna', '3']]);              a cell is text or an element
+
+import { clipped, element } from './dom.js';
+
+export function table(attributes, heads) {
+  const body = element('tbody', {});
+  const cellOf = (cell) => element('td', {}, cell instanceof Node ? cell : clipped(String(cell)));
+  return {
+    panel: element(
+      'table',
+      attributes,
+      element('thead', {}, element('tr', {}, ...heads.map((name) => element('th', {}, name)))),
+      body,
+    ),
+    fill: (rows) => body.replaceChildren(...rows.map((cells) => element('tr', {}, ...cells.map(cellOf)))),
+  };
+}

@@ -1,0 +1,70 @@
+#include "programs/commands/console_instruments.hpp"
+
+#include "programs/commands/board_sample.hpp"
+#include "programs/commands/live_traffic.hpp"
+#include "programs/method/report.hpp"
+
+namespace pizarra::programs {
+
+namespace {
+
+constexpr Duration first_sample = 500ms;
+constexpr Duration longest_answer = 2s;
+
+struct Sampling {
+  Executor& executor;
+  BoardSampler sampler;
+  bool begun = false;
+};
+
+Task<Result<std::string>> next_sample(std::shared_ptr<Sampling> sampling) {
+  if (!sampling->begun) {
+    const Result<void> begun = co_await sampling->sampler.begin();
+    if (!begun) co_return fail(begun);
+    sampling->begun = true;
+    co_await sleep(sampling->executor, first_sample);
+  }
+  const Result<BoardSample> sample = co_await sampling->sampler.next();
+  if (!sample) co_return fail(sample);
+  co_return json_of(*sample);
+}
+
+Task<Result<std::string>> method_of(Executor& executor, Board& board, std::string name,
+                                    console::Instruments::Connect connect, Duration length) {
+  const auto kinds = method::known_components({});
+  if (!kinds) co_return fail(kinds);
+  const auto lists = method::known_wrapped();
+  if (!lists) co_return fail(lists);
+  LiveLook look(executor, board, std::move(name), std::move(connect));
+  const Result<method::Traffic> traffic = co_await look.at(length);
+  if (!traffic) co_return fail(traffic);
+  co_return method::json_of(method::report_on(*traffic, *kinds, *lists));
+}
+
+Task<Result<Datum>> ask_truth(simulation::Link& link) {
+  Datum request = list("truth"_sym);
+  Result<simulation::Message> answer = co_await link.call(std::move(request), longest_answer);
+  if (!answer) co_return fail(answer);
+  co_return std::move(answer->head);
+}
+
+}  // namespace
+
+console::Instruments console_instruments(Executor& executor) {
+  console::Instruments instruments;
+  instruments.activity = [&executor](Board& board, const std::string& name) {
+    auto sampling = std::make_shared<Sampling>(executor, BoardSampler(executor, board, name));
+    return [sampling] { return next_sample(sampling); };
+  };
+  instruments.method = [&executor](Board& board, const std::string& name, console::Instruments::Connect connect,
+                                   Duration length) {
+    return method_of(executor, board, name, std::move(connect), length);
+  };
+  return instruments;
+}
+
+console::TruthFeed::Ask truth_of_world(simulation::Link& link) {
+  return [&link] { return ask_truth(link); };
+}
+
+}  // namespace pizarra::programs

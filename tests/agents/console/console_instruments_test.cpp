@@ -1,0 +1,75 @@
+// What a page lays over what is believed, and what it measures.
+
+#include <fmt/format.h>
+
+#include "tests/agents/console/console_fixture.hpp"
+
+namespace pizarra::console {
+namespace {
+
+Task<Result<Datum>> answered(int& asked) {
+  ++asked;
+  Datum truth = list(list("cube"_sym, "circle"_sym, 911.5, 2, 30));
+  co_return truth;
+}
+
+TEST_F(ConsoleTest, TheTruthGoesToThePageThatLooksAndToNoBoard) {
+  std::string journal;
+  board_.set_journal([&journal](std::string_view line) { journal.append(line).append("\n"); });
+  int asked = 0;
+  reopen([&asked](Console::Setup& setup) { setup.truth = [&asked] { return answered(asked); }; });
+  const auto client = page(cookie());
+  EXPECT_EQ(asked, 0) << "nobody looks";
+  EXPECT_EQ(said(*client, "(truth)"), "{\"truth\":\"((cube circle 911.5 2 30))\"}");
+  EXPECT_TRUE(serve([&] { return client->read_frame(); })) << "and again";
+  client->send_frame(RawClient::text, "(truth-no-more)");
+  // What is answered behind that was asked when it had ended.
+  const std::string stopped = serve([&] {
+    client->send_frame(RawClient::text, "(stop 1 \"over\")");
+    while (const auto frame = client->read_frame()) {
+      if (frame->payload.starts_with("{\"reply\":1")) return frame->payload;
+    }
+    return std::string();
+  });
+  EXPECT_TRUE(has(stopped, "\"values\":[]"));
+  const int until_then = asked;
+  run(executor_, [](Executor& executor) -> Task<bool> {
+    co_await sleep(executor, 3 * TruthFeed::pause);
+    co_return true;
+  }(executor_));
+  EXPECT_LE(asked, until_then + 1) << "nobody looks any more";
+  EXPECT_TRUE(has(journal, "stop"));
+  EXPECT_EQ(journal.find("911.5"), std::string::npos);
+}
+
+TEST_F(ConsoleTest, AsksOnceWhatHoldsAndNothingOfWhatNobodyHasDeclared) {
+  declare("(relation number ((n integer) (text string)) (key n))");
+  ASSERT_TRUE(run(executor_, here_->tell(list("number"_sym, 1, "one"))));
+  const auto client = page(cookie());
+  EXPECT_TRUE(has(said(*client, "(ask 1 (number ?n ?text))"), R"("?text":"\"one\"")"));
+  EXPECT_TRUE(has(said(*client, "(ask 2 (nobody-declared ?n))"), R"({"watch":2,"revision")"));
+}
+
+Task<Result<std::string>> refused() { co_return fail("not-permitted", "this key may not"); }
+
+TEST_F(ConsoleTest, MeasuresWithTheRightsOfItsPage) {
+  std::string of;
+  reopen([&of](Console::Setup& setup) {
+    setup.instruments.method = [&of](Board&, const std::string& name, const Instruments::Connect& connect,
+                                     Duration length) {
+      of = fmt::format("{} {} {}", name, length / 1s, connect(name + "-1").has_value());
+      return refused();
+    };
+  });
+  const auto client = page(cookie());
+  EXPECT_TRUE(has(said(*client, "(method 5 4000)"), "this key may not"));
+  EXPECT_EQ(of, "console-1-method 60 true");
+}
+
+TEST_F(ConsoleTest, ACellWithoutInstrumentsSaysSo) {
+  const auto client = page(cookie());
+  EXPECT_TRUE(has(said(*client, "(method 5 10)"), "unknown-operation"));
+}
+
+}  // namespace
+}  // namespace pizarra::console

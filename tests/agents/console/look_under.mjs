@@ -1,0 +1,60 @@
+// node look_under.mjs PIZARRA-CELL SCRATCH: what goes on on the board, live; agents with contracts, load and restarts;
+// what the method of the thesis says of the running cell.
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, expectAccessible, launch, openPage, ownFolder, source, start, text } from './browser.mjs';
+
+const [cell, scratch] = process.argv.slice(2);
+const browser = await launch(scratch);
+const folder = ownFolder();
+const pictures = join(scratch, 'console-screenshots');
+mkdirSync(pictures, { recursive: true });
+const up = start([cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console'], folder);
+const page = await openPage(browser, await up.next(1));
+await page.waitForSelector('body[data-state=live]');
+
+await page.click('#tab-facts');
+await page.waitForFunction(() => /revision \d+, \d+ facts, [\d.]+ transactions\/s; a fact is committed after/.test(document.getElementById('activity-note').textContent));
+const row = (name) => page.locator(`#relations tr:has(button:text-is("${name}"))`);
+await row('arm-joints').waitFor();
+const cells = await row('arm-joints').locator('td').allInnerTexts();
+expect(cells[1] === '1' && Number(cells[3]) >= 1 && cells[6] === 'robot', `facts, watches, tellers of a relation: ${cells}`);
+// Told anew every second.
+await page.waitForFunction(() => [...document.querySelectorAll('#relations tr')].some((one) => /^host\s.*\d+ \/ \d+/s.test(one.innerText)));
+expect(true, 'how long its facts are under way');
+await row('arm-joints').locator('button').click();
+await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer');
+expect((await page.inputValue('#query')) === '(arm-joints ?robot ?joints)', 'a relation is asked for by its name');
+await page.screenshot({ path: join(pictures, 'relations.png') });
+await expectAccessible(page, scratch, 'the relations');
+
+await page.click('#tab-agents');
+const agent = page.locator('#agents [data-agent=vision]');
+await agent.waitFor();
+await page.waitForFunction(() => /told\/s, \d+ waiting, \d+ queued, 0 restarts/.test(document.querySelector('[data-agent=vision]').innerText));
+await agent.locator('summary').click();
+expect(/\(offers .*\(learn .*\(posts .*\(reads /s.test(await agent.locator('pre').innerText()), 'its contract, whole');
+expect(true, 'how busy an agent is, and how often it was started again');
+await page.click('#agents summary:has-text("Processes")');
+const process_ = page.locator('#processes tr:has-text("vision")');
+const pid = Number((await process_.innerText()).match(/started as process (\d+)/)[1]);
+process.kill(pid, 'SIGKILL');
+await page.waitForFunction(() => /\b1 restart\b/.test(document.querySelector('[data-agent=vision]')?.innerText ?? ''));
+expect(/started as process/.test(await process_.innerText()), 'an agent that dies is seen to be started again');
+
+await page.click('#agents summary:has-text("The method")');
+await page.click('#method-look');
+await page.waitForSelector('#indices');
+expect(/I_cpx \d\.\d+, I_struct \d\.\d+, I_cnx \d\.\d+/.test(await text(page, '#indices')), `Divide: ${await text(page, '#indices')}`);
+expect((await page.locator('.graph .component').count()) >= 5, 'the components as a picture');
+const wrapped = await page.locator('#wrappers tr:has-text("CRS")').innerText();
+expect(/robot\s+a device\s+\d+\s+.*17\/182 = 0\.093/s.test(wrapped), `Wrap: ${wrapped}`);
+expect((await page.locator('#connections tbody tr').count()) >= 1, `Connect: ${await page.locator('#connections tbody tr >> nth=0').innerText()}`);
+await page.locator('#method').scrollIntoViewIfNeeded();
+await page.screenshot({ path: join(pictures, 'method.png') });
+await expectAccessible(page, scratch, 'the method');
+expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
+expect((await up.end()) === 0, 'it ends in order');
+await browser.close();
+process.exit(0);
