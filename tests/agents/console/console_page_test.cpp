@@ -209,7 +209,10 @@ TEST_F(ConsoleTest, ShowsTheNewestImageAndNoMoreThanTwoThatWereNotDrawn) {
     return true;
   });
   executor_.run_until([&] { return streams_.watched("eyes") || tick(); });
-  for (std::uint64_t number = 1; number <= 100; ++number) {
+  // The first picture of a process takes as long as it takes to load what encodes it.
+  publish(1);
+  const auto first = serve([&] { return client->read_frame(); });
+  for (std::uint64_t number = 2; number <= 100; ++number) {
     publish(number);
     run(executor_, [](Executor& executor) -> Task<bool> {
       co_await sleep(executor, 2ms);
@@ -220,7 +223,6 @@ TEST_F(ConsoleTest, ShowsTheNewestImageAndNoMoreThanTwoThatWereNotDrawn) {
     const std::string line = frame.payload.substr(0, frame.payload.find('\n'));
     return read_one(line).value()[2].integer();
   };
-  const auto first = serve([&] { return client->read_frame(); });
   const auto second = serve([&] { return client->read_frame(); });
   ASSERT_TRUE(first && second);
   EXPECT_EQ(first->kind, RawClient::binary);
