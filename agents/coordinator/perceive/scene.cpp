@@ -216,6 +216,19 @@ std::optional<std::string> Scene::may_hide(const std::string& missing, const std
   return hides ? std::optional(top_of_pile(*hides)) : std::nullopt;
 }
 
+std::optional<std::string> Scene::under(const std::string& name) const {
+  const Sighting* above = sightings_.find(name);
+  if (!above) return std::nullopt;
+  const Eigen::Vector3d top = centre_mm(name, *above);
+  for (const auto& [other, sighting] : sightings_.all()) {
+    if (other == name || other == options_.gripper.mark || !sightings_.recent(other, 1)) continue;
+    const Eigen::Vector3d down = top - centre_mm(other, sighting);
+    const bool beneath = down.head<2>().norm() < domain_.cube_mm() / 2;
+    if (beneath && std::abs(down.z() - domain_.cube_mm()) < domain_.cube_mm() / 2) return other;
+  }
+  return std::nullopt;
+}
+
 bool Scene::calm() const {
   const std::optional<Eigen::Vector3d> grip = grip_mm();
   for (const auto& [name, sighting] : sightings_.all()) {

@@ -34,6 +34,8 @@ class Scene {
   // nearest the camera, well before the row of spots, else what stands nearest that place: it may have fallen behind.
   // Of a pile, its top. None of `but`.
   std::optional<std::string> may_hide(const std::string& missing, const std::set<std::string>& but) const;
+  // The seen cube that it stands on.
+  std::optional<std::string> under(const std::string& name) const;
   // Whether nothing moves that was seen lately and is not in the gripper.
   bool calm() const;
   // Whether all these objects were seen lately and lie still.

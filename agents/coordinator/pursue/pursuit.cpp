@@ -51,6 +51,7 @@ Task<void> Pursuit::run() {
 Task<Result<void>> Pursuit::pursue_once(Goal goal) {
   hold_up_.went_on();
   set_aside_ = 0;
+  hid_.clear();
   int doubts = 0;
   while (true) {
     const Result<void> outcome = co_await attempt(goal);
@@ -84,10 +85,16 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
 }
 
 Task<Result<void>> Pursuit::find_camera() {
-  if (surroundings_.scene().camera().known()) co_return Result<void>();
-  vigil_.rest();
-  const Result<void> found = co_await survey_.run();
-  co_return found;
+  while (!surroundings_.scene().camera().known()) {
+    vigil_.rest();
+    const Result<void> found = co_await survey_.run();
+    // A motion that ended early says nothing of the camera.
+    const bool ended_early = !found && found.error().symbol == "stopped";
+    if (!ended_early) co_return found;
+    const Result<void> over = co_await hold_up_.await_end(found.error());
+    if (!over) co_return over;
+  }
+  co_return Result<void>();
 }
 
 Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {

@@ -104,7 +104,8 @@ class Pursuit {
   Task<void> try_otherwise(GroundOperation operation, Failure why);
   Task<Result<void>> look_for(std::vector<std::string> objects);
   Task<Result<void>> look_once_for(std::string object, Time deadline);
-  // Whether it was tried to set something aside that may hide the missing object.
+  // Whether it was tried to set something aside that may hide the missing object. The second time that the same thing
+  // hides it, what that stood on goes too: there the plan would put it again.
   Task<Result<bool>> clear_view(std::string missing, SetAside& set_aside);
   Task<void> await_steady(std::vector<std::string> objects);
   // Whether a new plan was made: false where the one in hand serves again.
@@ -139,8 +140,9 @@ class Pursuit {
 
   std::optional<Goal> current_;
   std::int64_t last_number_ = 0;
-  int set_aside_ = 0;             // how often something was, in search of what the goal in hand names
-  std::int64_t planned_for_ = 0;  // the number of the goal for which the planner may have a plan
+  int set_aside_ = 0;  // how often something was, in search of what the goal in hand names
+  std::set<std::pair<std::string, std::string>> hid_;  // a missing object, and what was set aside before it
+  std::int64_t planned_for_ = 0;                       // the number of the goal for which the planner may have a plan
 };
 
 }  // namespace pizarra::coordinator

@@ -72,6 +72,18 @@ TEST_F(CameraMoved, WhatWasMeasuredOutlivesARestart) {
   EXPECT_EQ(cell.motions, moved) << "the camera's place is known";
 }
 
+TEST_F(CameraMoved, AMotionThatEndsEarlyWhileItIsFoundOutIsMadeAgain) {
+  cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
+  bump();
+  begin();
+  cell.refusal = "stopped";
+  want("(goal (on circle triangle))");
+  cell.run_for(5s);
+  EXPECT_TRUE(cell.facts("(goal-state 1 refused ?)").empty()) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  cell.refusal.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+}
+
 TEST_F(CameraMoved, AMarkThatIsNeverSeenIsRefusedWithWhatToDo) {
   cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
   cell.mark_hidden = [] { return true; };

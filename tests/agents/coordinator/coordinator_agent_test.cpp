@@ -443,6 +443,20 @@ TEST(CrowdedCell, LaysWhatItSetsAsideWhereItHidesTheMissingCubeNoMore) {
   EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
 }
 
+// The plan stacks triangle on square, where it hides circle, and grasps circle next.
+TEST(CrowdedCell, SetsAsideTooWhatTheHidingCubeIsStackedOnAgain) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {480, -100, 30}}});
+  cell.start_coordinator();
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& triangle = cell.cubes["triangle"];
+    const bool before = std::abs(triangle.y() + 100) < 50 && triangle.x() > 450;
+    return name == "circle" && before && triangle.z() < 120;
+  };
+  cell.request("coordinator", "(goal (on circle triangle) (on triangle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 170s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
+}
+
 TEST(CrowdedCell, RefusesWhatShowsOnlyWhileTheCubeBeforeItIsHeldUp) {
   FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
   cell.start_coordinator();
