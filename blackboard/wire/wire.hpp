@@ -13,8 +13,8 @@
 //
 // SESSION 0 in a hello: a new one. A hello that says no PROTOCOL is of 1, whose boards knew no other hello.
 //
-// A board that may have been replaced says nothing, but to a client that says `doubts`: it is `unavailable`, and so long
-// ago it knew that it led. It also answers `recall`, in a frame that begins so. Such a frame is no sign of life.
+// A board that may have been replaced says nothing, but to a client that says `doubts`: it is `unavailable`, and so
+// long ago it knew that it led. It also answers `recall`, in a frame that begins so. Such a frame is no sign of life.
 //
 // A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
 // and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
