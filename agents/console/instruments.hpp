@@ -17,7 +17,7 @@ struct Instruments {
   // Another client of the same board with the same rights.
   using Connect = std::function<Result<std::unique_ptr<Board>>(const std::string& name)>;
 
-  // What goes on on the board since it was asked before, as `top --json` prints it; at first since it was made.
+  // The board's traffic since the call before, as `top --json` prints it; the first time since it was made.
   std::function<std::function<Measured()>(Board& board, const std::string& name)> activity = nullptr;
   // Looks for so long, as `method --live --json`.
   std::function<Measured(Board& board, const std::string& name, Connect connect, Duration length)> method = nullptr;

@@ -14,7 +14,7 @@ namespace pizarra::runtime {
 Task<Result<bool>> is_declared(Board& board, std::string relation);
 // Every fact that fits, and none where its relation is not declared.
 Task<Result<std::vector<Fact>>> facts_if_declared(Board& board, Datum pattern);
-// What holds of the query, and nothing where a relation of it is not declared.
+// The answers that hold, and none where a relation of the query is not declared.
 Task<Result<Answers>> answers_if_declared(Board& board, Query query);
 // Once all its relations are declared, however long that takes: it is looked at again whenever an agent comes, which
 // has then declared what it posts.

@@ -71,7 +71,7 @@ class BoardServer {
   // client has not read, so that a server should live on for `goodbye_length`.
   void say_goodbye();
   static constexpr Duration goodbye_length = 50ms;
-  // What is said to a frame by a board that knew so long ago that it leads; nothing to those who do not ask for it.
+  // The answer to a frame of a board that last knew `age` ago that it leads; empty for clients that did not ask for it.
   std::string answer_in_doubt(const std::string& sender_key, std::string_view frame, Duration age);
 
  private:

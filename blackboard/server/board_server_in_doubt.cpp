@@ -1,5 +1,5 @@
-// A board that cannot confirm that it leads: another one may by now. It changes nothing and answers no question. Who
-// asks for it is told how things stood, and how long ago that is certain.
+// A board that cannot confirm that it leads: another one may by now. It changes nothing and answers no question.
+// A client that asks for it learns how things stood, and when that was last certain.
 
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/server/reply_text.hpp"

@@ -6,8 +6,8 @@
 //   GatedTransport gated(zeromq(), [&] { return term.may_answer(executor.now(), revision); });
 //   BoardServer::open(executor, board, {.transport = &gated});
 //
-// The gate is asked before each frame that comes or goes. What is dropped is asked for again by clients. Who is to say
-// something even so answers frames that come while it is closed; an empty answer is none. It outlives its sockets.
+// The gate is asked before each frame that comes or goes. Clients repeat what was dropped. A frame that comes while the
+// gate is closed may still be answered; an empty answer is none. It outlives its sockets.
 
 #include <functional>
 

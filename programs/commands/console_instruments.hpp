@@ -1,6 +1,6 @@
 #pragma once
 
-// What a console measures of its board with the means of `top` and `method`, and what it lays over the cell of the
+// The measurements of a board that a console shows, taken as `top` and `method` take them; and the truth of the
 // simulated world.
 
 #include "agents/console/instruments.hpp"
