@@ -30,9 +30,9 @@ const Names of_every_agent = {"agent", "bound", "context", "contract", "request"
 using Occasions = std::map<std::string, Names>;
 const Occasions read_on_occasion = {{"person", {"vision-failed"}}, {"pan-tilt", {"place"}}};
 const Occasions told_on_occasion = {
-    {"coordinator", {"leans"}},
+    {"coordinator", {"camera-pose", "leans"}},
     {"pan-tilt", {"head-speed", "looking-at"}},
-    {"robot", {"commander", "gripped", "hold", "robot-speed", "robot-variable", "stop"}},
+    {"robot", {"commander", "gripped", "hold", "robot-released", "robot-speed", "robot-variable", "stop"}},
     {"vision", {"camera-drops", "found", "look-alike", "objects-damaged", "tags-seen", "vision-failed"}}};
 
 Names with(Names names, const Occasions& occasions, const std::string& agent) {

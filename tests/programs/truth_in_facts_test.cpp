@@ -92,7 +92,7 @@ TEST_F(TruthInFacts, OnlyTheAgentsAndTheVisitorTellAnything) {
 }
 
 TEST_F(TruthInFacts, EveryRelationHasOneTellerButThoseThatAllAgentsShare) {
-  const std::set<std::string> shared{"agent", "bound", "context", "contract", "request", "reply"};
+  const std::set<std::string> shared{"agent", "bound", "context", "contract", "holder", "request", "reply", "wired"};
   std::map<std::string, std::set<std::string>> tellers;
   for (const Told& told : journal_.told) tellers[std::string(told.fact.head())].insert(told.teller);
   for (const auto& [relation, who] : tellers) {
@@ -111,7 +111,8 @@ TEST_F(TruthInFacts, ThePersonTellsWherePixelsAreAndNoOtherNumberOfTheWorld) {
     if (told.teller != "person") continue;
     const std::string_view relation = told.fact.head();
     if (relation == "agent" || relation == "contract" || relation == "bound" || relation == "context") continue;
-    if (relation == "person") {
+    const bool of_names = relation == "person" || relation == "wired" || relation == "holder";
+    if (of_names) {
       EXPECT_FALSE(holds_number(told.fact)) << write(told.fact);
       continue;
     }
