@@ -110,7 +110,8 @@ Task<Result<bool>> Pursuit::clear_view(std::string missing, SetAside& set_aside)
     const std::optional<std::string> under = surroundings_.scene().under(*before);
     done = co_await rescues_.set_aside(*before);
     const bool hides_again = done && !hid_.emplace(missing, *before).second;
-    if (hides_again && under && *under != missing) done = co_await rescues_.set_aside(*under);
+    const bool under_too = hides_again && under && *under != missing;
+    if (under_too) done = co_await rescues_.set_aside(*under);
     const bool in_vain = !done && ++set_aside.failed[*before] == tries_to_set_aside;
     if (done || in_vain) set_aside.done.insert(*before);
   }
