@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <fmt/format.h>
 
 #include "lisp/reader.hpp"
 
@@ -87,7 +88,7 @@ Task<Result<std::string>> Contexts::resolve(std::string root, std::string path) 
     const auto found = std::ranges::find(*contexts, name, &Pairs::value_type::first);
     if (found == contexts->end()) {
       const std::string where = walked.empty() ? "the board at " + address : walked;
-      co_return fail("no-context", where + " names no board " + name, to_datum(name));
+      co_return fail("no-context", fmt::format("{} names no board {}", where, name), to_datum(name));
     }
     address = found->second;
     walked += (walked.empty() ? "" : "/") + name;
@@ -106,7 +107,7 @@ Task<std::vector<Contexts::Row>> Contexts::list(std::string root) {
     const auto [known, is_new] = paths.emplace(row.address, row.path);
     if (!is_new) {
       const std::string back = known->second.empty() ? "the first board" : known->second;
-      row.fault = Failure{"context-loop", "it is " + back + ", listed already", to_datum(row.address), {}};
+      row.fault = Failure{"context-loop", fmt::format("it is {}, listed already", back), to_datum(row.address), {}};
     }
     if (is_new && deep == most_deep) row.fault = Failure{"too-deep", "nothing below it is listed", {}, {}};
     if (row.fault) {
@@ -119,7 +120,7 @@ Task<std::vector<Contexts::Row>> Contexts::list(std::string root) {
     rows.push_back(std::move(row));
     if (!contexts) continue;
     for (const auto& [name, address] : *contexts) {
-      waiting.emplace_back(Row{path.empty() ? name : path + "/" + name, address}, deep + 1);
+      waiting.emplace_back(Row{path.empty() ? name : fmt::format("{}/{}", path, name), address}, deep + 1);
     }
   }
   co_return rows;
@@ -134,14 +135,18 @@ Task<Result<std::vector<std::string>>> Contexts::ascend(std::string board) {
     if (parents->empty()) co_return way;
     const auto& [parent, name] = parents->front();
     const bool was_here = std::ranges::count(way, parent) > 0;
-    if (was_here) co_return fail("context-loop", parent + " is above and below " + here, to_datum(parent));
-    if (way.size() == most_deep) co_return fail("too-deep", "there are more than 16 boards above each other");
+    if (was_here) {
+      co_return fail("context-loop", fmt::format("{} is above and below {}", parent, here), to_datum(parent));
+    }
+    if (way.size() == most_deep) {
+      co_return fail("too-deep", fmt::format("there are more than {} boards above each other", most_deep));
+    }
     const Result<Pairs> contexts = co_await pairs_of(parent, "context-board");
     if (!contexts) co_return fail(of_board(contexts.error(), "", parent));
     const auto found = std::ranges::find(*contexts, name, &Pairs::value_type::first);
     const bool names_it = found != contexts->end() && found->second == here;
     if (!names_it) {
-      co_return fail("orphan", parent + " does not name " + here + " as " + name + " any more", to_datum(here));
+      co_return fail("orphan", fmt::format("{} does not name {} as {} any more", parent, here, name), to_datum(here));
     }
     way.push_back(parent);
   }

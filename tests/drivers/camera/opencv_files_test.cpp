@@ -24,7 +24,7 @@ bool loaded(const std::string& library) {
 }
 
 TEST(OpencvFiles, AreLoadedForTheFirstImageThatIsNeitherJpegNorPng) {
-  const std::string folder = scratch_folder();
+  const std::string& folder = scratch_folder();
   std::ofstream(folder + "a.png", std::ios::binary).write(reinterpret_cast<const char*>(png), sizeof png);
   std::ofstream(folder + "b.pgm", std::ios::binary) << "P5 1 1 255\nd";
   const Result<cv::Mat> own = read_image_file(folder + "a.png", true);
