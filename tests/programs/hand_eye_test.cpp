@@ -18,7 +18,7 @@ const forms::BelievedCamera guess{.pose = {}, .sure_mm = 20, .sure_deg = 2};
 
 // What is seen without noise at the poses that the command would choose.
 std::vector<coordinator::MarkPair> pairs_of(bool turned, std::size_t many) {
-  const arm::ArmModel arm = arm::crs_f3();
+  const arm::ArmModel& arm = arm::crs_f3();
   const coordinator::CameraView expected(guess.pose, model);
   const CarryingRoom room{{330, -200, 150}, {570, 200, 330}};
   std::vector<coordinator::MarkPair> pairs;
@@ -36,7 +36,7 @@ double apart(const forms::CameraPose& one, const forms::CameraPose& other) {
 }
 
 TEST(HandEye, ChoosesPosesWithinReachAndViewThatAreTurned) {
-  const arm::ArmModel arm = arm::crs_f3();
+  const arm::ArmModel& arm = arm::crs_f3();
   const coordinator::CameraView view(guess.pose, model);
   const CarryingRoom room{{330, -200, 150}, {570, 200, 330}};
   const std::vector<CarriedPose> poses = poses_to_carry_to(arm, view, {30, 0, -66}, room, 70, 28);

@@ -55,7 +55,7 @@ std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vecto
                                          double from_y_mm, const Shown& shown) {
   for (double aside = 0; aside <= area.aside_mm; aside += area.grid_mm) {
     for (const double x_mm : {area.x_mm - aside, area.x_mm + aside}) {
-      const std::optional<Eigen::Vector2d> spot = free_spot_at(x_mm, area, occupied, from_y_mm, shown);
+      std::optional<Eigen::Vector2d> spot = free_spot_at(x_mm, area, occupied, from_y_mm, shown);
       if (spot) return spot;
     }
   }
