@@ -1,4 +1,4 @@
-// What a page lays over what is believed, and what it measures of the board: all of it while it looks.
+// A page's truth overlay and its measurements of the board, each for as long as the page looks.
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -158,8 +158,8 @@ Task<Result<void>> PersonAgent::teach_cell() {
   co_return {};
 }
 
-// What is learned next accepts what was learned before, and nothing comes behind the last. Where it was known already
-// there is nothing to accept.
+// Learning the next object accepts the one before; nothing is learned after the last. An object that was known already
+// needs no acceptance.
 Task<void> PersonAgent::accept(std::string name) {
   Datum accepting = list("accept"_sym, Datum::string(name));
   [[maybe_unused]] const Result<Datum> accepted = co_await ask_eyes(std::move(accepting));

@@ -115,7 +115,7 @@ class Leading {
     return !deposed_ && !leaves_ &&
            term_.may_answer(executor_.now(), kept_ == nullptr ? 0 : kept_->board().store().revision());
   }
-  // What may be said while it is not known whether this board leads.
+  // The answer to a frame while it is not known whether this board leads.
   std::string in_doubt(const std::string& sender_key, std::string_view frame) const {
     if (deposed_ || leaves_ || server_ == nullptr || !term_.sent()) return "";
     return server_->answer_in_doubt(sender_key, frame, executor_.now() - *term_.sent());

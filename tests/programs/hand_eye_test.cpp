@@ -16,7 +16,7 @@ const forms::CameraPose truth{{1318, 12, 210}, 1.2, -1.2, 1};
 const Eigen::Vector3d true_mark(31, 0.5, -66);
 const forms::BelievedCamera guess{.pose = {}, .sure_mm = 20, .sure_deg = 2};
 
-// What is seen without noise at the poses that the command would choose.
+// The mark as it is seen, without noise, at the poses that the command would choose.
 std::vector<coordinator::MarkPair> pairs_of(bool turned, std::size_t many) {
   const arm::ArmModel& arm = arm::crs_f3();
   const coordinator::CameraView expected(guess.pose, model);

@@ -67,7 +67,7 @@ Numbers deviations_of(const Sureness& sure) {
   return out;
 }
 
-// What the pairs, and the guess where they leave something open, ask of the numbers.
+// The normal equations of the pairs, and of the guess where the pairs leave something open.
 struct Normal {
   MountFit::Covariance information;
   Numbers gradient;

@@ -67,7 +67,7 @@ Task<void> CameraNews::tell(const CameraWatch& camera, News news) {
   transaction.tell(pose);
   if (news != News::nothing) story_.add(transaction, "agent", sentence_of(camera, news), pose);
   const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
-  // What the board cannot keep is told again with the next look that tells something.
+  // A state that the board could not keep is told again with the next look that tells something.
   if (told) told_ = state;
 }
 

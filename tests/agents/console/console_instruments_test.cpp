@@ -1,4 +1,4 @@
-// What a page lays over what is believed, and what it measures.
+// A page's truth overlay and its measurements of the board.
 
 #include <fmt/format.h>
 
