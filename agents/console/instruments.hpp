@@ -1,7 +1,7 @@
 #pragma once
 
-// What the program that serves the console can measure of a board, as JSON: its commands `top` and `method` know how,
-// and hand it in. Both work with the page's own session, as its key may.
+// Measurements of a board, as JSON, that the program which serves the console hands in: its commands `top` and `method`
+// know how to take them. Both use the page's own session, so its key decides what they may read.
 
 #include <functional>
 #include <memory>
