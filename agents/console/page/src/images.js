@@ -107,14 +107,6 @@ export function showImages(connection, roles) {
     const said = clipped([why, text(trouble ?? '')].filter(Boolean).join(': '), 120);
     for (const view of views) view.note.textContent = said;
   });
-  // What is shown stays while no images come, and the note says why.
-  connection.followAlways('(camera-state ?eyes ?state ?trouble)', (answers) => {
-    const [, , state, trouble] = answers.length ? fact(answers[0]) : [];
-    const why = state === undefined ? 'no eyes are present' : closed[text(state)];
-    if (!why || moment !== null) return;
-    const said = clipped([why, text(trouble ?? '')].filter(Boolean).join(': '), 120);
-    for (const view of views) view.note.textContent = said;
-  });
   const takers = [];
   const [plain] = views;
   plain.canvas.classList.add('clickable');
