@@ -114,13 +114,13 @@ TEST_F(BoardOfACellGone, WhoEndsOrIsInterruptedIsNotPresentAnyMore) {
 TEST(BoardGone, AStopOutlivesItUntilSomebodyWithdrawsIt) {
   write_cell("robot");
   Running up({PIZARRA_CELL, "up", file("cell.scm")}, file("up.log"));
-  const auto arm_is_there = [] { return run("ask '(arm robot idle ?a)'").status == 0; };
-  ASSERT_TRUE(wait_until(arm_is_there, patience)) << up.said();
+  const auto robot_is_there = [] { return run("ask '(agent robot ?k ?)'").text == "?k = robot\n"; };
+  ASSERT_TRUE(wait_until(robot_is_there, patience)) << up.said();
   ASSERT_EQ(run("tell '(stop me \"my arm is in there\")'").status, 0);
   kill_board();
   const auto told = [] { return run("tell '(agent spirit robot \"there\")'").status == 0; };
   ASSERT_TRUE(wait_until(told, patience)) << up.said();
-  ASSERT_TRUE(wait_until(arm_is_there, patience)) << up.said();
+  ASSERT_TRUE(wait_until(robot_is_there, patience)) << up.said();
   EXPECT_EQ(run("ask '(stop me ?reason)'").text, "?reason = \"my arm is in there\"\n");
   const Said refused = run("repl --eval '(robot (home))'");
   EXPECT_NE(refused.text.find("me says stop: my arm is in there"), std::string::npos) << refused.text;

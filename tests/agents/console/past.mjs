@@ -51,10 +51,11 @@ await page.press('#goal-text', 'Enter');
 await page.waitForSelector('#plan li.running');
 await page.click('#tab-story');
 await page.click('#story .timeline details >> nth=0');
+// The goal goes on, and what happens comes in before the entry that is open.
 await page.waitForSelector('#story .kept canvas:not([hidden])');
 expect(/frame \d+, \d\d:/.test(await text(page, '#story .kept figcaption')), 'an entry of the story shows what was seen');
 await page.screenshot({ path: join(pictures, 'story-picture.png') });
-await page.click('#story button:text-is("Show all as it was then")');
+await page.click('#story details[open] button:text-is("Show all as it was then")');
 await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));
 expect(await page.isEnabled('#back-to-now'), 'and leads to the moment');
 await page.click('#back-to-now');
