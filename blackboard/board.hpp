@@ -122,7 +122,7 @@ class Executor;
 // How long a caller waits before it asks a board again that was away.
 inline constexpr Duration retry_pause = 200ms;
 
-// Of a transaction that must stand and need not last: what is `not-durable` stands too, since the revision it says.
+// For a transaction that need not be durable: `not-durable` counts as done, at the revision that the failure names.
 Result<Revision> if_it_stands(Result<Revision> told);
 
 // The first answer of a query that holds now or comes to hold before `deadline`; failure `timeout` otherwise.

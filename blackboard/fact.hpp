@@ -16,7 +16,7 @@ using Revision = std::uint64_t;  // 1 is the first committed transaction
 using FactId = std::uint64_t;    // a counter, never used twice on one board
 using LeaseId = std::uint64_t;   // 0: none
 
-// A moment of a board's life, by revision or by time: the last that counts.
+// A moment of a board's past, by revision or by time: what came later is left out.
 struct Moment {
   Revision revision = std::numeric_limits<Revision>::max();
   Time time = Time::max();

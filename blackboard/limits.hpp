@@ -12,7 +12,7 @@
 
 namespace pizarra {
 
-// With its provenance.
+// Of the fact and its provenance.
 Weight weigh(const Fact& fact);
 
 namespace limits {
@@ -20,7 +20,7 @@ namespace limits {
 constexpr std::size_t frame_bytes = 1 << 20;
 constexpr std::size_t frame_elements = 200'000;
 constexpr std::size_t frame_depth = 64;
-// The weight of a transaction, an answer to a question or a change: the rest of the frame is its envelope.
+// Of a transaction, so of one fact too, of an answer or of a change. The rest of the frame is its envelope.
 constexpr std::size_t bytes = frame_bytes - (1 << 14);
 constexpr std::size_t elements = frame_elements - 1000;
 constexpr std::size_t depth = frame_depth - 8;
@@ -46,7 +46,7 @@ constexpr std::size_t part_bytes = 1 << 18;
 
 }  // namespace limits
 
-// The memory that a fact takes, roughly and without what finds it.
+// The memory that a fact takes, roughly, without its share of the indexes.
 std::size_t footprint(const Fact& fact, const Weight& of_its_datum);
 inline std::size_t footprint(const Fact& fact) { return footprint(fact, weigh(fact.datum)); }
 

@@ -4,7 +4,7 @@
 // fewest digits that read back to the same double and always with a point or an exponent.
 //
 //   std::string line = "(";
-//   write_string_to(line, "vision");        // as a datum of it would be written, and there is none
+//   write_string_to(line, "vision");        // as a string, without making a datum of it
 //   write_number_to(line += ' ', 7);
 //   write_to(line += ' ', fact);
 

@@ -47,7 +47,7 @@ struct FoxgloveMessage {
 std::vector<FoxgloveMessage> foxglove_messages(const Fact& fact);
 std::vector<FoxgloveMessage> foxglove_messages_of_gone(const Fact& fact, Time when);
 
-// What is followed for that: patterns of relations; those of all channels, and of one alone.
+// The patterns to watch for all channels, and for one alone.
 std::span<const std::string_view> foxglove_patterns();
 std::span<const std::string_view> foxglove_patterns(std::size_t channel);
 

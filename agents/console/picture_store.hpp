@@ -31,7 +31,7 @@ struct KeptPicture {
   int height = 0;
   std::string file;
 };
-// What is in such a folder, the oldest first, whoever works there.
+// The pictures in such a folder, the oldest first; another process may be at work there.
 std::vector<KeptPicture> kept_pictures(const std::string& folder);
 
 class PictureStore {

@@ -26,7 +26,7 @@ struct AgentContext {
 class Agent {
  public:
   virtual ~Agent() = default;
-  // Runs until destroyed, or until what it cannot mend.
+  // Runs until destroyed, or until it meets something that it cannot mend.
   virtual Task<Result<void>> run() = 0;
 };
 

@@ -33,7 +33,7 @@ struct Contract {
 // A malformed contract is a bug of the agent's author; the failure says where.
 Result<Contract> contract_from_text(std::string_view text);
 
-// Whether it is offered and its arguments fit, in a shape of it. Failures: unknown-operation (the nearest),
+// Whether the contract offers the operation with such arguments. Failures: unknown-operation (names the nearest),
 // wrong-shape.
 Result<void> check_operation(const Contract& contract, const Datum& operation);
 

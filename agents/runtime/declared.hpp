@@ -1,7 +1,7 @@
 #pragma once
 
-// Asking for what others tell, who may yet have to come. A question about a relation that nobody has declared is
-// refused, and the board counts whom it refused what; these see first whether it is declared.
+// Questions about facts of agents that may not be there yet. The board refuses a question about a relation that nobody
+// has declared, and counts the refusal. These functions look first whether the relation is declared.
 //
 //   Result<std::vector<Fact>> learned = co_await facts_if_declared(board, pattern);       // none before eyes have come
 //   Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, query);    // waits for them
@@ -16,8 +16,8 @@ Task<Result<bool>> is_declared(Board& board, std::string relation);
 Task<Result<std::vector<Fact>>> facts_if_declared(Board& board, Datum pattern);
 // The answers that hold, and none where a relation of the query is not declared.
 Task<Result<Answers>> answers_if_declared(Board& board, Query query);
-// Once all its relations are declared, however long that takes: it is looked at again whenever an agent comes, which
-// has then declared what it posts.
+// Waits until all its relations are declared, however long that takes. It looks again whenever an agent comes: by then
+// that agent has declared what it posts.
 Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Query query);
 
 }  // namespace pizarra::runtime

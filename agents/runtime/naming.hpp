@@ -11,10 +11,10 @@
 //   Result<Reference> arm = co_await naming.resolve({"robots", "crs-f3", "left"});
 //   co_await caller.call(arm->agent, operation, 10s);
 //
-// A binding holds an agent that is present and of that kind, is gone with its binder's presence, and is told again when
-// that began anew: nothing dangles, and a server that comes back finds its name free. A context goes only when nothing
-// is in it, and nothing can be bound where there is none, so that no part of the tree is cut off. All of it holds
-// whoever races with whom, because every change is one transaction.
+// A binding names an agent that is present and of that kind. It goes with its binder's presence, and is told again when
+// the presence begins anew. So no name leads nowhere, and a server that comes back finds its name free. A context can
+// be removed only when it is empty, and nothing can be bound in a context that is not there, so no part of the tree is
+// cut off. This holds with any number of clients at once, because every change is one transaction.
 //
 // Names are letters, digits and dashes, a letter first, at most 64; a path has at most 16.
 
@@ -68,7 +68,7 @@ class Naming {
   Task<Result<void>> bind(Path path, Reference reference);
   // In place of whatever is bound there, if anything. Failures bad-name, no-context, absent, already-bound (a context).
   Task<Result<void>> rebind(Path path, Reference reference);
-  // A name that is not bound any more is fine: somebody saw to it. Failure bad-name.
+  // A name that is not bound (any more) does no harm. Failure bad-name.
   Task<Result<void>> unbind(Path path);
   // Everything that was bound by this object, at once.
   Task<Result<void>> unbind_all();

@@ -39,8 +39,8 @@ class RemoteBoard : public Board {
  public:
   static constexpr Duration default_timeout = 5s;
   static constexpr std::size_t max_pending = 1024;  // requests that wait for an answer
-  // None of them goes before the board has answered those so far behind it: the board remembers the answers of the last
-  // 256, for those that are asked again, and half as many wait for a client without being lost.
+  // Request N waits until all up to N - 128 are answered. The board remembers the answers to a session's last 256
+  // requests, in case they are sent again, and keeps half as many for a client that does not read.
   static constexpr wire::RequestId most_ahead = 128;
 
   // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failures
@@ -56,7 +56,7 @@ class RemoteBoard : public Board {
   bool connected() const { return joined_; }
   // For how long nothing has been heard from the board; it is asked for a sign of life every half second.
   Duration silence() const { return executor_.now() - heard_; }
-  // When the board said that it ends, if that is the last that was heard of it.
+  // When the board said that it ends; nothing where it was heard again since.
   const std::optional<Time>& said_goodbye() const { return goodbye_; }
   // The board's clock, as far as its answers tell: what a fact's `when` is to be compared with. Nothing until it has
   // said so.
@@ -64,7 +64,7 @@ class RemoteBoard : public Board {
 
   // From now on nothing waits for a quorum: what was not sent by then fails with `unavailable` and was not done.
   void refuse_without_quorum() { waits_for_quorum_ = false; }
-  // How long ago the board knew that it led, where it does not know now.
+  // Where the board does not know whether it leads: how long ago it still knew that it did.
   const std::optional<Duration>& in_doubt_since() const { return in_doubt_; }
 
   // Answers as things stood `age` ago or later. What is not settled may be undone.
@@ -107,7 +107,7 @@ class RemoteBoard : public Board {
   Task<Result<Datum>> call_text(std::string body, bool repeatable);
   wire::RequestId begin(std::string body, bool repeatable, Done done);
   void forget(wire::RequestId request) { pending_.erase(request); }
-  // Those that may go and have not: together, once all have spoken whose turn it is.
+  // Sends the requests that wait and may go, in one frame, when all callbacks that are due have run.
   void transmit_soon();
   void transmit_waiting();
   void transmit(wire::RequestId request, Pending& pending);
@@ -122,7 +122,7 @@ class RemoteBoard : public Board {
   void lose_session();
   void try_others(Time now);
   bool has_others() const { return addresses_.size() > 1; }
-  // Fails the requests under way of which the condition holds.
+  // Fails those requests under way for which the condition holds.
   template <class Condition>
   void fail_where(const Condition& condition, const Failure& failure);
   void refused(const Failure& failure);
@@ -145,7 +145,7 @@ class RemoteBoard : public Board {
   const std::string teller_;
   const Duration timeout_;
   bool joined_ = false;
-  bool is_of_the_first_ = false;  // the board's protocol, it seems
+  bool is_of_the_first_ = false;  // whether the board seems to speak the first protocol
   wire::SessionId session_ = 0;
   wire::SessionId life_ = 0;  // the server's
   Time heard_{};

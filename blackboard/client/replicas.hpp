@@ -36,9 +36,9 @@ class Replicas {
 
   // Nothing where the server must be asked.
   std::optional<Result<Answers>> ask(const Query& query) const;
-  // The server answered when it was at `revision`; `sent`: all that changed up to there came here before.
+  // The server answered when it was at `revision`. `sent`: all changes up to there came here before the answer.
   void answered_at(Revision revision, bool sent);
-  // It answered, and did not say.
+  // It answered, and did not say at which revision.
   void answered() { unsure_ = true; }
   // The revisions that were known of the server are void.
   void begin_again();
@@ -51,8 +51,8 @@ class Replicas {
   Executor& executor_;
   store::Tables tables_;
   std::map<std::string, std::unique_ptr<Replica>, std::less<>> replicas_;
-  Revision done_ = 0;       // what this client was told is done, is done then
-  Revision caught_up_ = 0;  // everything up to here has come
+  Revision done_ = 0;       // all that this client was told is done was done by then
+  Revision caught_up_ = 0;  // all changes up to here have come
   bool unsure_ = false;
 };
 

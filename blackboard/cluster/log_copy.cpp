@@ -71,7 +71,7 @@ Result<void> LogCopy::begin() {
   replies_.clear();
   const Result<void> restored = restore_snapshot();
   if (!restored) store_ = nullptr;
-  // What was not answered has put nothing into the store.
+  // A read that was not answered has changed nothing in the store.
   if (restored || restored.error().symbol != "unavailable") ++begun_;
   return restored;
 }

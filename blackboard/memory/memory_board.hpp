@@ -42,8 +42,8 @@ class MemoryBoard {
   MemoryBoard& operator=(const MemoryBoard&) = delete;
   ~MemoryBoard();
 
-  // Who brings the board what others say: while it lives, nothing lapses before all that had come when it was due has
-  // been heard. `until` answers up to when it has, a later time each time as long as it hears.
+  // Held by whoever brings the board messages of others. While it lives, a lease lapses only when every message that
+  // had come by then was heard. `until` answers up to which time that is so, later each time while messages are read.
   class Hearing {
    public:
     Hearing(MemoryBoard& board, std::function<Time()> until);
@@ -62,9 +62,9 @@ class MemoryBoard {
   // Calls `sink` with every declaration and committed transaction from now on; beforehand with what was declared so
   // far.
   void set_journal(store::JournalSink sink);
-  // The same of what is durable alone, and of what was declared: for a log that is dear.
+  // The same, of declarations and durable facts alone: for a log in which each entry is costly.
   void set_journal_of_durable(store::JournalSink sink);
-  // Lets go what is not durable and puts back what was taken, which the journal should hear.
+  // Removes what is not durable and puts back what was taken. Set the journal before, since it records both.
   void resume();
 
   Executor& executor() { return executor_; }
@@ -88,7 +88,7 @@ class MemoryBoard {
   Result<std::unique_ptr<watch::WatchQueue>> watch(const std::string& watcher, const Query& query,
                                                    std::function<void()> ready, std::shared_ptr<watch::Backlog> backlog,
                                                    std::size_t& examined);
-  // The same for who does not want to know, in this process.
+  // The same for callers in this process that need no count.
   Result<Revision> transact(const std::string& teller, const Transaction& transaction);
   Result<Answers> ask(const Query& query);
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
@@ -96,7 +96,7 @@ class MemoryBoard {
                                                    std::function<void()> ready);
 
  private:
-  // Lapses what is due, before an operation; and has the timer wait for what is next, after it. Of the facts that lapse
+  // begin(): before an operation, lapses what is due. schedule(): after it, sets the timer. Of the facts that lapse
   // together only a part is removed at a time, however many operations there are. The next part follows after a pause.
   Time begin();
   void schedule();

@@ -27,8 +27,8 @@ class Gate {
 
   // Whether it may tell, take or read some of its facts, or no key is asked for.
   static bool may_know(Key key, std::string_view relation);
-  // It may tell, take or read its facts: who may not is told nothing of how a relation is declared. Failure too-large
-  // where too many are called alike.
+  // Permitted to a key that may tell, take or read the relation's facts. Others learn nothing of how it is declared.
+  // Failure too-large, where there are too many relations of one beginning.
   Result<void> declare(Key key, const std::vector<Relation>& relations) const;
   // Adds to `examined` the facts that it looked at to find their owners: they count as the transaction's own. Failure
   // too-costly.

@@ -10,7 +10,7 @@
 
 namespace pizarra::server {
 
-// What a failure says is shortened where it is long.
+// A failure's long sentence or subject is shortened.
 Datum result_to_datum(const Result<Datum>& result);
 std::string reply_text(wire::RequestId id, const Datum& result);
 

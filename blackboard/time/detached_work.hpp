@@ -1,7 +1,7 @@
 #pragma once
 
-// Work on a thread of its own that nobody waits for, not even in the end: a device may never answer. So it owns all
-// that it touches; and the time that it is given goes on as that of who starts it, which may be gone.
+// Work on a thread of its own that nobody waits for, not even at the program's end: a device may never answer. So the
+// work must own all it touches. `now` goes on with its starter's time, and works when the starter's executor is gone.
 //
 //   start_detached(executor.now(), [desk](const std::function<Time()>& now) { read_for_ever(*desk, now); });
 

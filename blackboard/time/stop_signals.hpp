@@ -1,8 +1,8 @@
 #pragma once
 
-// SIGINT, SIGTERM, a closed terminal and an output that nobody reads any more as an orderly end. With an executor they
-// stop it, on its own thread, and run_until() returns; in virtual time, where files have no place, whoever runs the
-// executor looks between its callbacks.
+// Ends a program in order at SIGINT, SIGTERM, a closed terminal, or an output that nobody reads any more. Given an
+// executor, they stop it on its own thread, and run_until() returns. A virtual executor watches no files: there the
+// caller of run_until() asks received() between the callbacks.
 //
 //   RealExecutor executor;
 //   const StopSignals signals(executor);      // before any thread is started

@@ -5,7 +5,7 @@
 //   SocketEvents events(executor, context, socket, ZMQ_EVENT_ACCEPTED,
 //                       [&](std::uint16_t event, std::uint32_t value) { ... });
 //
-// Made before the socket binds or connects; the socket outlives it, and has one.
+// Made before the socket binds or connects. The socket outlives it, and has no other.
 
 #include <cstdint>
 #include <functional>

@@ -3,15 +3,15 @@
 // The interface of a robot agent to an arm's controller. One implementation a controller; the simulated one is in
 // drivers/simulation/.
 //
-// Lifecycle: identify(), then take_control() whenever somebody wants the arm's troubles done away with, then moves, one
+// Lifecycle: identify(), then take_control() whenever somebody wants the arm's troubles cleared, then moves, one
 // at a time; read() and stop() at any time, also while a move runs and before control is taken. Nothing but
 // take_control() resets an alarm, releases a brake or switches servos on. Failures: not-in-control (what take_control()
 // may mend: the pendant, a hold, an alarm, servos that are off), busy, joint-limit, not-finite, bad-joints,
 // disconnected; refused (the controller's own code as subject).
 //
 // Any of an arm's lines may fall silent by itself. stop() goes out at once by every line that still takes something,
-// and states_heard() goes on counting, whatever read() or identify() wait for: whoever commands the arm notices by the
-// one that it moves unseen, and ends that by the other (agents/robot/silence.hpp).
+// and states_heard() goes on counting, whatever read() or identify() wait for. So the robot agent notices by
+// states_heard() that the arm moves unseen, and ends that by stop() (agents/robot/silence.hpp).
 
 #include <cstdint>
 #include <optional>
@@ -56,9 +56,9 @@ class ArmDriver {
   // what it does say is not of that arm (unknown-arm).
   virtual Task<Result<std::string>> identify() = 0;
   virtual Task<Result<void>> take_control() = 0;
-  // The same as the controller is met for the first time. A device of the arm that takes its time is not waited for.
+  // The same, when the controller is met for the first time. It does not wait for a slow device of the arm.
   virtual Task<Result<void>> power_up() { return take_control(); }
-  // Gives the arm back to whoever stands beside it, as much of it as take_control() took: the servos go off.
+  // Undoes what take_control() did, so that people beside the arm may move it: the servos go off.
   virtual Task<Result<void>> release_control() { co_return Result<void>(); }
   // Starts a move through the waypoints (joint interpolation between them, in what the axes read), at `speed` 0..1 of
   // the axes' speeds, and answers once it is accepted.
@@ -68,8 +68,8 @@ class ArmDriver {
   virtual Task<Result<ArmReading>> read() = 0;
   // How many states of its arm the controller has told so far.
   virtual std::uint64_t states_heard() const { return states_heard_; }
-  // For how long at most none may come of an arm that moves, which is then stopped. More than this only where the line
-  // is too slow for it.
+  // An arm that moves is stopped when no state has come for this long. A driver answers more only where its line is
+  // too slow for it.
   virtual Duration longest_silence() const { return 150ms; }
 
  protected:

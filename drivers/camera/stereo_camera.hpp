@@ -20,8 +20,8 @@ struct StereoFrame {
   std::shared_ptr<const Image> right;
 };
 
-// How far what is told of a pair may be off, as standard deviations: what its calibration left open. 0 where nothing is
-// off, as in a simulation, and where nobody knows.
+// How far a pair's geometry may be off, as standard deviations: what its calibration left open. 0 where nothing is off,
+// as in a simulation, and where nobody knows.
 struct StereoDeviations {
   double focal_px = 0;
   double base_line_mm = 0;
@@ -43,7 +43,7 @@ struct StereoModel {
   bool is_single() const { return base_line_mm == 0; }
 };
 
-// What never reached who asked for frames.
+// Frames that were lost before anybody was given them.
 struct CameraDrops {
   std::uint64_t late = 0;        // a newer one came before it was taken
   std::uint64_t skewed = 0;      // its partner was of another moment

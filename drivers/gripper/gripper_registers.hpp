@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a gripper has what in its 16-bit registers, as data: a cell file may say it of any gripper
-// (lisp/forms/gripper_setup.hpp), and the emulated one has the same.
+// The fields of a gripper in its 16-bit registers, as data: a cell file may place them for any gripper
+// (lisp/forms/gripper_setup.hpp). The emulated gripper is read by the same.
 //
 //   const GripperSetup setup;
 //   RegisterImage orders(orders_of(setup));

@@ -13,7 +13,7 @@
 
 namespace pizarra::forms {
 
-// The domain as one form, which neither extends another nor leaves anything out. What extends nothing stays as it is.
+// The domain as one form, without `extends` and `without`. A domain that extends nothing stays as it is.
 // Failures: malformed, repeated, unreadable-file, extends-itself, too-many (more than 8 files), unknown-name (in
 // `without`), wrong-file (the other is no domain), and the reader's.
 Result<Source> extended_domain(Source source);

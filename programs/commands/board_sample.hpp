@@ -8,12 +8,12 @@
 //   co_await sleep(executor, 1s);
 //   Result<BoardSample> sample = co_await sampler.next();       // since begin(), or since the last
 //
-// How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where
-// nobody tells anything, a fact's journey is timed on one of the sampler's own at each look, (board-probe WHO N
-// SENT-US), gone with it: from telling to the board's committing it, to the board's answer, and to its arrival at a
-// watcher. One, because whatever is told pushes the board's past out of its journal. The board says by its own clock
-// when it commits. That is taken for ours, moved by as little as puts the commit between telling and answer: on one
-// machine the two differ by next to nothing. A sampler that may not tell it has no journey to show.
+// Tellers and watchers report themselves how long the facts of a relation are under way (statistics.hpp). Besides, the
+// sampler times one fact of its own at each look, (board-probe WHO N SENT-US), which goes with the sampler. It times
+// three spans: from the telling to the commit, to the board's answer, and to the arrival at a watcher. It tells one
+// fact and no more, because every fact pushes older ones out of the journal. The commit is dated by the board's clock.
+// That time is moved as little as possible to lie between telling and answer; on one machine it hardly moves. A sampler
+// that may not tell the probe shows no journey.
 
 #include <map>
 #include <optional>

@@ -26,7 +26,7 @@ constexpr std::size_t hold_back_each = 4;
 constexpr double most_unsure_mm = 2;
 constexpr double most_unsure_deg = 0.2;
 constexpr double most_checked_mm = 4;
-// What a fit expects of the mean of ten looks; and no camera is trusted to be better than this.
+// The error that a fit expects in the mean of ten looks, and the least that it takes any camera to have.
 constexpr double expected_error_px = 0.2;
 constexpr double least_error_px = 0.05;
 // Whatever the cell file says, it may be far off.

@@ -14,7 +14,7 @@ namespace pizarra::coordinator {
 
 class CameraNews {
  public:
-  // `guess`: the cell file's. What was measured in a cell that said otherwise counts no more.
+  // `guess`: the cell file's. A pose that was measured under another guess does not count.
   CameraNews(runtime::AgentContext& context, const forms::CameraPose& guess, Story& story)
       : context_(context), guess_(guess), story_(story) {}
 

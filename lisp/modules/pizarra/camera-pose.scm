@@ -11,7 +11,7 @@
   #:use-module (pizarra forms)
   #:export (interpret pose-of camera-pose-of-section standing-as))
 
-;; What is taken where nobody says how sure a pose is: as a person measures with a rule; and as the world has it.
+;; How sure a pose is where the file does not say: one that a person measured with a rule, and one of the world's own.
 (define measured-by-hand '(20 2))
 (define as-in-the-world '(1 0.1))
 ;; Of the gripper that the arms come with, in the tool's frame.

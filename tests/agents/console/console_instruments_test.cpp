@@ -23,7 +23,7 @@ TEST_F(ConsoleTest, TheTruthGoesToThePageThatLooksAndToNoBoard) {
   EXPECT_EQ(said(*client, "(truth)"), "{\"truth\":\"((cube circle 911.5 2 30))\"}");
   EXPECT_TRUE(serve([&] { return client->read_frame(); })) << "and again";
   client->send_frame(RawClient::text, "(truth-no-more)");
-  // What is answered behind that was asked when it had ended.
+  // A request that is sent after it is answered after it has ended.
   const std::string stopped = serve([&] {
     client->send_frame(RawClient::text, "(stop 1 \"over\")");
     while (const auto frame = client->read_frame()) {
