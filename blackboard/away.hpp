@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a request failed because no board was there to do it: it did not answer, or none of several boards knew that
-// it leads. Who asks again may be answered.
+// Whether a request failed because no board was there to do it: none answered, or none of several boards knew that it
+// leads. The same request may succeed later.
 //
 //   if (told || !is_away(told.error())) co_return told;
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// The other side's clock, estimated from the times that it told: the quickest answer gives the best estimate, because
-// its time is known to within half of the round trip. the answer that came soonest says it best, for its time is known
-// to half of what the question and the answer took together.
+// The other side's clock, estimated from the times that it told. The quickest answer gives the best estimate, because
+// its time is known to within half of the round trip.
 //
 //   ClockOffset board;
 //   board.heard(asked, executor.now(), said);

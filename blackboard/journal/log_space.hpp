@@ -1,7 +1,7 @@
 #pragma once
 
-// SQLite's log, written with nothing beforehand as far as it grows between two copyings: what is then written over is
-// on the disk in half the time that a file takes which grows.
+// Fills SQLite's log with zeros beforehand, as far as it grows between two checkpoints. Writing over what is there is
+// on the disk in half the time that a growing file takes.
 //
 //   write_log_ahead(disk, "cell.journal-wal");     // once its database is open, before it writes anything more
 //

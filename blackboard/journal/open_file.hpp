@@ -7,7 +7,7 @@
 //   if (!journal.is_there()) ...
 //   if (!journal.is_there(bytes)) ...              // or has fewer bytes than were written to it
 //
-// Where nothing is at first, nothing is missed.
+// Where no file was there when this was made, is_there() stays true.
 
 #include <cstdint>
 #include <optional>

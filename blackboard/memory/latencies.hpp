@@ -1,7 +1,7 @@
 #pragma once
 
-// How long something took lately, each time: how many there were and the times that half, nine in ten, and ninety-nine
-// in a hundred of them kept within, of the last ten to twenty seconds. A time is known to a fifth of itself.
+// How long something took in the last ten to twenty seconds: how often it happened, the median, and the 90th and 99th
+// percentile. Each is exact to a fifth.
 //
 //   Latencies latencies;
 //   latencies.add(120us, now);

@@ -8,14 +8,14 @@
 //   (client-stats CLIENT REQUESTS REFUSED PER-SECOND)
 //
 // FACTS stand now; TOLD and GONE count those that came and went since the board began; PER-SECOND is how many came in
-// the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 of each are
-// named: for a newcomer among the tellers another is forgotten, who has left if there is such a one, and of those the
-// one that told nothing for longest. And of all relations together as many as take 128 kB, each relation having the
-// same share: whatever there is on a board, what is said of it fits an answer. A journey is that of the relation's
-// facts, lately, in microseconds: from their teller in another process to the board, which committed them then, and
-// from there to their watchers in other processes, as far as these say (latencies.hpp); relations without any are left
-// out. QUEUED changes, of BYTES, wait for the watcher. REQUESTS are those of a client in another process, REFUSED those
-// of them that were too many, PER-SECOND how many came in the last whole second (client_requests.hpp).
+// the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 tellers and
+// 64 watchers of a relation are named. A new teller takes the place of one that has left, or else of the one that told
+// nothing for longest. The names of all relations together take 128 kB at most, each relation having the same share, so
+// that every answer fits a frame. The two journeys are those of the relation's facts lately, in microseconds: from a
+// teller in another process to the commit, and from the commit to watchers in other processes, as far as these report
+// them (latencies.hpp). Relations without a journey are left out. QUEUED changes, of BYTES, wait for the watcher.
+// REQUESTS counts those of a client in another process, REFUSED those of them that were too many, PER-SECOND how many
+// came in the last whole second (client_requests.hpp).
 //
 //   statistics.committed(commit);
 //   if (Statistics::is_about(query)) answers = statistics.ask(query, store, watches, now, examined);
@@ -50,9 +50,9 @@ class Statistics {
   void committed(const store::Commit& commit);
   // The client so called is gone.
   void left(std::string_view teller);
-  // When a fact of the relation was sent that came to the board, and how long one was under way from there to a
-  // watcher. Of a relation that the board has not, it is nobody's; and what is longer than any journey is a clock's
-  // fault.
+  // When a fact of the relation that came to the board was sent, and how long one was under way from the board to a
+  // watcher. Ignored for a relation that the board does not have, and for times longer than any journey, which come of
+  // a wrong clock.
   static constexpr Duration longest_journey = 60s;
   void came(std::string_view relation, Time sent, Time now);
   void delivered(std::string_view relation, Duration took, Time now);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A session's replies, kept for requests that come again: the newest 256, and of these so many as have 4 MB.
+// A session's replies, kept for requests that come again: the newest 256, as far as they take 4 MB together.
 //
 //   Answered done;
 //   done.add(number, {text});

@@ -1,8 +1,8 @@
 #pragma once
 
-// The messages of a client that wait: for an index that one of its requests needs, which is then done anew, or for its
-// turn (turns.hpp), or since much was done of the frame that it came with; and behind that one, so that each is done
-// when those before it are.
+// The messages of a client that wait, in order. The first waits for an index that it needs, for the client's turn
+// (costly_turns.hpp), or because the frame that it came with has cost enough for once. The others wait behind it. A
+// request that waited is done anew.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it
 //   postponed.add({message});                  // false where there is no room
@@ -20,7 +20,7 @@ namespace pizarra::server {
 class Postponed {
  public:
   static constexpr std::size_t most = 2048;
-  // Of these. So a client that is cut off and asks each again learns what came of it.
+  // Of the messages. No more than are remembered, so a client that was cut off can ask for each answer again.
   static constexpr std::size_t most_requests = Answered::most;
   static constexpr std::size_t most_bytes = 4 << 20;
   static constexpr std::size_t most_waits = 64;  // of a message

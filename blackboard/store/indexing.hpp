@@ -1,14 +1,14 @@
 #pragma once
 
-// Whether indexes may be made for what is done meanwhile on this thread, how, and what that takes of whoever it is done
-// for. An index pays off later, so that making it counts for no search's bound.
+// While one lives on a thread, it says whether the work on that thread may make indexes, and how, and counts what they
+// cost its client. Making an index does not count for the bound of a search, because it pays off later.
 //
 //   Indexing indexing(Indexing::May::make_in_parts, &maker);
 //   store.ask(query, examined);                    // what must await an index ends at once, and fails
 //   if (indexing.awaited() != 0) ...               // it is to be done again when the maker has made it
 //   examined + indexing.examined();                // as many facts could have been looked at meanwhile
 //
-// The innermost on this thread counts. Where there is none, every index is made at once.
+// The innermost one on a thread counts. Where there is none, every index is made at once.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The facts that a search has looked at, against a bound (limits::examined where none is named): a fact counts for one,
-// and all of them for as many as a sixteenth of the elements that looking at them has compared, where that is more.
+// Counts the facts that a search has looked at, against a bound (limits::examined unless another is named). Each fact
+// counts one. Where the search compared more than 16 list elements a fact, every 16 elements count one instead.
 //
 //   Looking looking(examined);                   // goes on from what others have looked at
 //   while (looking.at_one_more()) ...            // in the end, `examined` says what all have
@@ -26,7 +26,7 @@ class Looking {
   Looking& operator=(const Looking&) = delete;
   ~Looking() { examined_ = examined(); }
 
-  // Whether the bound allows of another fact, and what was compared so far.
+  // Whether the bound allows another fact, after what was compared so far.
   bool at_one_more() { return at_more(1); }
   // Counts work that takes as long as so many facts.
   bool at_more(std::size_t facts) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The range that comparisons leave for each argument, so that an index finds the facts in it alone: the range in which
-// each argument must lie that is compared with something known, so that an index finds those facts alone.
+// The range that a query's comparisons with known values leave for each argument of a pattern, so that an index finds
+// the facts in that range alone.
 //
 //   std::vector<ValueRange> ranges;
 //   narrow(ranges, pattern, comparison);      // (seen ?name ?x) and (< ?x 200): argument 1 up to 200
@@ -16,7 +16,7 @@ namespace pizarra::store {
 // The argument of the pattern that is this variable, if any.
 std::optional<std::size_t> argument_of(const Datum& variable, const Datum& pattern);
 
-// By a comparison in which what is bound stands already. One that says nothing of an argument narrows nothing.
+// By a comparison whose bound variables are replaced by their values. One about no argument narrows nothing.
 void narrow(std::vector<ValueRange>& ranges, const Datum& pattern, const Datum& comparison);
 
 }  // namespace pizarra::store

@@ -1,9 +1,9 @@
 #pragma once
 
-// How many facts watches look at to follow one commit: limits::examined for all of them together, however many there
-// are, and beyond that limits::examined_a_turn for each reader, so that who watches little follows whatever others
-// watch. Other work for a watch counts as the facts that could have been looked at meanwhile, whatever its result: a
-// watch that is asked to follow, a fact that is tried, a search that is begun, an answer that comes or goes.
+// How many facts watches look at to follow one commit: limits::examined for all of them together, and beyond that
+// limits::examined_a_turn for each reader. So a reader that watches little can follow, whatever others watch. Other
+// work counts as the facts that could have been looked at meanwhile, whatever comes of it: a watch that is asked to
+// follow, a fact that is tried, a search that begins, an answer that comes or goes.
 //
 //   CommitLooks looks;                                      // of one commit
 //   std::size_t examined = looks.before(reader);            // a search that goes on from there ends in time

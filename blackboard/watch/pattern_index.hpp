@@ -7,8 +7,8 @@
 // the range that comparisons with numbers leave for an argument, where there is such a range: a fact leads to the ends
 // it is beyond.
 //
-// What a join says of an argument leads nowhere: every fact of (reading ?s ?v) leads to each (and (role 7 ?s)
-// (reading ?s ?v)), also while there is no such role.
+// Joins are not used to narrow: every fact of (reading ?s ?v) leads to each (and (role 7 ?s) (reading ?s ?v)), also
+// while there is no such role.
 //
 //   index.add(pattern);                                                    // lives on until it is removed
 //   index.visit(fact, [&](const WatchedPattern& p) { if (p.may_fit(fact)) ... });

@@ -11,7 +11,7 @@
 //
 //   while (queue.ready()) Result<Change> change = queue.pop();
 //
-// Who sends them on has others to serve: it looks for what holds among so many facts at a time.
+// A server has other readers too: it looks for what holds a bounded number of facts at a time.
 //
 //   std::size_t examined = 0;
 //   while (queue.ready() && !(queue.must_look() && examined >= limits::examined_a_turn)) {
@@ -44,8 +44,8 @@ class WatchQueue {
   ~WatchQueue();
 
   bool ready() const { return state_ != State::following || !deltas_.empty(); }
-  // It must be ready. A failure, too-large, means that all that holds fits no message; it stays ready. What holds comes
-  // whole.
+  // It must be ready. All that holds comes as one change. Failure too-large: that does not fit a message, and the queue
+  // stays ready.
   Result<Change> pop();
   // The same, and what holds comes in parts that fit a message each. It is looked for until `examined`, to which is
   // added how many facts were looked at, is limits::examined_a_turn (a join is answered whole); nothing, where no part

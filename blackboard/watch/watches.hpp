@@ -2,9 +2,9 @@
 
 // Watched queries, found by what a commit changes: a commit costs what it concerns, not the number of watches.
 //
-// A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp), and touches the
-// watches that have one that it resembles and is not compared away from. A commit whose facts lead to very many touches
-// all that watch their relations.
+// A changed fact leads to patterns that it may fit, also under `not` (pattern_index.hpp). It touches the watches of
+// those patterns that it does fit, unless a comparison rules it out. A commit whose facts lead to very many patterns
+// touches every watch of their relations.
 //
 //   Result<std::unique_ptr<WatchQueue>> queue = watches.add(query, [&] { wake_reader(); });
 //   watches.committed(commit);

@@ -1,7 +1,7 @@
 #pragma once
 
 // One end of the line between a board and its clients: frames come by callback, and sending never blocks. A Transport
-// carries them: ZeroMQ (wire_socket.hpp), or a network that a test simulates (simulated/simulated_network.hpp).
+// carries them: ZeroMQ (wire_socket.hpp), or a simulated network (blackboard/simulated/network.hpp).
 //
 //   const std::unique_ptr<FrameSocket> router = transport.open(executor, FrameSocket::Kind::router,
 //       [&](const std::string& peer, std::optional<std::string_view> frame) { ... });
@@ -27,7 +27,7 @@ struct KeyPair;
 class FrameSocket {
  public:
   enum class Kind : std::uint8_t { router, dealer };
-  // `peer` names who sent it to a router, and is empty for a dealer. No frame: what came was none.
+  // `peer` is the sender, at a router; it is empty at a dealer. No frame: something came that is no frame.
   using Receiver = std::function<void(const std::string& peer, std::optional<std::string_view> frame)>;
   // Whether a client with this public key may come.
   using Admit = std::function<bool(const std::string& public_key)>;
@@ -46,18 +46,18 @@ class FrameSocket {
   virtual void admit(Admit admit) = 0;
   virtual Result<void> connect(const std::string& address, const ClientKeys* keys,
                                std::optional<Listener> listener) = 0;
-  // After it was refused: nobody tries again by itself.
+  // After a refusal: connects again, which happens only when this is called.
   virtual void connect_again() = 0;
   // Of a dealer that is connected: leaves the one it comes to for another, with the same keys.
   virtual void connect_to(const std::string& address) = 0;
   // False, and nothing sent, when more than the bound would be under way to the peer, or it is gone.
   virtual bool send(const std::string& peer, std::string_view frame) = 0;
-  // Whether half of that is free: what can wait leaves the rest to what cannot.
+  // Whether half of that bound is free. Frames that can wait leave the other half to those that cannot.
   virtual bool has_room(const std::string& peer) const = 0;
   // The public key of who sent what is being received; empty for one without.
   virtual const std::string& sender_key() const = 0;
-  // All that had come by then has been received, or, where more comes than is received, what each connection had to
-  // give in its turn. Goes on looking, so that a later call answers a later time.
+  // Up to when everything that had come was received. Where more comes than can be received, each connection had its
+  // turn by then. A later call answers a later time.
   virtual Time heard_until() = 0;
 };
 

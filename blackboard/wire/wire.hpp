@@ -11,19 +11,20 @@
 //   (ping SESSION)                                 (pong TIME)
 //   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...)), (goodbye)
 //
-// SESSION 0 in a hello: a new one. A hello that says no PROTOCOL is of 1, whose boards knew no other hello.
+// SESSION 0 in a hello asks for a new one. A hello without PROTOCOL is of protocol 1, which had no such word.
 //
-// A board that may have been replaced says nothing, but to a client that says `doubts`: it is `unavailable`, and so
-// long ago it knew that it led. It also answers `recall`, in a frame that begins so. Such a frame is no sign of life.
+// A board that may have been replaced is silent, except to clients whose hello says `doubts`. To these it says
+// `unavailable`, and how long ago it knew that it led. It answers a `recall` at the beginning of their frames too. Such
+// a frame is no sign of life.
 //
-// A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
-// and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
-// does not say. The answers of a change are those that came, then those that went. Its KIND is `no` for what changed,
-// `yes` for all that holds, or, where that is more than a message holds, `first`, `more` ... and `last` for the parts
-// of it: what went is then of the parts before, and what holds is known with the last.
+// A RESULT is (ok VALUE) or (fail ...). A client with a `held` watch is also told the board's REVISION at that moment,
+// and by SENT, `yes` or `no`, whether all changes up to it were sent before the reply. A reply that is repeated leaves
+// both out. A change has the answers that came, then those that went. Its KIND is `no` for a change, `yes` for all that
+// holds. Where all that holds is more than a message, it comes in parts of the KINDs `first`, `more` ... and `last`:
+// the answers that went are then of earlier parts, and the client knows what holds with the last part.
 //
-// An `ack` is of all changes up to SEQ. Times are the server's, in microseconds: a client that knows them from its
-// pongs may say when it sent a request, and how long a fact of a relation TOOK from its commit to here.
+// An `ack` acknowledges all changes up to SEQ. Times are the server's, in microseconds. A client that knows its clock
+// from pongs may say when it sent a request, and how long a fact of a relation TOOK from its commit to the client.
 //
 // A BODY and the VALUE of its reply:
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
@@ -33,18 +34,18 @@
 //   (watch WATCH QUERY), (watch WATCH QUERY kept), (watch WATCH QUERY held) -> ()
 // PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
-// bindings follow from the query. To a client that keeps what it was sent, as one that holds it does too, an ANSWER
-// that is one fact is no list of it: what came is a FACT, or (ID DATUM CAUSE ...) where it was told when and by whom
-// the one before it was; what went is its ID. What is recalled may be so old. Where SETTLED is `no`, some of it may be
-// undone when another board takes over; else it is `yes`.
+// bindings follow from the query. A `kept` or `held` watch is for clients that keep what they were sent. There an
+// ANSWER of one fact is written without the list. One that came is a FACT, or (ID DATUM CAUSE ...) where teller and
+// time are those of the fact before it. One that went is its ID. The MICROSECONDS of `recall` say how old its answers
+// may be. SETTLED is `no` where some of them may be undone when another board takes over, else `yes`.
 //
-// A fault of a request is told in its reply, also where no more than `(request SESSION ID` can be read. `refused` is of
-// what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say: a client that
-// has joined takes whatever it has sent and waits for as refused. A frame that cannot be read is refused whole, to the
-// request that it begins as.
+// A fault of a request is told in its reply, if `(request SESSION ID` can be read. `refused` is the answer to a hello,
+// and to anything of which less can be read. It does not say to which message: a client that has joined then takes
+// every request that it has sent and not had answered as refused. A frame that cannot be read is refused as a whole, in
+// reply to the request that it begins with.
 //
 // A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
-// of one watch are numbered from 1; only so many are under way before they are acknowledged.
+// of one watch are numbered from 1. A bounded number of them is under way before the client acknowledges some.
 
 #include <optional>
 #include <span>

@@ -8,8 +8,8 @@
 //   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
 //
 // Destroying it removes the files of the ipc addresses that it was bound to.
-// A message of more than one frame is no frame at all; one of more than 2 MiB ends its sender's connection, and so does
-// one of frames without end (endless_watch.hpp), which a router is told of as of one from nobody.
+// A message of more than one frame counts as no frame. One of more than 2 MiB ends its sender's connection. So does one
+// of frames without end (endless_watch.hpp); the router's callback is then called without a peer.
 //
 // With keys it is encrypted: a router's addresses bound with encrypt() in force, and all that a dealer connects to.
 
@@ -32,8 +32,8 @@ class WireSocket : public FrameSocket {
   static constexpr int high_water = 256;
   static constexpr std::size_t most_under_way = 4 << 20;
 
-  // Of a peer whom a router does not come to: messages that it has here. Further messages wait in the network and at
-  // the peer.
+  // Messages of one peer that wait here while the router serves others. Further ones wait in the network and at the
+  // peer.
   static constexpr int read_ahead = 64;
   static constexpr std::int64_t longest_message = 2 << 20;
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// The first questions to an arm's controller, and to one that was away: is it of the arm that is meant, and does
-// nothing move there for nobody? At most controllers a motion goes on whatever becomes of the client that began it. It
-// is stopped here, for every driver alike. The arm of a controller that does not say whether it moves is stopped as
-// well. An arm that somebody moves by the pendant is left alone.
+// The first questions to an arm's controller, and to one that was away: is it the controller of this arm, and does the
+// arm move although no client asked for it? At most controllers a motion goes on whatever becomes of the client that
+// began it. Such a motion is stopped here, for every driver alike. So is the arm of a controller that does not say
+// whether it moves. An arm that somebody moves by the pendant is left alone.
 //
 //   const Result<ArmMeeting> met = co_await meet_arm(executor, driver, model);
 //

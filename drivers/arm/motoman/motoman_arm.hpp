@@ -13,11 +13,11 @@
 //
 // Every target is gone to exactly once, whatever the line loses or repeats. Where an answer does not come, the driver
 // looks (does the arm run? is it there?) before it orders the target again, and orders no other before. That holds
-// while it is the arm's only commander, and no datagram on the line is older than the target in hand: the protocol has
-// nothing by which a controller would know an old one. An order that the network kept for longer remains a danger.
-// While the arm moves the controller refuses it. While the arm stands it is carried out; read() finds an arm in remote
-// mode running for nobody and holds it, so that it moves between two readings only. Between two targets of a move it is
-// taken for the second's beginning, and the move fails, `stopped`, where it leads.
+// while it is the arm's only commander, and no datagram on the line is older than the target in hand: the protocol
+// cannot mark old ones. An order that the network delayed for longer remains a danger. While the arm moves the
+// controller refuses it. While the arm stands the order is carried out: read() sees an arm in remote mode move although
+// nothing is in hand, and holds it, so it moves no longer than from one reading to the next. Between two targets of a
+// move it is taken for the way to the second one, and the move ends where it leads, with `stopped`.
 //
 // take_control() resets alarms, ends its own hold and switches the servos on; not at the pendant's word, whose TEACH
 // refuses it. None of the protocols has a bit of the emergency stop: with it pressed the servos are off and do not come

@@ -1,8 +1,8 @@
 #pragma once
 
-// A move as a controller wants it that is told when the arm is to be where, and how fast: the places of a way through
-// waypoints, so often, with the axes' speeds there. The pace is ramped up and down, every axis stays within its speed,
-// and a controller that joins the places by cubics with these speeds keeps to the way.
+// A move for controllers that are told where the arm shall be at which moment, and how fast: places along the way at
+// regular times, with the axes' speeds there. The pace is ramped up and down, and every axis stays within its speed. A
+// controller that joins the places by cubics with these speeds keeps to the way.
 //
 //   for (const TimedPoint& point : timed_points(model, joints, waypoints, 0.5)) ...    // the first: where it stands
 //
