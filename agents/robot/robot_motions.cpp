@@ -1,0 +1,110 @@
+// The operations of the robot agent that move something: motions, held jogs, the gripper.
+
+#include "agents/robot/jog.hpp"
+#include "agents/robot/robot_state.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra::robot {
+
+namespace {
+
+constexpr double max_opening_mm = 100;
+
+}  // namespace
+
+Task<Result<Datum>> RobotAgent::State::move(Fact request) {
+  const Datum operation = request.datum[3];
+  const Result<InHand> in_hand = control.take_in_hand(operation);
+  if (!in_hand) co_return fail(in_hand);
+  const Result<arm::ArmReading> reading = co_await control.read();
+  if (!reading) co_return fail(reading);
+  const arm::Joints at = reading->joints;
+  Result<Motion> motion = plan_motion(model, operation, at, variables);
+  if (!motion) co_return fail(motion);
+  const Result<void> inside = check_room(model, room, at, motion->waypoints);
+  if (!inside) co_return fail(inside);
+  if (motion->waypoints.empty()) {
+    facts.set_arm("idle", write(operation));
+    const Result<void> told = co_await facts.tell_surely();
+    if (!told) co_return fail(told);
+    co_return answer(!motion->at_limit);
+  }
+  const double speed_part = speed_percent / 100;
+  Task<Result<void>> following = control.follow(at, std::move(motion->waypoints), speed_part);
+  co_return co_await carry_out(std::move(request), std::move(following));
+}
+
+Task<Result<Datum>> RobotAgent::State::jog(Fact request) {
+  const Datum operation = request.datum[3];
+  const double least_ms = std::chrono::duration<double, std::milli>(Holds::least_deadline).count();
+  const double longest_ms = std::chrono::duration<double, std::milli>(Holds::longest_deadline).count();
+  const Result<double> given_ms = amount_in(operation[2], least_ms, longest_ms, "ms");
+  if (!given_ms) co_return fail(given_ms);
+  const auto deadline = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(*given_ms));
+  const Result<InHand> in_hand = control.take_in_hand(operation);
+  if (!in_hand) co_return fail(in_hand);
+  const Result<void> held = co_await holds.await(request.teller, deadline);
+  if (!held) co_return fail(held);
+  const Result<arm::ArmReading> reading = co_await control.read();
+  if (!reading) co_return fail(reading);
+  const arm::Joints at = reading->joints;
+  Result<Motion> motion = plan_jog(model, room, operation[1].text(), at);
+  if (!motion) co_return fail(motion);
+  if (motion->at_limit) co_return answer(false);
+  Task<Result<void>> following = follow_while_held(request.teller, deadline, at, std::move(motion->waypoints));
+  co_return co_await carry_out(std::move(request), std::move(following));
+}
+
+// To let go is how a jog ends.
+Task<Result<void>> RobotAgent::State::follow_while_held(std::string client, Duration deadline, arm::Joints from,
+                                                        std::vector<arm::Joints> waypoints) {
+  const Result<void> held = co_await holds.await(client, deadline);
+  if (!held) co_return held;
+  const double speed_part = std::min(speed_percent / 100, jog_speed(model, from, waypoints, deadline));
+  const Holds::Watching watching(holds, client, deadline);
+  Result<void> moved = co_await control.follow(from, std::move(waypoints), speed_part);
+  const bool released = !moved && moved.error().symbol == Holds::released;
+  if (released) co_return Result<void>();
+  co_return moved;
+}
+
+Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {
+  const Datum operation = request.datum[3];
+  const Result<double> opening_mm = amount_in(operation[1], 0, max_opening_mm, "mm");
+  if (!opening_mm) co_return fail(opening_mm);
+  const Result<InHand> in_hand = control.take_in_hand(operation);
+  if (!in_hand) co_return fail(in_hand);
+  Task<Result<void>> gripping = control.grip(*opening_mm);
+  co_return co_await carry_out(std::move(request), std::move(gripping));
+}
+
+// The board has it before anything moves, a round trip, and how it ended before it is answered: whenever this agent
+// dies, its successor knows what to answer, and moves nothing twice.
+Task<Result<Datum>> RobotAgent::State::carry_out(Fact request, Task<Result<void>> motion) {
+  const Datum& id = request.datum[1];
+  facts.set_arm("moving", write(request.datum[3]));
+  Transaction begin;
+  begin.tell(motion_fact(id, Datum()));
+  const Result<void> begun = co_await facts.tell_surely(std::move(begin));
+  if (!begun) {
+    facts.set_arm("idle");
+    co_return fail(begun);
+  }
+  const Reflex::Watching watching(reflex, request.teller, service.presence());
+  // Anything may have been said meanwhile.
+  Result<void> moved = reflex.allows(request.teller);
+  if (moved) moved = co_await motion;
+  if (moved) facts.set_arm("idle");
+  if (!moved && control.connected()) {
+    const bool stopped = control.was_stopped() || moved.error().symbol == "stopped";
+    facts.set_arm(moved.error().symbol == "fault" ? "fault" : stopped ? "stopped" : "idle");
+  }
+  Transaction end;
+  end.tell(motion_fact(id, moved ? list("ok"_sym, "true"_sym) : failure_to_datum(moved.error())));
+  const Result<void> told = co_await facts.tell_surely(std::move(end));
+  if (!moved) co_return fail(moved);
+  if (!told) co_return fail(told);
+  co_return answer(true);
+}
+
+}  // namespace pizarra::robot

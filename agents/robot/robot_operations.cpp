@@ -1,0 +1,116 @@
+// Which request goes where, and the operations of the robot agent that move nothing.
+
+#include <fmt/format.h>
+
+#include "agents/robot/robot_state.hpp"
+
+namespace pizarra::robot {
+
+namespace {
+
+constexpr std::size_t max_variables = 256;
+
+// Open to all; whatever else is asked for changes something, and is its commander's to ask for.
+bool only_monitors(const Datum& operation) {
+  return operation.is_form("get-status") || operation.is_form("monitor") || operation.is_form("finish");
+}
+
+}  // namespace
+
+Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
+  Datum operation = request.datum[3];
+  if (only_monitors(operation)) return answer_monitor(std::move(operation));
+  if (earlier && earlier->request == request.datum[1]) return answer_with(earlier->answer);
+  const Result<void> allowed = reflex.allows(request.teller);
+  if (!allowed) return answer_with(fail(allowed));
+  if (is_motion(operation)) return move(std::move(request));
+  if (operation.is_form("jog")) return jog(std::move(request));
+  if (operation.is_form("gripper")) return gripper(std::move(request));
+  if (operation.is_form("speed")) return speed(std::move(operation));
+  if (operation.is_form("learn")) return learn(std::move(operation));
+  if (operation.is_form("release-control")) return release_control(std::move(request));
+  return get_control(std::move(operation));
+}
+
+Task<Result<Datum>> RobotAgent::State::answer_monitor(Datum operation) {
+  if (operation.is_form("monitor")) return monitor();
+  if (operation.is_form("finish")) return finish(std::move(operation));
+  return get_status();
+}
+
+Task<Result<Datum>> RobotAgent::State::answer_with(Result<Datum> known) { co_return known; }
+
+Task<Result<Datum>> RobotAgent::State::get_status() { co_return list(facts.action()); }
+
+Task<Result<Datum>> RobotAgent::State::speed(Datum operation) {
+  const Result<double> percent = amount_in(operation[1], 1, 100, "percent");
+  if (!percent) co_return fail(percent);
+  const Datum fact = list("robot-speed"_sym, name, *percent);
+  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
+  if (!told) co_return fail(told);
+  speed_percent = *percent;
+  co_return answer(true);
+}
+
+Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
+  const std::string variable(operation[1].text());
+  if (!variables.contains(variable) && variables.size() >= max_variables) {
+    co_return fail("out-of-range", fmt::format("{} variables are learned already", max_variables), operation[1]);
+  }
+  const Result<arm::ArmReading> reading = co_await control.read();
+  if (!reading) co_return fail(reading);
+  const Datum fact = list("robot-variable"_sym, name, operation[1], joints_to_datum(reading->joints));
+  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
+  if (!told) co_return fail(told);
+  variables.insert_or_assign(variable, reading->joints);
+  co_return answer(true);
+}
+
+Task<Result<Datum>> RobotAgent::State::monitor() {
+  const Result<arm::ArmReading> reading = co_await control.read();
+  if (!reading) co_return fail(reading);
+  std::vector<Datum> numbers = pose_numbers(model, reading->joints);
+  const std::vector<Datum> joints = joint_numbers(reading->joints);
+  numbers.insert(numbers.end(), joints.begin(), joints.end());
+  co_return Datum::list(std::move(numbers));
+}
+
+Task<Result<Datum>> RobotAgent::State::finish(Datum operation) {
+  if (operation[1].is_symbol("report")) co_return answer(!control.running());
+  if (!operation[1].is_symbol("stop")) {
+    co_return fail("wrong-direction", "finish takes report or stop", operation[1]);
+  }
+  const Result<void> stopped = co_await control.stop();
+  if (!stopped) co_return fail(stopped);
+  co_return answer(true);
+}
+
+Task<Result<Datum>> RobotAgent::State::get_control(Datum operation) {
+  const Result<InHand> in_hand = control.occupy(operation);
+  if (!in_hand) co_return fail(in_hand);
+  const Result<void> taken = co_await control.get_control();
+  if (!taken) co_return fail(taken);
+  Transaction taking;
+  taking.retract(released_fact("?"_sym));
+  const Result<void> told = co_await facts.tell_surely(std::move(taking));
+  if (!told) co_return fail(told);
+  co_return answer(true);
+}
+
+// The board has it before the servos go off: a successor of this agent leaves them off.
+Task<Result<Datum>> RobotAgent::State::release_control(Fact request) {
+  const Result<InHand> in_hand = control.occupy(request.datum[3]);
+  if (!in_hand) co_return fail(in_hand);
+  Transaction releasing;
+  releasing.tell(released_fact(Datum::symbol(request.teller)));
+  const Result<void> kept = co_await facts.tell_surely(std::move(releasing));
+  if (!kept) co_return fail(kept);
+  control.set_released(request.teller);
+  const Result<void> released = co_await control.release_control();
+  if (!released) co_return fail(released);
+  const Result<void> told = co_await facts.tell_surely();
+  if (!told) co_return fail(told);
+  co_return answer(true);
+}
+
+}  // namespace pizarra::robot
