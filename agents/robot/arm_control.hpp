@@ -7,11 +7,11 @@
 // from then on only when somebody asks for it: a controller that had an alarm, lost its power or was locked keeps its
 // servos off until then, and a motion is refused with its reason.
 //
-// A motion of which no state comes is stopped (silence.hpp), and stopped again for as long as nobody sees that it has
-// ended: by the driver's stop() where a stop was not taken, and at every attempt to meet the controller anew.
+// A motion is stopped when no state of the arm comes (silence.hpp). The stop is repeated until the motion is seen to
+// have ended: by the driver's stop() where it was not taken, and at every attempt to meet the controller anew.
 //
-// An arm that moves with no motion in hand moves for nobody (an order that came late, another's program): it is
-// stopped, and told. What somebody moves by the pendant is theirs.
+// An arm that moves with no motion in hand (an order that came late, another's program) is stopped, and the board is
+// told. An arm that somebody moves by the pendant is left alone.
 //
 // Lifecycle: find(), where what moves should stop before anybody may be obeyed; connect(); keep_watch() runs beside it
 // for as long as it lives (tells what changes by itself, connects again after the controller was away). A motion:

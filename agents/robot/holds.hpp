@@ -1,9 +1,9 @@
 #pragma once
 
-// Motions that last only while somebody holds on. `(hold ROBOT CLIENT COUNT)` stands while CLIENT has its hand on the
-// arm, told by itself, and with another COUNT again and again: one that has not come anew for the motion's deadline
-// stops the arm, and so does, as a motion's end and no failure, one that is retracted. A hold moves nothing by itself,
-// so that none that comes late does.
+// Motions that last only while a client holds on. CLIENT itself tells `(hold ROBOT CLIENT COUNT)` while it has its hand
+// on the arm, again and again with another COUNT. A hold that is not renewed within the motion's deadline stops the
+// arm: the motion fails. A hold that is retracted stops it too: the motion has ended well. A hold moves nothing by
+// itself, so one that comes late moves nothing either.
 //
 // Lifecycle: constructed beside the ArmControl; begin() once the relation is declared; a Watching for as long as a jog
 // is in hand.
@@ -21,10 +21,10 @@ namespace pizarra::robot {
 
 class Holds {
  public:
-  // No deadline is shorter than what a busy page needs, and none longer than what a person would bear.
+  // A busy page needs the shorter one. A person would not bear a longer one.
   static constexpr Duration least_deadline = 250ms;
   static constexpr Duration longest_deadline = 600ms;
-  // The symbol of what follow() answers where the hand was taken away.
+  // The symbol of follow()'s failure where the hold was retracted.
   static constexpr std::string_view released = "released";
 
   Holds(runtime::AgentContext& context, ArmControl& control)

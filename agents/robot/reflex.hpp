@@ -1,15 +1,15 @@
 #pragma once
 
-// The events that stop an arm without its commander being asked, and the choice of the commander.
+// Stops an arm by itself at four events, and decides who may command it. The events:
 //
 //   - a fact `(stop WHO REASON)`, told by anyone: the motion in hand ends, and none begins while such a fact stands
 //   - a board that has not answered for four beats of the reflex's own timer (80 ms)
-//   - the going of the client whose motion it is: its `(agent ...)` presence, or its `(commander ROBOT CLIENT)`
-//   - another who commands from now on
+//   - the client whose motion it is loses its `(agent ...)` presence, or its `(commander ROBOT CLIENT)`
+//   - another client becomes the commander
 //
-// Of the clients that hold a `(commander ROBOT CLIENT)`, told by themselves, and are present, the first to have told it
-// commands; while there is none, anyone may but those that hold one and are not present. Monitoring and stopping are
-// open to all. A stopped motion goes on only when it is asked for again.
+// A client that itself tells `(commander ROBOT CLIENT)` and is present is the commander; of several, the one that told
+// it first. While there is none, anyone may move the arm, except clients that tell it and are not present. Monitoring
+// and stopping are open to all. A stopped motion goes on only when it is asked for again.
 //
 // Lifecycle: constructed beside the ArmControl; begin() once the relations are declared; known() before anybody is
 // obeyed; a Watching for as long as a motion is in hand.

@@ -1,8 +1,8 @@
 #pragma once
 
-// An arm that moves and of which no state comes any more moves unseen: nobody holds it to its limits, speeds and room.
-// For as long as this lives it counts beats of its own, whatever the driver's calls wait for, and says when the
-// driver's longest silence is over; again where it goes on.
+// Notices when an arm moves and its controller tells no state: then nothing checks its limits, speeds and room. While
+// this lives it counts by a timer of its own, whatever the driver's calls wait for. It calls back when the driver's
+// longest silence is over, and again as long as the silence lasts.
 //
 //   const Silence silence(executor, driver, [this](Failure why) { stop_at_once(std::move(why)); });
 

@@ -1,12 +1,13 @@
 #pragma once
 
-// Pairs the files of two image sequences that belong together: those of the same name, where most of the shorter side's
-// are on the other too. Else it is by those numbers in their names that are not the same all over a side, so that a
-// camera's own says nothing. Where most of the shorter side's are on the other too, equal numbers do (all of them,
-// where several change, as dates and times), in the order of the left side's names; what has no partner is left out.
-// Where none is on both sides, as many are on either, and each right number is as far from the left one, these do.
-// Where no number tells images apart, they belong together in the order of their names, as many on either side. Else
-// nobody knows.
+// Pairs the files of two image sequences that belong together, by the first of these rules that fits:
+//   - the same name, where most names of the shorter side are on the other side too
+//   - equal numbers in the names, where most numbers of the shorter side are on the other side too. Numbers that are
+//   the
+//     same all over a side do not count; where several change, as dates and times, all of them must be equal.
+//   - numbers equally far apart, where none is on both sides and both have as many files
+//   - the order of the names, where no number tells them apart and both have as many files
+// Files without a partner are left out. Pairs come in the order of the left side's names.
 //
 //   Result<ImagePairs> pairs = pair_files({"l/1-a.png", "l/2-a.png"}, {"r/2-b.png"});   // the two 2s, 1 is alone
 

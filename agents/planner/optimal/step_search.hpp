@@ -1,7 +1,7 @@
 #pragma once
 
-// Breadth-first search over states, one parallel step at a time, where states that differ only by which of several
-// alike objects is which are one. For problems with few states, however long their plans.
+// Breadth-first search over states, one parallel step at a time. States that differ only by exchanging objects that are
+// alike count as one. For problems with few states, however long their plans.
 //
 //   StepSearch engine;
 //   const Outcome outcome = engine.solve(problem, budget, cancelled);
