@@ -60,6 +60,8 @@ Failure with_nearest(Failure failure, const Tables& tables, const std::function<
                      std::size_t& examined) {
   constexpr std::size_t looks_a_name = 4;
   if (failure.symbol != "undeclared-relation" || !failure.subject.is_symbol()) return failure;
+  const bool missed_in_the_past = tables.contains(failure.subject.text());
+  if (missed_in_the_past) return failure;
   examined += looks_a_name * tables.size();
   std::vector<std::string_view> names;
   for (const auto& [name, table] : tables) {

@@ -177,6 +177,23 @@ TEST_F(BoardProgram, ItsTimeGoesOnFromItsJournalsEndWhenTheClockWasSetBack) {
   journal::remove_journal(journal);
 }
 
+TEST_F(BoardProgram, ARelationOfTodayIsNotSuggestedInItsOwnPlaceWhereThePastHadNone) {
+  const std::string journal = path_ + ".journal";
+  Program program({"--listen", address_, "--journal", journal});
+  program.line();
+  const auto bob = view("bob");
+  ASSERT_EQ(symbol_of(run(bob->declare(relations_))), "ok");
+  ASSERT_EQ(symbol_of(run(bob->tell(read("(goal 1)")))), "ok");
+  ASSERT_EQ(symbol_of(run(bob->declare({relation("(relation later ((n integer)))")}))), "ok");
+  Query then = query("(later ?n)");
+  then.at = Moment{.revision = 0};
+  const Result<Answers> nothing = run(bob->ask(then));
+  ASSERT_FALSE(nothing.has_value());
+  EXPECT_EQ(nothing.error().sentence, "at revision 0, before the first change of all, no relation is called later");
+  EXPECT_EQ(program.stop(SIGTERM), 0);
+  journal::remove_journal(journal);
+}
+
 TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {
   const auto code = [](std::vector<std::string> words) {
     Program program(std::move(words));
