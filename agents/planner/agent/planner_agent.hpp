@@ -9,8 +9,8 @@
 // make-plan cancels it, and the one that waited for it is answered `cancelled`.
 //
 // Plans have the fewest parallel steps there can be, or, for problems too large, are some plan made fast: the fact
-// `planner` says which. Plans made again after the facts have changed are no longer for that: they come from what is
-// known of the task already (replanner.hpp), unless its operators, objects or goals have changed as well.
+// `planner` says which. A plan made again after the facts have changed is as short as another, and comes soon: what is
+// known of the task is used again (replanner.hpp), unless its operators, objects or goals have changed as well.
 //
 //   (get-operations ((operator PICK-UP (params (<ob1> OBJECT)) (preconds ...) (effects ... (del ...))) ...))  -> (ok)
 //   (get-facts (types (circle OBJECT) ...) (initials (clear circle) ...) (goals (on circle square) ...))      -> (ok)

@@ -1,16 +1,16 @@
 #pragma once
 
-// Plans for one task after another, and cheaply where only the initial facts have changed since the last: the grounded
-// problem and what was learned of it are kept, and a state that the last plan comes through is planned for already. A
-// plan made fast is kept wherever an end of it works, and repaired where a few actions lead back to it.
+// Plans for one task after another, and quickly where only the initial facts have changed since the last. It keeps the
+// grounded problem and what was learned of it. A state that the last plan comes through needs no new plan. A plan made
+// fast is kept wherever an end of it works, and repaired where a few actions lead back to it.
 //
 //   Replanner replanner;
 //   Result<ReadyPlan> plan = replanner.plan(task, Budget{}, cancelled);
 //   task.initials = what_is_seen_now;
 //   plan = replanner.plan(task, Budget{}, cancelled);
 //
-// Kept or new, a plan is a shortest one, but where that would take too long: of a problem too large, or one that the
-// budget does not do for, it is some plan made fast. A kept plan is never used for other goals, objects or operators.
+// Kept or new, a plan is a shortest one. Where the problem is too large for that, or the budget does not suffice, it is
+// some plan made fast. A kept plan is never used for other goals, objects or operators.
 // The same tasks in the same order get the same plans.
 
 #include <map>

@@ -6,9 +6,9 @@
 //   estimate.look_at(state);
 //   const std::optional<Distance> distance = estimate.beyond(action);      // of the state that the action leads to
 //
-// A goal that does not hold has to be made true, and what all actions need that make it true, before. A fact that holds
-// and excludes one that has to be made true must be taken away; what all actions need or make true that take it away,
-// is then unavoidable too; and a goal that has to be taken away has to be made true again. These are landmarks of the
+// A goal that does not hold must be made true. What all actions that make it true need must be made true before. A fact
+// that holds and excludes one of these must be taken away; then what all actions that take it away need or make true is
+// unavoidable too. A goal that must be taken away must be made true again. These are landmarks of the
 // state itself, found by local reasoning (compare Hoffmann, Porteous and Sebastia 2004), and no memory of the way is
 // needed. Facts that one and the same action makes true count once.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A plan of fewer actions than a given number: one action after another, keeping of the states that many actions lead
-// to only those that seem nearest to the goals.
+// A plan of fewer actions than a given number, one action after another. After each action it keeps a bounded number of
+// states: those that seem nearest to the goals.
 //
 //   BeamSearch search(problem, estimate, effort, seed);
 //   if (search.run(64, 30) == SearchEnd::found) use(search.plan());      // 64 states at a time, at most 30 actions

@@ -6,11 +6,11 @@
 //   if (reordering.try_once()) use(reordering.plan());      // shorter
 //   reordering.go_on_from(shorter_still);
 //
-// A piece of the plan is moved elsewhere, or what a later action needs is made before an earlier one that it might then
-// follow at once; and the plan is done again from there: of the actions left, always the first that can be done; but a
-// later one that makes a goal true, if the others then still reach all goals, as far as they can be done. Those that
-// cannot are saved: a block that was put aside goes straight to its place when its turn comes later. Where none can be
-// done, one that was not in the plan may lead out: another block is put aside in its stead.
+// An attempt moves a piece of the plan elsewhere, or makes what a later action needs early enough for it to follow an
+// earlier action at once. From there the plan is done again: always the first of the actions left that can be done. A
+// later one that makes a goal true is preferred, if the others then still reach all goals. Actions that cannot be done
+// any more are dropped: a block that was put aside goes straight to its place. Where none can be done, an action that
+// was not in the plan may lead on: another block is put aside.
 
 #include <optional>
 #include <utility>

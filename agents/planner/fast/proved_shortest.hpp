@@ -1,7 +1,7 @@
 #pragma once
 
-// A plan of the fewest actions, and the proof, of large problems in which every action needs one resource: the guided
-// search, on no more knowledge than the groups of facts that exclude each other, which cost next to nothing to find.
+// A plan of the fewest actions, and the proof, for large problems in which every action needs one resource. It is the
+// guided search, knowing only the groups of facts that exclude each other, which are quickly found.
 //
 //   ProvedShortest shortest(problem, nearness, effort);
 //   if (const std::optional<Outcome> plan = shortest.shorter_than(plan_length)) use(*plan);

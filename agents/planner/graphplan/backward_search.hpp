@@ -9,8 +9,8 @@
 //   search.steps();
 //
 // That no plan of any length exists is proved as in property directed reachability (Suda, "Property directed
-// reachability for automated planning", 2014): nogoods of which each, looked at one step back on a graph that has
-// levelled off, leads to nothing but others of them, hold for ever.
+// reachability for automated planning", 2014). The graph must have levelled off. A set of nogoods holds for ever if
+// each of them, looked at one step back, leads to nothing but others of the set.
 
 #include <functional>
 #include <optional>

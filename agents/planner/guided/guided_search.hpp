@@ -8,8 +8,8 @@
 //   problem.initials = elsewhere;
 //   outcome = search.run(budget, cancelled);             // cheaper: it remembers
 //
-// The bound, which is dear, is asked only when a state's turn comes, and of states that may be equally good those come
-// first from which less must happen; so it is asked little more than once a step where it is exact. The distances that
+// The bound is costly, so it is computed only when a state's turn comes. Of states that may be equally good, those with
+// less left to do come first. So it is computed little more than once a step where it is exact. The distances that
 // a search learns stay true wherever the next search begins (Koenig & Likhachev, "Adaptive A*", 2005). Budget::nodes
 // counts states for which the bound was asked.
 

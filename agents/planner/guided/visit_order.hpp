@@ -1,7 +1,7 @@
 #pragma once
 
-// How many of several visits must be made again, given what their first and last times must come before: a visit made
-// once has one time that is its first and its last, and times do not go in circles.
+// How many of several visits must be repeated, given which first and last visits come before which others. A visit made
+// once is its first and its last, so orders that form a cycle need a repeated visit on it.
 //
 //   VisitOrder order(2);
 //   order.first_before_first(0, 1);
