@@ -6,11 +6,11 @@
 //   estimate.look_at(state);
 //   const std::optional<Distance> distance = estimate.beyond(action);      // of the state that the action leads to
 //
-// A goal that does not hold must be made true. What all actions that make it true need must be made true before. A fact
-// that holds and excludes one of these must be taken away; then what all actions that take it away need or make true is
-// unavoidable too. A goal that must be taken away must be made true again. These are landmarks of the
-// state itself, found by local reasoning (compare Hoffmann, Porteous and Sebastia 2004), and no memory of the way is
-// needed. Facts that one and the same action makes true count once.
+// A goal that does not hold must be made true. Facts that every action needs which makes it true must be made true
+// before. A fact that holds and excludes one of these must be taken away; then facts that every action needs or makes
+// true which takes it away are unavoidable too. A goal that must be taken away must be made true again. These are
+// landmarks of the state itself, found by local reasoning (compare Hoffmann, Porteous and Sebastia 2004), and no memory
+// of the way is needed. Facts that one and the same action makes true count once.
 
 #include <optional>
 
