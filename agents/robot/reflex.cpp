@@ -1,6 +1,7 @@
 #include "agents/robot/reflex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "blackboard/away.hpp"
@@ -145,8 +146,12 @@ Reflex::Watching::Watching(Reflex& reflex, std::string client, LeaseId lease) : 
 }
 
 Task<void> Reflex::beat_on(LeaseId lease) {
-  const Job asking = context_.executor.spawn(ask_board(lease));
-  while (true) {
+  // A question that is lost on the way is sent again late, sooner where others come after it: one goes out each beat,
+  // whether or not those before are answered.
+  std::array<Job, silent_beats> asking;
+  for (std::size_t beats = 0;; ++beats) {
+    Job& next = asking[beats % asking.size()];
+    if (beats < asking.size() || next.done()) next = context_.executor.spawn(ask_board(lease));
     co_await sleep(context_.executor, beat);
     if (++silence_ < silent_beats) continue;
     silence_ = 0;
@@ -156,13 +161,10 @@ Task<void> Reflex::beat_on(LeaseId lease) {
 }
 
 Task<void> Reflex::ask_board(LeaseId lease) {
-  while (true) {
-    const Result<void> answered = co_await context_.board.renew(lease);
-    // One that has forgotten the lease is there all the same.
-    const bool there = answered || !is_away(answered.error());
-    if (there) silence_ = 0;
-    co_await sleep(context_.executor, beat);
-  }
+  const Result<void> answered = co_await context_.board.renew(lease);
+  // One that has forgotten the lease is there all the same.
+  const bool there = answered || !is_away(answered.error());
+  if (there) silence_ = 0;
 }
 
 }  // namespace pizarra::robot

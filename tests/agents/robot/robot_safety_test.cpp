@@ -282,6 +282,32 @@ TEST_F(RobotBeforeSilence, WhoComesToCommandBeforeTheMotionBeginsKeepsItFromBegi
   EXPECT_EQ(arm.moves, 0);
 }
 
+// A line that loses one question in ten: its answer comes when it has been sent again.
+class LossyBoard : public PassingBoard {
+ public:
+  LossyBoard(Executor& executor, std::unique_ptr<Board> board) : PassingBoard(std::move(board)), executor_(executor) {}
+
+  Task<Result<void>> renew(LeaseId lease) override {
+    const bool lost = ++asked_ % 10 == 0;
+    if (lost) co_await sleep(executor_, 250ms);
+    co_return co_await PassingBoard::renew(lease);
+  }
+
+ private:
+  Executor& executor_;
+  int asked_ = 0;
+};
+
+TEST_F(RobotSafety, QuestionThatIsLostOnTheWayStopsNoArmWhileLaterOnesAreAnswered) {
+  life.reset();
+  executor.run_for(3s);
+  life.emplace(executor, std::make_unique<LossyBoard>(executor, board.view("robot")), arm);
+  executor.run_for(1s);
+  const std::string id = begin_motion();
+  executor.run_for(20s);
+  EXPECT_TRUE(reply(id).starts_with("(ok ")) << reply(id);
+}
+
 arm::ArmReading reading_of(const arm::Joints& joints) { return {joints, true, false, 80, false}; }
 
 TEST(Guard, SpeedAboveAnAxisOwnIsNoticedAndItsOwnIsNot) {
