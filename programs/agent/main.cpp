@@ -16,6 +16,7 @@
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 
@@ -53,10 +54,7 @@ int run_agent(const ProcessChoices& choices) {
   RealExecutor executor;
   const StopSignals signals(executor);
   const std::string name = choices.name.empty() ? choices.kind : choices.name;
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(choices.key);
-  if (!keys) return complain(keys.error(), exit_usage);
-  const Result<std::unique_ptr<client::RemoteBoard>> board =
-      client::RemoteBoard::connect(executor, choices.board, name, client::RemoteBoard::default_timeout, *keys);
+  const auto board = keyed_board(executor, choices.board, choices.key, name);
   if (!board) return complain(board.error(), exit_usage);
   zmq::context_t context(1);
   std::unique_ptr<simulation::Link> link = std::make_unique<simulation::NoLink>();

@@ -13,6 +13,7 @@
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 
@@ -213,9 +214,7 @@ int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner
   // A prompt has its own way with them.
   std::optional<StopSignals> signals;
   if (!forms.empty()) signals.emplace(executor);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to.key);
-  if (!keys) return complain_as(manner.style, keys.error(), exit_usage);
-  const auto board = client::RemoteBoard::connect(executor, to.address, prompt_name(), answer_timeout, *keys);
+  const auto board = keyed_board(executor, to.address, to.key, prompt_name(), answer_timeout);
   if (!board) return complain_as(manner.style, board.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_waited_for(executor, **board, to.address));
   return BoardSession(executor, **board, manner, loss_of(**board, to)).run(forms);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -44,12 +44,9 @@ CalibrationNews::Outlines CalibrationNews::outlines_of(const camera::BoardView& 
 }
 
 Result<std::unique_ptr<CalibrationNews>> CalibrationNews::open(const std::string& address, const std::string& key) {
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(key);
-  if (!keys) return fail(keys);
   std::unique_ptr<CalibrationNews> news(new CalibrationNews);
   const std::string name = fmt::format("calibrate-{}", getpid());
-  auto board =
-      client::RemoteBoard::connect(news->executor_, address, name, client::RemoteBoard::default_timeout, *keys);
+  auto board = keyed_board(news->executor_, address, key, name);
   if (!board) return fail(board);
   news->board_ = std::move(*board);
   news->context_.emplace(name, "localhost", news->executor_, *news->board_, Random(1));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "agents/launcher/readiness.hpp"
-#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
@@ -11,6 +10,7 @@
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/hand_eye.hpp"
@@ -82,11 +82,8 @@ Result<HandEyeResult> find_in_running_cell(const HandEyeChoices& choices, const 
                                            const arm::ArmModel& arm, const HandEye::Tell& tell) {
   const Result<Destination> to = destination({.board = {}, .cell = choices.running, .key = choices.key});
   if (!to) return fail(to);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
-  if (!keys) return fail(keys);
   RealExecutor executor;
-  const auto board =
-      client::RemoteBoard::connect(executor, to->address, "hand-eye", client::RemoteBoard::default_timeout, *keys);
+  const auto board = keyed_board(executor, to->address, to->key, "hand-eye");
   if (!board) return fail(board);
   HandEye hand_eye(executor, **board, description, arm, choices.poses, tell);
   return finished(executor, hand_eye.run());

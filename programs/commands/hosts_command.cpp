@@ -13,6 +13,7 @@
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
 
@@ -133,10 +134,8 @@ int run_hosts(HostsChoices choices) {
   if (!choices.board.board.empty()) choices.board.cell.clear();
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
-  if (!keys) return complain(keys.error(), exit_usage);
   RealExecutor executor;
-  const auto board = client::RemoteBoard::connect(executor, to->address, "hosts", 3s, *keys);
+  const auto board = keyed_board(executor, to->address, to->key, "hosts", 3s);
   if (!board) return complain(board.error(), exit_usage);
   HostsSeen seen;
   const Job job = executor.spawn(look_for_hosts(**board, &seen));

@@ -11,7 +11,7 @@
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/commands.hpp"
 
 namespace pizarra::programs {
@@ -44,9 +44,7 @@ Task<void> list_facts(client::RemoteBoard& board, OnBoard* out) {
 OnBoard facts_on(const launcher::RunState& run) {
   RealExecutor executor;
   OnBoard facts;
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(run.key);
-  if (!keys) return facts;
-  const auto board = client::RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
+  const auto board = keyed_board(executor, run.board_address, run.key, "ps", 2s);
   if (!board) return facts;
   const Job job = executor.spawn(list_facts(**board, &facts));
   executor.run_until([&job] { return job.done(); });

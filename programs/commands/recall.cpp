@@ -7,7 +7,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/outside_text.hpp"
-#include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 
@@ -37,11 +37,8 @@ void print(const Recalled& recalled, repl::Style style) {
 }  // namespace
 
 int print_recalled(const Destination& to, const Query& query, repl::Style style) {
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to.key);
-  if (!keys) return complain_as(style, keys.error(), exit_usage);
   RealExecutor executor;
-  const auto board =
-      client::RemoteBoard::connect(executor, to.address, prompt_name(), client::RemoteBoard::default_timeout, *keys);
+  const auto board = keyed_board(executor, to.address, to.key, prompt_name());
   if (!board) return complain_as(style, board.error(), exit_usage);
   Result<Recalled> recalled = fail("unreachable", "the board does not answer");
   const Job asking = executor.spawn(recall(**board, query, &recalled));

@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_sample.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
@@ -103,11 +102,8 @@ int run_top(const TopChoices& choices) {
   const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
-  if (!keys) return complain_as(style, keys.error(), exit_usage);
   RealExecutor executor;
-  const auto board =
-      client::RemoteBoard::connect(executor, to->address, "top", client::RemoteBoard::default_timeout, *keys);
+  const auto board = keyed_board(executor, to->address, to->key, "top");
   if (!board) return complain_as(style, board.error(), exit_usage);
   int status = exit_reached;
   const Job job = executor.spawn(show(choices, to->address, executor, **board, status));

@@ -17,6 +17,7 @@
 #include "lisp/forms/cell_file.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
+#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/host_presence.hpp"
 #include "programs/commands/line_pipe.hpp"
@@ -337,12 +338,9 @@ void Up::choose_board() {
 int Up::run() {
   narrator_.begin(executor_.now());
   choose_board();
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(key_);
-  if (!keys) return complain(keys.error(), exit_usage);
   const Result<void> world = find_world();
   if (!world) return complain(world.error(), exit_usage);
-  Result<std::unique_ptr<client::RemoteBoard>> ears =
-      client::RemoteBoard::connect(executor_, board_address_, "narrator", client::RemoteBoard::default_timeout, *keys);
+  Result<std::unique_ptr<client::RemoteBoard>> ears = keyed_board(executor_, board_address_, key_, "narrator");
   if (!ears) return complain(ears.error(), exit_usage);
   const Result<void> started = start_all();
   if (!started) {
