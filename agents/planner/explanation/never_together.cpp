@@ -1,9 +1,12 @@
 #include "agents/planner/explanation/never_together.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "agents/planner/explanation/fewest_culprits.hpp"
 #include "agents/planner/optimal/optimal_search.hpp"
+#include "agents/planner/task/notation.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::planner {
 
@@ -50,6 +53,12 @@ bool is_only_way(const Problem& problem, std::size_t fact) {
   return std::ranges::count_if(problem.actions, adds_it) == 1;
 }
 
+std::string in_words(const PlanningTask& task, const Problem& problem, const std::vector<std::size_t>& facts) {
+  std::string words;
+  for (const std::size_t fact : facts) words += (words.empty() ? "" : " and ") + written(task, problem.facts[fact]);
+  return words;
+}
+
 }  // namespace
 
 std::vector<BlockedWay> why_never_together(const Problem& problem, std::size_t fact,
@@ -64,6 +73,25 @@ std::vector<BlockedWay> why_never_together(const Problem& problem, std::size_t f
     if (blocked.back().conflict.size() > 1) break;
   }
   return blocked;
+}
+
+std::string never_together_in_words(const PlanningTask& task, const Problem& problem, const Datum& fact,
+                                    const std::function<bool()>& cancelled) {
+  const auto number = std::ranges::find(problem.facts, fact) - problem.facts.begin();
+  std::string text;
+  const std::vector<BlockedWay> ways = why_never_together(problem, static_cast<std::size_t>(number), cancelled);
+  for (const BlockedWay& way : ways) {
+    const std::string wanted = written(task, problem.facts[way.fact]);
+    const std::string conflict = in_words(task, problem, way.conflict);
+    if (&way != &ways.back()) {
+      text += fmt::format("{} needs {}, and ", wanted, conflict);
+      continue;
+    }
+    text += fmt::format("{} needs {}, which never {}{}", write(problem.actions[way.action].name), conflict,
+                        way.conflict.size() > 1 ? "hold together" : "holds",
+                        way.only_way ? "" : ", and so it is with every other action that brings " + wanted + " about");
+  }
+  return text;
 }
 
 }  // namespace pizarra::planner

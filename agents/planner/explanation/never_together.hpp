@@ -6,6 +6,7 @@
 //   write(problem.actions[ways.back().action].name);      // (stack a a)
 //   ways.back().conflict;                                 // (clear a) and (holding a)
 
+#include "agents/planner/task/planning_task.hpp"
 #include "agents/planner/task/problem.hpp"
 
 namespace pizarra::planner {
@@ -23,5 +24,8 @@ struct BlockedWay {
 // deleted.
 std::vector<BlockedWay> why_never_together(const Problem& problem, std::size_t fact,
                                            const std::function<bool()>& cancelled);
+// The same in a sentence, with the names of the task.
+std::string never_together_in_words(const PlanningTask& task, const Problem& problem, const Datum& fact,
+                                    const std::function<bool()>& cancelled);
 
 }  // namespace pizarra::planner

@@ -78,7 +78,7 @@ class WhyNever {
     std::string text;
     for (std::size_t i = end; i > 0; i = looked_at_[i].needed_by) {
       const std::string by = text_of(looked_at_[looked_at_[i].needed_by].wanted);
-      text = fmt::format("{} needs {}, and ", by, text_of(looked_at_[i].wanted)) + text;
+      text.insert(0, fmt::format("{} needs {}, and ", by, text_of(looked_at_[i].wanted)));
     }
     return text;
   }
@@ -86,13 +86,13 @@ class WhyNever {
   // How the explanation ends here, or nothing, and then there is more to look at.
   std::string look_at(std::size_t i) {
     const Datum wanted = looked_at_[i].wanted;
-    const std::string unpaid = look_at_costs(i);
+    std::string unpaid = look_at_costs(i);
     if (!unpaid.empty()) return unpaid;
     const std::vector<Way> ways = ways_to(wanted);
     if (ways.empty() && wanted.is_form("not")) {
       return fmt::format("{} holds from the beginning, and no operator ends that", text_of(wanted[1]));
     }
-    const std::string misfit = ways.empty() ? misfit_for(wanted) : std::string();
+    std::string misfit = ways.empty() ? misfit_for(wanted) : std::string();
     if (!misfit.empty()) return misfit;
     if (ways.empty()) {
       return fmt::format("{} neither holds at the beginning nor is brought about by any operator{}", text_of(wanted),
@@ -285,39 +285,10 @@ class WhyNever {
 
 }  // namespace
 
-namespace {
-
-std::string in_words(const PlanningTask& task, const Problem& problem, const std::vector<std::size_t>& facts) {
-  std::string words;
-  for (const std::size_t fact : facts) words += (words.empty() ? "" : " and ") + written(task, problem.facts[fact]);
-  return words;
-}
-
-std::string never_together(const PlanningTask& task, const Problem& problem, const Datum& fact,
-                           const std::function<bool()>& cancelled) {
-  const auto number = std::ranges::find(problem.facts, fact) - problem.facts.begin();
-  std::string text;
-  const std::vector<BlockedWay> ways = why_never_together(problem, static_cast<std::size_t>(number), cancelled);
-  for (const BlockedWay& way : ways) {
-    const std::string wanted = written(task, problem.facts[way.fact]);
-    const std::string conflict = in_words(task, problem, way.conflict);
-    if (&way != &ways.back()) {
-      text += fmt::format("{} needs {}, and ", wanted, conflict);
-      continue;
-    }
-    text += fmt::format("{} needs {}, which never {}{}", write(problem.actions[way.action].name), conflict,
-                        way.conflict.size() > 1 ? "hold together" : "holds",
-                        way.only_way ? "" : ", and so it is with every other action that brings " + wanted + " about");
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
                       const std::function<bool()>& cancelled) {
   WhyNever why(task, problem);
-  if (why.possible(fact)) return never_together(task, problem, fact, cancelled);
+  if (why.possible(fact)) return never_together_in_words(task, problem, fact, cancelled);
   const std::string nothing = task.initials.empty() ? "; nothing at all holds at the beginning" : "";
   return why.explain(fact, cancelled) + nothing;
 }
