@@ -74,7 +74,15 @@ journal::JournalRoom ClusterLog::room() {
 }
 
 Result<journal::PlayedBack> ClusterLog::read(store::Store& store, const Moment& until) const {
-  return read_log(*reading_, keys_, store, until);
+  Result<journal::PlayedBack> played = read_log(*reading_, keys_, store, until);
+  if (played) {
+    played->lacks =
+        Failure{"gap",
+                "the log of boards that take over has only what is durable, and this board keeps no past of its own",
+                {},
+                {}};
+  }
+  return played;
 }
 
 Result<journal::PlayedBack> read_log(KeyValues& key_values, const LogKeys& keys, store::Store& store,

@@ -13,6 +13,7 @@
 // appended again, which writes it once) and deposed (another board leads: nothing is ever written again).
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct JournalGroup {
 // A journal as of a moment.
 struct PlayedBack {
   LineStart to;
-  std::string later;  // the lines that came after
+  std::string later;                  // the lines that came after
+  std::optional<Failure> lacks = {};  // why only what is durable is there, where that is so
 };
 
 // Turns it into the failure `not-yet` if the journal ends before that revision.

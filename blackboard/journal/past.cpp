@@ -10,10 +10,20 @@ constexpr Duration look_again_after = 5ms;
 // A time that people say lasts to the end of its second.
 constexpr Duration longest_second = 1s;
 
+// Whether it asks about anything that a log of durable facts alone does not have.
+bool asks_about_passing(const store::Store& store, const Query& query) {
+  return std::ranges::any_of(query.clauses, [&](const Query::Clause& clause) {
+    if (clause.kind == Query::Clause::Kind::compare) return false;
+    const auto table = store.tables().find(clause.form.head());
+    return table != store.tables().end() && !table->second.relation().durable;
+  });
+}
+
 Result<Answers> answer_from(const Log& log, Query query) {
   store::Store store;
   const Result<PlayedBack> read = log.read(store, *query.at);
   if (!read) return fail(read);
+  if (read->lacks && asks_about_passing(store, query)) return fail(*read->lacks);
   query.at.reset();
   Result<Answers> answers = store.ask(query);
   if (!answers) return fail(failure_at(store.revision(), std::move(answers.error())));

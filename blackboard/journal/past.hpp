@@ -6,8 +6,8 @@
 //   Past past(executor, writer);
 //   past.ask("alice", query, [&](const Result<Answers>& answers) { ... });       // a query with `at`
 //
-// Failures: too-many when too many questions wait, the client's or all; forgotten, not-yet, and those of reading a
-// journal.
+// Failures: too-many when too many questions wait, the client's or all; forgotten, not-yet, gap (it asks about what is
+// not durable, and that moment's journal is not there), and those of reading a journal.
 
 #include <deque>
 #include <functional>

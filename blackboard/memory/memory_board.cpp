@@ -114,15 +114,19 @@ std::unique_ptr<Board> MemoryBoard::view(std::string teller) {
 
 void MemoryBoard::set_journal(store::JournalSink sink) {
   journal_ = std::move(sink);
-  std::vector<Relation> declared;
-  for (const auto& [name, table] : store_->tables()) declared.push_back(table.relation());
-  if (journal_ && !declared.empty())
-    journal_(journal::journal_line(store_->revision(), executor_.now(), "board", declared));
+  journal_declared(journal_);
 }
 
 void MemoryBoard::set_journal_of_durable(store::JournalSink sink) {
-  journals_durable_alone_ = true;
-  set_journal(std::move(sink));
+  durable_journal_ = std::move(sink);
+  journal_declared(durable_journal_);
+}
+
+// What was declared so far.
+void MemoryBoard::journal_declared(const store::JournalSink& sink) const {
+  std::vector<Relation> declared;
+  for (const auto& [name, table] : store_->tables()) declared.push_back(table.relation());
+  if (sink && !declared.empty()) sink(journal::journal_line(store_->revision(), executor_.now(), "board", declared));
 }
 
 void MemoryBoard::resume() {
@@ -137,7 +141,9 @@ Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<R
   }
   const Result<std::vector<Relation>> fresh = store_->declare(relations);
   if (!fresh) return fail(fresh);
-  if (journal_ && !fresh->empty()) journal_(journal::journal_line(store_->revision(), executor_.now(), teller, *fresh));
+  for (const store::JournalSink* sink : {&journal_, &durable_journal_}) {
+    if (*sink && !fresh->empty()) (*sink)(journal::journal_line(store_->revision(), executor_.now(), teller, *fresh));
+  }
   return {};
 }
 
@@ -271,10 +277,10 @@ void MemoryBoard::schedule() {
 }
 
 void MemoryBoard::committed(const store::Commit& commit) {
-  if (journal_ && !journals_durable_alone_) journal_(journal::journal_line(commit));
-  if (journal_ && journals_durable_alone_) {
+  if (journal_) journal_(journal::journal_line(commit));
+  if (durable_journal_) {
     const store::Commit durable = durable_part(commit, *store_);
-    if (!durable.entries.empty()) journal_(journal::journal_line(durable));
+    if (!durable.entries.empty()) durable_journal_(journal::journal_line(durable));
   }
   statistics_.committed(commit);
   watches_->committed(commit);

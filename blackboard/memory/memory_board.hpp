@@ -62,7 +62,7 @@ class MemoryBoard {
   // Calls `sink` with every declaration and committed transaction from now on; beforehand with what was declared so
   // far.
   void set_journal(store::JournalSink sink);
-  // The same, of declarations and durable facts alone: for a log in which each entry is costly.
+  // The same, of declarations and durable facts alone: for a log in which each entry is costly. A board may have both.
   void set_journal_of_durable(store::JournalSink sink);
   // Removes what is not durable and puts back what was taken. Set the journal before, since it records both.
   void resume();
@@ -104,6 +104,7 @@ class MemoryBoard {
   void lapse(Time now, Lapse&& some);
   Time heard_until(Time now) const;
   void committed(const store::Commit& commit);
+  void journal_declared(const store::JournalSink& sink) const;
 
   Executor& executor_;
   std::unique_ptr<store::Store> store_;
@@ -111,7 +112,7 @@ class MemoryBoard {
   Statistics statistics_;
   std::vector<const Hearing*> hearings_;
   store::JournalSink journal_;
-  bool journals_durable_alone_ = false;
+  store::JournalSink durable_journal_;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;
   std::size_t may_lapse_;  // of what store::Store::expire counts, before

@@ -50,7 +50,8 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
       hearing_(board, [this] { return socket_->heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
   board_.store().index_maker().on_wanted = [this] { schedule_look(); };
-  if (options.journal != nullptr) past_.emplace(executor, *options.journal);
+  journal::JournalWriter* const past = options.past != nullptr ? options.past : options.journal;
+  if (past != nullptr) past_.emplace(executor, *past);
   restore(options.remembered);
   if (keys_) ask_for_keys();
   forget_the_gone();

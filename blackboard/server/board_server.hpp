@@ -47,6 +47,8 @@ struct BoardServerOptions {
   memory::ClientRequests::Limit requests = {};  // of a client, while others ask
   // The board's: what concerns durable facts is answered when it is written there.
   journal::JournalWriter* journal = nullptr;
+  // From where questions about the past are answered; null: from the journal.
+  journal::JournalWriter* past = nullptr;
   std::vector<journal::RememberedReply> remembered = {};
   // Whether every answer waits until the journal has what came before it: where another board may take over that knows
   // of nothing else.

@@ -20,13 +20,15 @@ Result<void> KeptBoard::begin(const std::shared_ptr<journal::JournalFile>& file)
 }
 
 void KeptBoard::lead(std::unique_ptr<store::Store> store, LeaseId first_lease,
-                     std::vector<journal::RememberedReply> remembered, const std::shared_ptr<journal::Log>& log) {
+                     std::vector<journal::RememberedReply> remembered, const std::shared_ptr<journal::Log>& log,
+                     store::JournalSink all) {
   remembered_ = std::move(remembered);
   store->begin_leases_at(first_lease);
   journal_ = std::make_unique<journal::JournalWriter>(executor_, log);
   journal_->on_failure = on_journal_;
   board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
   board_->set_journal_of_durable([this](std::string_view line) { journal_->append(line); });
+  board_->set_journal(std::move(all));
   board_->resume();
 }
 

@@ -31,10 +31,10 @@ class KeptBoard {
 
   // Failures of JournalFile::recover.
   Result<void> begin(const std::shared_ptr<journal::JournalFile>& file);
-  // Goes on from what was followed of a log that other boards share; only what is durable goes there. The store has
-  // given out no lease, and gives out from `first_lease` on.
+  // Goes on from what was followed of a log that other boards share; only what is durable goes there, and everything to
+  // `all`. The store has given out no lease, and gives out from `first_lease` on.
   void lead(std::unique_ptr<store::Store> store, LeaseId first_lease, std::vector<journal::RememberedReply> remembered,
-            const std::shared_ptr<journal::Log>& log);
+            const std::shared_ptr<journal::Log>& log, store::JournalSink all = {});
   memory::MemoryBoard& board() { return *board_; }
   // Null where it keeps none.
   journal::JournalWriter* journal() { return journal_.get(); }

@@ -125,6 +125,7 @@ class Leading {
   Task<void> take_snapshots();
   void heard(const Result<Revision>& up_to, Time sent);
   void end(const Failure& failure);
+  void keep_past(const store::Store& store, const std::shared_ptr<const journal::Log>& log);
   std::optional<int> serve();
 
   const ClusterChoices& choices_;
@@ -140,6 +141,7 @@ class Leading {
   bool leaves_ = false;
   std::optional<Failure> deposed_;
   std::optional<Failure> broken_;
+  std::unique_ptr<cluster::OwnPast> past_;
   std::unique_ptr<server::KeptBoard> kept_;
   std::unique_ptr<server::BoardServer> server_;
 };
@@ -227,9 +229,24 @@ std::optional<int> Leading::run() {
   const std::optional<int> status = serve();
   server_.reset();
   kept_.reset();
+  past_.reset();
   leaves_ = true;
   if (status && !deposed_) executor_.run_until([&] { return confirming.done(); });
   return status;
+}
+
+// A board leads without one rather than not at all.
+void Leading::keep_past(const store::Store& store, const std::shared_ptr<const journal::Log>& log) {
+  if (choices_.past.folder.empty()) return;
+  const auto complain_of = [](const Failure& failure) {
+    fmt::print(stderr, "pizarra-board: {}; what is not durable is not kept while it leads\n", describe(failure));
+  };
+  Result<std::unique_ptr<cluster::OwnPast>> past =
+      cluster::OwnPast::begin(executor_, choices_.past, choices_.log.cell, leadership_->epoch().number, store,
+                              {leadership_->first_revision(), executor_.now()}, log);
+  if (!past) return complain_of(past.error());
+  past_ = std::move(*past);
+  past_->on_end = complain_of;
 }
 
 std::optional<int> Leading::serve() {
@@ -245,7 +262,10 @@ std::optional<int> Leading::serve() {
     if (failure && failure->symbol == "deposed") return end(*failure);
     troubles_.note(failure ? fail(*failure) : Result<void>());
   });
-  kept_->lead(std::move(store), leadership_->epoch().number << bits_of_leases, std::move(replies), log);
+  keep_past(*store, log);
+  store::JournalSink all;
+  if (past_ != nullptr) all = [this](std::string_view line) { past_->add(line); };
+  kept_->lead(std::move(store), leadership_->epoch().number << bits_of_leases, std::move(replies), log, std::move(all));
   const Job snapshots = executor_.spawn(take_snapshots());
   bool may_serve = false;
   executor_.call_at(serves_at_, [&] { may_serve = true; });
@@ -254,6 +274,7 @@ std::optional<int> Leading::serve() {
   if (!may_serve) return stopped;
   server::BoardServerOptions options = choices_.server;
   options.journal = kept_->journal();
+  options.past = past_ == nullptr ? nullptr : &past_->writer();
   options.remembered = kept_->take_remembered();
   options.answers_from_journal = true;
   options.transport = &gated_;

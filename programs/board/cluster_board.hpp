@@ -8,6 +8,7 @@
 #include <string>
 
 #include "blackboard/cluster/log_address.hpp"
+#include "blackboard/cluster/own_past.hpp"
 #include "blackboard/server/board_server.hpp"
 
 namespace pizarra::programs {
@@ -16,6 +17,7 @@ struct ClusterChoices {
   cluster::LogAddress log;
   std::string name;  // by which the epoch says who leads
   server::BoardServerOptions server;
+  cluster::PastChoices past;  // of what is not durable
 };
 
 // The program's exit status.

@@ -33,6 +33,7 @@ struct Options {
   std::string history = "200000";
   std::uint64_t history_bytes = journal::History().bytes;
   std::string log;
+  std::string past;
   std::string certificates;
   bool log_insecure = false;
   std::string name;
@@ -73,12 +74,16 @@ void say_what_is_lacking(const journal::JournalWriter* journal) {
   fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n", describe(*journal->failure()));
 }
 
+journal::History history_of(const Options& options) {
+  journal::History history = *history_from(options.history);
+  history.bytes = options.history_bytes;
+  return history;
+}
+
 // Null where none is kept.
 Result<std::shared_ptr<journal::JournalFile>> journal_of(const Options& options) {
   if (options.journal.empty()) return nullptr;
-  journal::History history = *history_from(options.history);
-  history.bytes = options.history_bytes;
-  return journal::JournalFile::open(options.journal, history);
+  return journal::JournalFile::open(options.journal, history_of(options));
 }
 
 int serve_with_log(const Options& options) {
@@ -87,7 +92,10 @@ int serve_with_log(const Options& options) {
   if (!log) return complain(log.error(), bad_address);
   char machine[256] = "board";
   gethostname(machine, sizeof machine - 1);
-  return serve_in_cluster({*log, options.name.empty() ? machine : options.name, options.server});
+  return serve_in_cluster({*log,
+                           options.name.empty() ? machine : options.name,
+                           options.server,
+                           {.folder = options.past, .history = history_of(options)}});
 }
 
 int serve(Options options) {
@@ -132,7 +140,7 @@ int main(int argc, char** argv) {
       ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); })
       ->type_name("FILE");
   app.add_option("--history", options.history,
-                 "how much of the past the journal keeps at least: a number of revisions, or a time such as 90s, "
+                 "how much of the past a journal keeps at least: a number of revisions, or a time such as 90s, "
                  "30min, 12h, 7d")
       ->check([](const std::string& text) {
         return pizarra::programs::history_from(text)
@@ -152,6 +160,11 @@ int main(int argc, char** argv) {
                      "leads, and another takes over when it is gone")
           ->excludes("--journal")
           ->type_name("ADDRESS");
+  app.add_option("--past", options.past,
+                 "with a log: keep what this board serves, also what is not durable, in journals in this folder, one "
+                 "each time that it leads")
+      ->needs(log)
+      ->type_name("DIR");
   app.add_option("--log-certificates", options.certificates,
                  "the folder of ca.crt, client.crt and client.key for a log that is not on this machine")
       ->needs(log)

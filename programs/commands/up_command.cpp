@@ -225,7 +225,8 @@ Result<void> Up::start_board() {
     const std::string first = first_address(board_address_);
     const std::string listens_at = owns_board ? first : choices_.standby;
     if (listens_at.empty()) return {};
-    command.insert(command.end(), {"--listen", listens_at, "--log", choices_.log, "--name", host_.name});
+    command.insert(command.end(), {"--listen", listens_at, "--log", choices_.log, "--name", host_.name, "--past",
+                                   directory_.file("past")});
     if (!choices_.certificates.empty()) command.insert(command.end(), {"--log-certificates", choices_.certificates});
     if (choices_.log_insecure) command.push_back("--log-insecure");
     if (!keys_.empty()) command.insert(command.end(), {"--keys", keys_});

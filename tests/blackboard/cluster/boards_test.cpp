@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -13,6 +14,7 @@
 #include "tests/blackboard/child_program.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
 #include "tests/run_task.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::cluster {
@@ -26,18 +28,22 @@ class Boards : public testing::Test {
     for (const int port : {free_port(), free_port()}) {
       addresses_.push_back("tcp://127.0.0.1:" + std::to_string(port));
     }
-    start(0);
-    start(1);
+    for (const std::size_t number : {0, 1}) {
+      // What an earlier test left is the past of another log.
+      std::filesystem::remove_all(past_of(number));
+      start(number);
+    }
     client_ = client::RemoteBoard::connect(executor_, addresses_[0] + "," + addresses_[1], "tester").value();
     const Relation note =
         relation_from_datum(read_one("(relation note ((n integer)) (key n) (durable))").value()).value();
     // The first board may take a while to find its etcd.
     for (int tries = 0; tries < 10 && !run(client_->declare({note})); ++tries) continue;
   }
+  static std::string past_of(std::size_t number) { return scratch_folder() + "past-" + std::to_string(number); }
   void start(std::size_t number) {
     boards_[number] = std::make_unique<ChildProgram>(
         std::vector<std::string>{PIZARRA_BOARD, "--listen", addresses_[number], "--log", etcd_->address("boards"),
-                                 "--name", "board-" + std::to_string(number)});
+                                 "--name", "board-" + std::to_string(number), "--past", past_of(number)});
   }
   template <class T>
   T run(Task<T> task) {
@@ -183,6 +189,24 @@ TEST_F(Boards, AreRecalledInPythonWhereNobodyLeads) {
   for (int tries = 0; tries < 100 && said != "told"; ++tries) said = client.line();
   EXPECT_EQ(said, "told");
   client.stop(SIGKILL);
+}
+
+TEST_F(Boards, SayWhatWasNotDurableWhileTheyLedAndOtherwiseThatTheyDoNotKnow) {
+  const Relation seen = relation_from_datum(read_one("(relation seen ((n integer)) (key n))").value()).value();
+  ASSERT_TRUE(run(client_->declare({seen})).has_value());
+  const Result<Revision> told = run(client_->tell(list("seen"_sym, 1)));
+  ASSERT_TRUE(told.has_value()) << describe(told.error());
+  tell(1);
+  Query then = query_for(list("seen"_sym, "?n"_sym));
+  then.at = Moment{.revision = *told};
+  const Result<Answers> known = run(client_->ask(then));
+  ASSERT_TRUE(known.has_value()) << describe(known.error());
+  EXPECT_EQ(known->answers.size(), 1u);
+  boards_[leader()]->stop(SIGKILL);
+  tell(2);
+  const Result<Answers> unknown = run(client_->ask(then));
+  ASSERT_FALSE(unknown.has_value());
+  EXPECT_EQ(unknown.error().symbol, "gap") << describe(unknown.error());
 }
 
 TEST_F(Boards, HandOverAtOnceWhenTheLeaderIsEndedInOrder) {
