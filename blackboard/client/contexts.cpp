@@ -1,7 +1,6 @@
 #include "blackboard/client/contexts.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <fmt/format.h>
 
 #include "lisp/reader.hpp"
@@ -97,31 +96,57 @@ Task<Result<std::string>> Contexts::resolve(std::string root, std::string path) 
   co_return address;
 }
 
+Task<void> Contexts::ask(Listed* listed, std::size_t* waiting, Event* answered) {
+  Result<Pairs> named = co_await pairs_of(listed->row.address, "context-board");
+  if (named) listed->named = std::move(*named);
+  if (!named) listed->row.fault = of_board(named.error(), listed->row.path, listed->row.address);
+  --*waiting;
+  answered->set();
+}
+
+Task<void> Contexts::ask_all(std::vector<Listed>* level) {
+  Event answered(executor_);
+  std::size_t waiting = 0;
+  std::vector<Job> asking;
+  for (Listed& listed : *level) {
+    if (listed.row.fault) continue;
+    while (waiting == most_asked_at_once) {
+      answered.reset();
+      co_await answered.wait();
+    }
+    ++waiting;
+    asking.push_back(executor_.spawn(ask(&listed, &waiting, &answered)));
+  }
+  while (waiting > 0) {
+    answered.reset();
+    co_await answered.wait();
+  }
+}
+
 Task<std::vector<Contexts::Row>> Contexts::list(std::string root) {
   std::vector<Row> rows;
-  std::deque<std::pair<Row, std::size_t>> waiting = {{Row{"", root}, 0}};
   std::map<std::string, std::string> paths;  // of the boards, by address
-  while (!waiting.empty() && rows.size() < most_listed) {
-    auto [row, deep] = std::move(waiting.front());
-    waiting.pop_front();
-    const auto [known, is_new] = paths.emplace(row.address, row.path);
-    if (!is_new) {
-      const std::string back = known->second.empty() ? "the first board" : known->second;
-      row.fault = Failure{"context-loop", fmt::format("it is {}, listed already", back), to_datum(row.address), {}};
+  std::vector<Listed> level = {{Row{"", root}}};
+  for (std::size_t deep = 0; !level.empty(); ++deep) {
+    level.resize(std::min(level.size(), most_listed - rows.size()));
+    for (auto& [row, named] : level) {
+      const auto [known, is_new] = paths.emplace(row.address, row.path);
+      if (!is_new) {
+        const std::string back = known->second.empty() ? "the first board" : known->second;
+        row.fault = Failure{"context-loop", fmt::format("it is {}, listed already", back), to_datum(row.address), {}};
+      }
+      if (is_new && deep == most_deep) row.fault = Failure{"too-deep", "nothing below it is listed", {}, {}};
     }
-    if (is_new && deep == most_deep) row.fault = Failure{"too-deep", "nothing below it is listed", {}, {}};
-    if (row.fault) {
-      rows.push_back(std::move(row));
-      continue;
+    co_await ask_all(&level);
+    std::vector<Listed> below;
+    for (Listed& listed : level) {
+      for (const auto& [name, address] : listed.named) {
+        const std::string path = listed.row.path.empty() ? name : fmt::format("{}/{}", listed.row.path, name);
+        below.push_back({Row{path, address}});
+      }
+      rows.push_back(std::move(listed.row));
     }
-    Result<Pairs> contexts = co_await pairs_of(row.address, "context-board");
-    if (!contexts) row.fault = of_board(contexts.error(), row.path, row.address);
-    const std::string path = row.path;
-    rows.push_back(std::move(row));
-    if (!contexts) continue;
-    for (const auto& [name, address] : *contexts) {
-      waiting.emplace_back(Row{path.empty() ? name : fmt::format("{}/{}", path, name), address}, deep + 1);
-    }
+    level = std::move(below);
   }
   co_return rows;
 }

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra::client {
 
@@ -26,6 +27,7 @@ class Contexts {
  public:
   static constexpr std::size_t most_deep = 16;
   static constexpr std::size_t most_listed = 10'000;
+  static constexpr std::size_t most_asked_at_once = 64;
 
   Contexts(Executor& executor, std::string teller, std::optional<wire::ClientKeys> keys, Duration patience = 2s)
       : executor_(executor), teller_(std::move(teller)), keys_(std::move(keys)), patience_(patience) {}
@@ -40,7 +42,8 @@ class Contexts {
     std::string address;
     std::optional<Failure> fault = {};  // why nothing below it is listed
   };
-  // All that is reached from there, each board once, what is named first before what is below it.
+  // All that is reached from there, each board once, what is named first before what is below it. Boards of a level
+  // are asked together, so that silent ones are waited for together.
   Task<std::vector<Row>> list(std::string root);
   // The addresses from a board up to the one that says no parent. Of several parents the first by its address.
   Task<Result<std::vector<std::string>>> ascend(std::string board);
@@ -50,6 +53,13 @@ class Contexts {
   Result<std::unique_ptr<RemoteBoard>> reach(const std::string& address) const;
   // The two parts of each fact of the relation on that board, sorted.
   Task<Result<Pairs>> pairs_of(std::string address, std::string relation);
+  // A board of a list, and those that it names.
+  struct Listed {
+    Row row;
+    Pairs named = {};
+  };
+  Task<void> ask(Listed* listed, std::size_t* waiting, Event* answered);
+  Task<void> ask_all(std::vector<Listed>* level);
 
   Executor& executor_;
   const std::string teller_;

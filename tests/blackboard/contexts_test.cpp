@@ -76,6 +76,36 @@ TEST_F(ContextsTest, ABoardOfTheWayThatDoesNotAnswerIsNamed) {
   EXPECT_EQ(run(executor, contexts.ascend(blocks.address)).error().symbol, "unreachable");
 }
 
+TEST_F(ContextsTest, SilentBoardsAreWaitedForTogether) {
+  std::vector<std::unique_ptr<Served>> silent;
+  for (int n = 0; n < 5; ++n) {
+    silent.push_back(std::make_unique<Served>(executor));
+    ASSERT_EQ(add(hall, "area-" + std::to_string(n), silent.back()->address), "ok");
+  }
+  for (const auto& board : silent) board->server.reset();
+  const Time begun = executor.now();
+  const std::string all = listed();
+  EXPECT_LT(executor.now() - begun, 8s) << "not 2 s for each of the five";
+  EXPECT_TRUE(all.starts_with(" there\narea-0 unreachable\narea-1 unreachable\n")) << all;
+  EXPECT_TRUE(all.ends_with("north there\nnorth/blocks there\n")) << all;
+}
+
+TEST_F(ContextsTest, MoreBoardsThanAreAskedAtOnceAreAllListed) {
+  const std::size_t many = 2 * Contexts::most_asked_at_once + 1;
+  Transaction naming;
+  for (std::size_t n = 1; n <= many; ++n) {
+    naming.tell(
+        list("context-board"_sym, Datum::symbol("a" + std::to_string(n)), "tcp://127.0.0." + std::to_string(n) + ":1"));
+  }
+  ASSERT_TRUE(hall.board.transact("bob", naming).has_value());
+  Contexts hasty(executor, "alice", std::nullopt, 500ms);
+  std::size_t silent = 0;
+  for (const Contexts::Row& row : run(executor, hasty.list(hall.address))) {
+    if (row.path.starts_with("a") && row.fault && row.fault->symbol == "unreachable") ++silent;
+  }
+  EXPECT_EQ(silent, many);
+}
+
 TEST_F(ContextsTest, WhatLeadsBackIsListedOnceAndSaidToBeALoop) {
   ASSERT_EQ(add(blocks, "up", hall.address), "ok");
   ASSERT_EQ(add(hall, "also", blocks.address), "ok");
