@@ -65,7 +65,7 @@ Result<void> LogCopy::begin() {
   if (into_ != nullptr && begun_ > 0) return fail("unavailable", "a snapshot took the log's place while it was read");
   own_ = into_ == nullptr ? std::make_unique<store::Store>() : nullptr;
   store_ = into_ == nullptr ? own_.get() : into_;
-  number_ = snapshot_ = 0;
+  number_ = 0;
   end_ = {};
   later_.clear();
   replies_.clear();
@@ -92,7 +92,7 @@ Result<void> LogCopy::restore_snapshot() {
   }
   if (journal::Checksum().add_words(text).value() != snapshot->sum)
     return damaged("a snapshot's checksum does not fit");
-  snapshot_ = number_ = snapshot->number;
+  number_ = snapshot->number;
   return restore(text);
 }
 

@@ -36,9 +36,6 @@ class LogCopy {
 
   const std::optional<Alive>& alive() const { return alive_; }
   std::uint64_t number() const { return number_; }
-  std::uint64_t snapshot() const { return snapshot_; }
-  // How often it had to begin anew.
-  int begun() const { return begun_; }
   store::Store& store() { return *store_; }
   std::unique_ptr<store::Store> take_store() { return std::move(own_); }
   // Of the last revision that it has.
@@ -64,8 +61,7 @@ class LogCopy {
   std::unique_ptr<store::Store> own_;
   store::Store* store_ = nullptr;  // null before it begins
   std::uint64_t number_ = 0;
-  std::uint64_t snapshot_ = 0;
-  int begun_ = 0;
+  int begun_ = 0;  // how often it had to begin anew
   journal::LineStart end_;
   std::string later_;
   std::optional<Alive> alive_;
