@@ -188,7 +188,9 @@ bool Supervisor::stopped() const {
 
 std::vector<Supervisor::Process> Supervisor::processes() const {
   std::vector<Process> out;
-  for (const Child& child : children_) out.push_back({child.program.name, child.pid, child.restarts, child.newest});
+  for (const Child& child : children_) {
+    out.push_back({child.program.name, child.pid, child.restarts, child.newest, child.given_up});
+  }
   return out;
 }
 

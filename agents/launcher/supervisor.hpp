@@ -47,6 +47,7 @@ class Supervisor {
     pid_t pid = 0;  // 0: not running
     int restarts = 0;
     std::string newest = {};  // the sentence of its last event
+    bool given_up = false;    // it does not start again
   };
 
   Supervisor(Executor& executor, std::function<void(const ProcessEvent&)> tell);

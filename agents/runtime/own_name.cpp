@@ -17,16 +17,22 @@ std::string context_for(std::string_view kind) {
   return std::string(found == known.end() ? kind : found->second);
 }
 
+Transaction binding_in(const Path& context, const Reference& agent, LeaseId lease) {
+  Transaction binding;
+  std::vector<Datum> above;
+  for (const std::string& name : context) {
+    binding.tell(list("context"_sym, Datum::list(above), Datum::symbol(name)));
+    above.push_back(Datum::symbol(name));
+  }
+  binding.tell(list("bound"_sym, Datum::list(above), Datum::symbol(agent.agent), Datum::symbol(agent.kind),
+                    Datum::symbol(agent.agent)),
+               {}, lease);
+  return binding;
+}
+
 Transaction own_binding(const std::string& name, const Contract& contract, LeaseId presence) {
   const std::string context = contract.context.empty() ? context_for(contract.kind) : contract.context;
-  const Datum cell = "cell"_sym;
-  Transaction binding;
-  binding.tell(list("context"_sym, Datum::list({}), cell));
-  binding.tell(list("context"_sym, list(cell), Datum::symbol(context)));
-  binding.tell(list("bound"_sym, list(cell, Datum::symbol(context)), Datum::symbol(name), Datum::symbol(contract.kind),
-                    Datum::symbol(name)),
-               {}, presence);
-  return binding;
+  return binding_in({"cell", context}, {contract.kind, name}, presence);
 }
 
 }  // namespace pizarra::runtime

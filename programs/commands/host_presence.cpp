@@ -1,5 +1,6 @@
 #include "programs/commands/host_presence.hpp"
 
+#include "agents/launcher/host_names.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 #include "programs/command_line/command_tools.hpp"
@@ -68,7 +69,11 @@ Task<void> tell_host(client::RemoteBoard& board, Executor& executor, std::string
   LeaseId lease = 0;
   while (true) {
     const Result<void> told = co_await tell_once(board, host, &lease);
-    if (told) co_await tell_processes(board, host, processes(), lease);
+    if (told) {
+      const std::vector<launcher::Supervisor::Process> kept = processes();
+      co_await tell_processes(board, host, kept, lease);
+      co_await launcher::bind_processes(board, host, kept, lease);
+    }
     co_await sleep(executor, told_every);
   }
 }

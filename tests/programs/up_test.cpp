@@ -26,8 +26,9 @@ constexpr std::chrono::seconds patience{60};
 class UpTest : public testing::Test {
  protected:
   void SetUp() override {
+    std::ofstream(bell_) << "(operation (ring) 1)\n";
     std::ofstream(cell_) << "(cell pair (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain \""
-                         << source_dir() << "/domains/blocks.scm\"))\n";
+                         << source_dir() << "/domains/blocks.scm\") (agent bell (scheme \"" << bell_ << "\")))\n";
     up_ = fork();
     if (up_ == 0) {
       const int log = creat((folder_ + "up.log").c_str(), 0600);
@@ -66,6 +67,7 @@ class UpTest : public testing::Test {
 
   const std::string folder_ = scratch_folder();
   const std::string cell_ = folder_ + "cell.scm";
+  const std::string bell_ = folder_ + "bell.scm";
   pid_t up_ = 0;
 };
 
@@ -102,6 +104,24 @@ TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
   EXPECT_NE(kill(vision, 0), 0);
   EXPECT_EQ(run("ps").text, "no cell runs here\n");
+}
+
+TEST_F(UpTest, TheLauncherBindsItsAgentsAndUnbindsWhatHasEndedForGood) {
+  const std::string names = "repl --eval '(list (cell hosts localhost))'";
+  for (const char* name : {"  robot: robot (robot)\n", "  vision: vision (vision)\n", "  planner: planner (planner)\n",
+                           "  coordinator: coordinator (coordinator)\n", "  bell: bell (bell)\n"}) {
+    EXPECT_TRUE(wait_for(names, name)) << run(names).text << log();
+  }
+  const pid_t planner = pid_of("planner");
+  ASSERT_EQ(kill(planner, SIGKILL), 0);
+  EXPECT_TRUE(wait_for("ps --json", "\"name\":\"planner\"")) << log();
+  EXPECT_EQ(run("repl --eval '(resolve (cell hosts localhost planner))'").text, "planner (planner)\n");
+  // An agent whose file is gone is not started again.
+  std::filesystem::remove(bell_);
+  ASSERT_EQ(kill(pid_of("bell"), SIGKILL), 0);
+  const std::string bell = "repl --eval '(resolve (cell hosts localhost bell))'";
+  EXPECT_TRUE(wait_for(bell, "nothing is bound as cell/hosts/localhost/bell")) << run(bell).text << log();
+  EXPECT_NE(run(names).text.find("robot: robot (robot)"), std::string::npos);
 }
 
 TEST_F(UpTest, TheChildrenDieWithASupervisorThatIsKilled) {
