@@ -71,8 +71,15 @@ class Interpreter {
   Task<Evaluation> cancel(Datum form);
   Task<Evaluation> quit(Datum form);
   Task<Evaluation> find(Datum form);
+  Task<Evaluation> name_agent(Datum form);
+  Task<Evaluation> unbind(Datum form);
+  Task<Evaluation> resolve(Datum form);
+  Task<Evaluation> list_names(Datum form);
+  Task<Result<runtime::Reference>> agent_called(std::string name);
   Task<Evaluation> wire(Datum form);
   Task<Evaluation> list_wiring();
+  // (holder CLIENT ROLE SERVER STATE) of each client, all prompts being one.
+  Task<Result<std::vector<Datum>>> holders();
   Task<Result<Datum>> role_of(Datum client, Datum role);
   Task<Result<std::string>> remark_on_server(Datum server, Datum present);
   // The agent that plays this role for the prompt.

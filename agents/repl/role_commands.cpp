@@ -12,6 +12,9 @@ namespace pizarra::repl {
 
 namespace {
 
+// Prompts come and go, each under a name of its own: as clients of roles they are one.
+constexpr const char* every_prompt = "prompt";
+
 std::string wiring_text(const Datum& holder) {
   return fmt::format("  {} {}: {}{}", holder[1].text(), holder[2].text(), holder[3].text(),
                      holder[4].is_symbol("wired") ? "" : fmt::format(" ({})", holder[4].text()));
@@ -27,7 +30,7 @@ Datum pattern(std::string_view relation, Datum client, Datum role, std::size_t m
 
 Task<std::string> Interpreter::serving(runtime::Role role) {
   const std::string usual = role.usual;
-  const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, std::move(role));
+  const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, every_prompt, std::move(role));
   co_return holder ? holder->server : usual;
 }
 
@@ -42,6 +45,10 @@ Task<Evaluation> Interpreter::wire(Datum form) {
   }
   const Result<Datum> standing = co_await role_of(form[1], form[2]);
   if (!standing) co_return show(standing.error(), Evaluation::failed);
+  // A board where nobody but prompts is served has it from here.
+  std::vector<Relation> relations = runtime::role_relations();
+  const Result<void> declared = co_await context_.board.declare(std::move(relations));
+  if (!declared) co_return show(declared.error());
   if (form.size() == 3) {
     const Result<Revision> retracted = co_await context_.board.retract(pattern("wired", form[1], form[2], 1));
     if (!retracted) co_return show(retracted.error());
@@ -60,22 +67,32 @@ Task<Evaluation> Interpreter::wire(Datum form) {
 }
 
 Task<Evaluation> Interpreter::list_wiring() {
-  const Result<std::vector<Fact>> holders =
-      co_await runtime::facts_if_declared(context_.board, read_pattern("(holder ? ? ? ?)"));
-  if (!holders) co_return show(holders.error());
-  if (holders->empty()) output_("nobody is served in a role");
-  for (const Fact& holder : *holders) output_(wiring_text(holder.datum));
+  const Result<std::vector<Datum>> all = co_await holders();
+  if (!all) co_return show(all.error());
+  for (const Datum& holder : *all) output_(wiring_text(holder));
   co_return Evaluation::done;
+}
+
+Task<Result<std::vector<Datum>>> Interpreter::holders() {
+  const Result<std::vector<Fact>> told =
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(holder ? ? ? ?)"));
+  if (!told) co_return fail(told);
+  std::vector<Datum> all;
+  for (const Fact& holder : *told) all.push_back(holder.datum);
+  const runtime::Role role = runtime::coordinator_role();
+  const Result<runtime::Holder> ours = co_await runtime::holder_of(context_.board, every_prompt, role);
+  if (!ours) co_return fail(ours);
+  all.push_back(list("holder"_sym, Datum::symbol(every_prompt), Datum::symbol(role.name), Datum::symbol(ours->server),
+                     Datum::symbol(ours->state)));
+  co_return all;
 }
 
 // The (holder CLIENT ROLE SERVER STATE) that is meant, or what is near it.
 Task<Result<Datum>> Interpreter::role_of(Datum client, Datum role) {
-  const Result<std::vector<Fact>> holders =
-      co_await runtime::facts_if_declared(context_.board, read_pattern("(holder ? ? ? ?)"));
-  if (!holders) co_return fail(holders);
+  const Result<std::vector<Datum>> all = co_await holders();
+  if (!all) co_return fail(all);
   std::vector<std::string> clients, roles;
-  for (const Fact& holder : *holders) {
-    const Datum& fact = holder.datum;
+  for (const Datum& fact : *all) {
     if (fact[1] == client && fact[2] == role) co_return fact;
     clients.emplace_back(fact[1].text());
     if (fact[1] == client) roles.emplace_back(fact[2].text());

@@ -78,16 +78,19 @@ Task<Evaluation> Interpreter::find(Datum form) {
   for (const Fact& fact : *told) {
     properties[std::string(fact.datum[1].text())][std::string(fact.datum[2].text())] = fact.datum[3];
   }
-  bool any = false;
+  std::map<std::string, std::string> paths;
   const std::vector<runtime::NamedEntry> entries = nobody ? std::vector<runtime::NamedEntry>() : bound->entries;
   for (const runtime::NamedEntry& entry : entries) {
-    const std::string& agent = entry.reference->agent;
+    std::string& all = paths[entry.reference->agent];
+    all += (all.empty() ? "" : ", ") + runtime::path_text(entry.path);
+  }
+  bool any = false;
+  for (const auto& [agent, named] : paths) {
     const std::optional<std::string> met = met_by(*wishes, properties[agent]);
     if (!met) continue;
     any = true;
-    const std::string path = runtime::path_text(entry.path);
-    say(fmt::format("  {} as {}{}{}", agent, path, met->empty() ? "" : ": ", *met),
-        fmt::format("{{\"agent\":{},\"path\":{},\"properties\":{}}}", json_string(agent), json_string(path),
+    say(fmt::format("  {} as {}{}{}", agent, named, met->empty() ? "" : ": ", *met),
+        fmt::format("{{\"agent\":{},\"path\":{},\"properties\":{}}}", json_string(agent), json_string(named),
                     json_string(*met)));
   }
   if (any) co_return Evaluation::done;

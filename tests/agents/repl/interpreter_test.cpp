@@ -395,11 +395,52 @@ TEST_F(Repl, FindsWhoIsBoundOfAKindByProperties) {
   }
   EXPECT_EQ(type("(find robot (reach > 600) (host ?))"), Evaluation::done);
   EXPECT_EQ(shown, "  right as cell/arms/right: reach 1350, host desk\n");
+  EXPECT_EQ(type("(tell (bound (cell hosts bench) left robot left))"), Evaluation::done);
   EXPECT_EQ(type("(find robot (reach <= 560) (host = bench))"), Evaluation::done);
-  EXPECT_EQ(shown, "  left as cell/arms/left: reach 560, host bench\n");
+  EXPECT_EQ(shown, "  left as cell/arms/left, cell/hosts/bench/left: reach 560, host bench\n");
   EXPECT_EQ(type("(find robot (reach > 2000))"), Evaluation::failed);
   EXPECT_EQ(type("(find robot (payload ?))"), Evaluation::failed);
   EXPECT_EQ(type("(find robot (reach about 600))"), Evaluation::malformed);
+}
+
+TEST_F(Repl, BindsNamesAndSaysWhoHasThem) {
+  type("(tell (agent arm-1 robot \"bench\"))");
+  type("(tell (agent arm-2 robot \"bench\"))");
+  EXPECT_EQ(type("(bind (left) arm)"), Evaluation::failed);
+  EXPECT_EQ(shown, "no agent arm is present; did you mean arm-1?\n");
+  EXPECT_EQ(type("(bind (lab left) arm-1)"), Evaluation::failed);
+  EXPECT_TRUE(shown.starts_with("there is no context for lab/left")) << shown;
+  EXPECT_EQ(type("(tell (context () lab)) (bind (lab left) arm-1)"), Evaluation::done) << shown;
+  EXPECT_EQ(type("(bind (lab left) arm-2)"), Evaluation::failed);
+  EXPECT_EQ(type("(resolve (lab left))"), Evaluation::done);
+  EXPECT_EQ(shown, "arm-1 (robot)\n");
+  EXPECT_EQ(type("(rebind (lab left) arm-2)"), Evaluation::done);
+  EXPECT_EQ(type("(list)"), Evaluation::done);
+  EXPECT_EQ(shown, "  lab/\n");
+  EXPECT_EQ(type("(list (lab))"), Evaluation::done);
+  EXPECT_EQ(shown, "  left: arm-2 (robot)\n");
+  EXPECT_EQ(type("(unbind (lab left))"), Evaluation::done);
+  EXPECT_EQ(type("(unbind (lab left))"), Evaluation::failed);
+  EXPECT_EQ(type("(list (lab))"), Evaluation::done);
+  EXPECT_EQ(shown, "nothing is bound there\n");
+  EXPECT_EQ(type("(resolve lab left)"), Evaluation::malformed);
+  EXPECT_EQ(type("(list (lab 3))"), Evaluation::malformed);
+}
+
+// Whatever a prompt is called: all of them are the client `prompt`.
+TEST_F(Repl, APromptsCoordinatorIsWired) {
+  type("(tell (agent coordinator coordinator \"bench\"))");
+  type("(tell (agent boss coordinator \"bench\"))");
+  EXPECT_EQ(type("(wire)"), Evaluation::done);
+  EXPECT_EQ(shown, "  prompt coordinator: coordinator\n");
+  EXPECT_EQ(type("(wire prompt coordinator boss)"), Evaluation::done) << shown;
+  EXPECT_EQ(type("(wire)"), Evaluation::done);
+  EXPECT_EQ(shown, "  prompt coordinator: boss\n");
+  type("(cancel)");
+  EXPECT_TRUE(shown.starts_with("boss did not answer")) << shown;
+  EXPECT_EQ(type("(wire prompt coordinator)"), Evaluation::done);
+  EXPECT_EQ(type("(wire)"), Evaluation::done);
+  EXPECT_EQ(shown, "  prompt coordinator: coordinator\n");
 }
 
 }  // namespace
