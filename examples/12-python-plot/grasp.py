@@ -37,7 +37,8 @@ async def grasp():
                 looks.extend(answer.facts[0] for answer in change.added)
 
         following = asyncio.create_task(follow())
-        [number] = await board.request("coordinator", [Symbol("goal"), [Symbol("holding"), Symbol(choices.object)]])
+        goal = [Symbol("goal"), [Symbol("holding"), Symbol(choices.object)]]
+        [number] = await board.request(await board.server("coordinator"), goal)
         ended = await board.await_answer(f"(and (goal-state {number} ?state ?) (/= ?state running))", choices.patience)
         following.cancel()
         eyes = await board.holder("coordinator", "eyes")

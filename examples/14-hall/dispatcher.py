@@ -46,7 +46,7 @@ class Cell:
                 await asyncio.sleep(self.LAPSED)
             given = [number for number, goal in await self._goals(board) if number > since and goal == forms]
             if not given:
-                given = await board.request("coordinator", [Symbol("goal"), *forms], timeout=30)
+                given = await board.request(await board.server("coordinator"), [Symbol("goal"), *forms], timeout=30)
             ended = await board.await_answer(f"(and (goal-state {given[0]} ?state ?detail) (/= ?state running))",
                                              self.PATIENCE)
             return ended.bindings["?state"], ended.bindings["?detail"]

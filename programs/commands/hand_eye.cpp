@@ -137,22 +137,33 @@ Task<Result<Datum>> HandEye::ask(std::string agent, Datum operation) {
   return caller_.call(std::move(agent), std::move(operation), patience);
 }
 
+Task<Result<std::string>> HandEye::player_of(runtime::Role role) {
+  const Result<runtime::Holder> holder = co_await runtime::holder_of(context_.board, context_.name, role);
+  if (!holder) co_return fail(holder);
+  co_return holder->server;
+}
+
 // Nobody else is to move the arm meanwhile.
 Task<Result<void>> HandEye::begin() {
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
-  const Datum commands = list("commander"_sym, "robot"_sym, "hand-eye"_sym);
+  const Result<std::string> robot = co_await player_of(runtime::robot_role());
+  const Result<std::string> eyes = co_await player_of(runtime::eyes_role());
+  if (!robot || !eyes) co_return fail(robot ? eyes : robot);
+  robot_ = *robot;
+  eyes_ = *eyes;
+  const Datum commands = list("commander"_sym, Datum::symbol(robot_), "hand-eye"_sym);
   Transaction telling;
   telling.tell(commands, {}, service_.presence());
   const Result<Revision> told = co_await context_.board.transact(std::move(telling));
   if (!told) co_return fail(told);
   const std::vector<Datum> wanted{list("connect"_sym), list("track"_sym, mark_name)};
   for (const Datum& operation : wanted) {
-    const Result<Datum> done = co_await ask("vision", operation);
+    const Result<Datum> done = co_await ask(eyes_, operation);
     if (!done) co_return fail(done);
   }
   const Datum any = "?"_sym;
-  const Datum pattern = list("camera-model"_sym, "vision"_sym, any, any, any, any, any, any);
+  const Datum pattern = list("camera-model"_sym, Datum::symbol(eyes_), any, any, any, any, any, any);
   const Result<std::vector<Fact>> models = co_await context_.board.facts(pattern);
   if (!models) co_return fail(models);
   if (models->empty()) co_return fail("no-camera", "the eyes do not say what their camera is");
@@ -223,7 +234,7 @@ Task<Result<void>> HandEye::carry_to(CarriedPose pose) {
   for (const Datum& operation : operations) {
     const bool nothing = !operation.is_form("do-action") && operation[2].number() < 0.05;
     if (nothing) continue;
-    const Result<Datum> done = co_await ask("robot", operation);
+    const Result<Datum> done = co_await ask(robot_, operation);
     if (!done) co_return fail(done);
   }
   co_return Result<void>();
@@ -231,7 +242,7 @@ Task<Result<void>> HandEye::carry_to(CarriedPose pose) {
 
 Task<Result<Eigen::Isometry3d>> HandEye::tool() {
   const Datum monitor = list("monitor"_sym);
-  const Result<Datum> at = co_await ask("robot", monitor);
+  const Result<Datum> at = co_await ask(robot_, monitor);
   if (!at) co_return fail(at);
   if (at->size() < 6) co_return fail("bad-reply", "the robot's monitor gives no pose", *at);
   const Eigen::Vector3d place((*at)[0].number(), (*at)[1].number(), (*at)[2].number());
@@ -241,7 +252,7 @@ Task<Result<Eigen::Isometry3d>> HandEye::tool() {
 // The entry of the mark in the next look, () where it is not seen.
 Task<Result<Datum>> HandEye::next_look() {
   const Datum any = "?"_sym;
-  const Datum pattern = list("look"_sym, "vision"_sym, any, any, any);
+  const Datum pattern = list("look"_sym, Datum::symbol(eyes_), any, any, any);
   const Time deadline = executor_.now() + look_patience;
   while (executor_.now() < deadline) {
     const Result<std::vector<Fact>> looks = co_await context_.board.facts(pattern);
@@ -260,7 +271,7 @@ Task<Result<Datum>> HandEye::next_look() {
     }
     co_return Datum();
   }
-  co_return fail("absent", "the eyes look at nothing any more", "vision"_sym);
+  co_return fail("absent", "the eyes look at nothing any more", Datum::symbol(eyes_));
 }
 
 Task<Result<std::optional<MarkPair>>> HandEye::look() {

@@ -13,7 +13,7 @@
 #include <functional>
 
 #include "agents/coordinator/geometry/camera_pose.hpp"
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/roles.hpp"
 #include "lisp/forms/cell_file.hpp"
 #include "programs/commands/hand_eye_poses.hpp"
 
@@ -46,6 +46,7 @@ class HandEye {
 
  private:
   Task<Result<void>> begin();
+  Task<Result<std::string>> player_of(runtime::Role role);
   Task<Result<Datum>> ask(std::string agent, Datum operation);
   Task<Result<void>> carry_to(CarriedPose pose);
   Task<Result<Eigen::Isometry3d>> tool();
@@ -62,6 +63,7 @@ class HandEye {
   runtime::AgentContext context_;
   runtime::Service service_;
   runtime::Caller caller_;
+  std::string robot_, eyes_;  // who plays these roles
   coordinator::CameraModel model_;
   std::int64_t frame_ = -1;
 };

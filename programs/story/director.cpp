@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/launcher/readiness.hpp"
+#include "agents/runtime/roles.hpp"
 #include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
 
@@ -71,7 +72,10 @@ Task<Result<void>> Director::give_goal(std::vector<Datum> goal) {
   // A fact of the board, as a request is one, holds no variables.
   for (const Datum& form : goal) request.push_back(forms::without_variables(form));
   Datum operation = Datum::list(std::move(request));
-  const Result<Datum> accepted = co_await caller_.call("coordinator", std::move(operation), goal_timeout);
+  const runtime::Role role = runtime::coordinator_role();
+  const Result<runtime::Holder> coordinator = co_await runtime::holder_of(*board_, context_.name, role);
+  if (!coordinator) co_return fail(coordinator);
+  const Result<Datum> accepted = co_await caller_.call(coordinator->server, std::move(operation), goal_timeout);
   if (!accepted) co_return fail(accepted);
   goal_number_ = (*accepted)[0].integer();
   co_return {};

@@ -178,6 +178,10 @@ class AsyncBoard:
         """WIRING: who plays the role for the client at this moment."""
         return await self.run(patterns.holder(client, role))
 
+    async def server(self, role: str) -> str:
+        """WIRING: the agent that plays the role for this client."""
+        return await self.run(patterns.server(self.teller, role))
+
     async def run(self, work: Union[Call[T], Flow[T]]) -> T:
         """A call, or a flow (flow.py)."""
         if isinstance(work, Call):

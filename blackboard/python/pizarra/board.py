@@ -147,6 +147,10 @@ class Board:
         """WIRING: who plays the role for the client at this moment."""
         return self.run(patterns.holder(client, role))
 
+    def server(self, role: str) -> str:
+        """WIRING: the agent that plays the role for this client."""
+        return self.run(patterns.server(self.teller, role))
+
     def run(self, work: Union[Call[T], Flow[T]]) -> T:
         """A call, or a flow (flow.py)."""
         if isinstance(work, Call):

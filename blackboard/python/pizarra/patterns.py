@@ -4,7 +4,8 @@
     board.send("pan-tilt", "(pan 30)")                                    # SEND
     newest = board.pull("(look ?eyes ?frame ?text ?objects)")             # what was PUSHed last; watch for all of it
     fact = board.event("(job ?n)", timeout=60)                            # EVENT: this client alone has it
-    eyes = board.holder("coordinator", "eyes").server                     # WIRING
+    eyes = board.holder("coordinator", "eyes").server                     # WIRING: who serves another client
+    [number] = board.request(board.server("coordinator"), goal)           # WIRING: who serves this one
 """
 
 from __future__ import annotations
@@ -25,6 +26,11 @@ from pizarra.writer import datum_of
 
 LOOK = 1.0      # how often who waits asks whether the board still knows of it
 RETRY = 0.2
+
+
+# The kind of those that can play a role, the context in which they are bound, and who does where nobody is wired.
+ROLES = {"robot": ("robot", "arms", "robot"), "eyes": ("vision", "eyes", "vision"),
+         "planner": ("planner", "planners", "planner"), "coordinator": ("coordinator", "coordinators", "coordinator")}
 
 
 class Holder(NamedTuple):
@@ -142,6 +148,36 @@ def holder(client: str, role: str) -> Flow[Holder]:
     if not answers:
         raise Failure("absent", f"{client} has nobody for {role}, or is not there", Symbol(role))
     return Holder(str(answers[0].bindings["?server"]), str(answers[0].bindings["?state"]))
+
+
+def server(client: str, role: str) -> Flow[str]:
+    """Who plays the role for a client that asks once, chosen as for every other (docs/facts/agents.md, Roles): who is
+    wired to it; where that one is away, the next in line by name."""
+    if role not in ROLES:
+        raise Failure("unknown-role", f"there is no role {role}: it is one of {', '.join(ROLES)}", Symbol(role))
+    kind, context, usual = ROLES[role]
+    name, any_one = Symbol("?name"), Symbol("?")
+    wired = yield from _names([Symbol("wired"), Symbol(client.rpartition("/")[2]), Symbol(role), name])
+    present = yield from _names([Symbol("agent"), name, Symbol(kind), any_one])
+    bound = yield from _names([Symbol("bound"), [Symbol("cell"), Symbol(context)], any_one, any_one, name])
+    first = wired[0] if wired else usual
+    if first in present:
+        return first
+    line = sorted(agent for agent in bound if agent in present)
+    if not line:
+        raise Failure("absent", f"nobody is present who could be the {role}", Symbol(role))
+    return next((agent for agent in line if agent > first), line[0])
+
+
+def _names(pattern: Any) -> Flow[List[str]]:
+    """What ?name is in the facts that fit; none where nobody has declared them."""
+    try:
+        answers = yield from do(calls.ask(pattern))
+    except Failure as failure:
+        if failure.symbol != "undeclared-relation":
+            raise
+        return []
+    return [str(answer.bindings["?name"]) for answer in answers]
 
 
 def are_declared(query: Any) -> Flow[bool]:

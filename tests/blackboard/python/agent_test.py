@@ -225,6 +225,23 @@ class Patterns(AgentTest):
         self.board.tell("(holder coordinator eyes vision-2 stands-in)")
         self.assertEqual(self.board.holder("coordinator", "eyes"), ("vision-2", "stands-in"))
 
+    def test_a_client_is_served_by_whom_it_is_wired_to_and_by_the_next_in_line(self):
+        self.refused("absent", self.board.server, "eyes")
+        self.refused("unknown-role", self.board.server, "ears")
+        self.board.declare("(relation agent ((name symbol) (kind symbol) (host string)) (key name))",
+                           "(relation bound ((parent list) (name symbol) (kind symbol) (agent symbol)) (key parent name))",
+                           "(relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))")
+        for eyes in ("vision", "vision-2", "vision-3"):
+            self.board.tell(f'(agent {eyes} vision "here")')
+            self.board.tell(f"(bound (cell eyes) {eyes} vision {eyes})")
+        self.assertEqual(self.board.server("eyes"), "vision")
+        self.board.tell(f"(wired {self.board.teller} eyes vision-2)")
+        self.assertEqual(self.board.server("eyes"), "vision-2")
+        self.board.retract("(agent vision-2 ? ?)")
+        self.assertEqual(self.board.server("eyes"), "vision-3")
+        self.board.retract("(agent vision-3 ? ?)")
+        self.assertEqual(self.board.server("eyes"), "vision")
+
 
 class Contracts(BoardTest):
     def setUp(self):
