@@ -57,10 +57,10 @@ Result<Contract> contract_from_text(std::string_view text) {
     return fail("bad-contract", "a contract is (contract KIND PART ...)", *form);
   }
   Contract contract{.kind = std::string((*form)[1].text()), .offers = {}, .posts = {}, .context = {}, .form = *form};
-  constexpr std::string_view parts[] = {"offers", "posts", "reads", "configures", "monitors"};
+  constexpr std::string_view parts[] = {"offers", "posts", "reads", "takes", "configures", "monitors"};
   for (const Datum& part : form->items().subspan(2)) {
     if (std::ranges::find(parts, part.head()) == std::end(parts)) {
-      return fail("bad-contract", "a part is offers, posts, reads, configures or monitors", part);
+      return fail("bad-contract", "a part is offers, posts, reads, takes, configures or monitors", part);
     }
     const Result<void> read = read_part(contract, part);
     if (!read) return fail(read);

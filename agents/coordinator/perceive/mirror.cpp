@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "agents/coordinator/perceive/follow.hpp"
 #include "agents/coordinator/retried_commit.hpp"
+#include "agents/runtime/follow.hpp"
 
 namespace pizarra::coordinator {
 
@@ -31,7 +31,7 @@ void Mirror::start() {
   }
   for (const Datum& pattern : patterns) {
     const auto take = [this, pattern](Change change) { return put_right(pattern, std::move(change)); };
-    jobs_.push_back(context_.executor.spawn(follow(context_, pattern, take)));
+    jobs_.push_back(context_.executor.spawn(runtime::follow(context_, pattern, take)));
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "agents/coordinator/perceive/follow.hpp"
+#include "agents/runtime/follow.hpp"
 
 namespace pizarra::coordinator {
 
@@ -32,7 +32,7 @@ Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOpti
 
 Job Surroundings::followed(Datum pattern, Take take) {
   const auto handler = [this, take](Change change) { return (this->*take)(std::move(change)); };
-  return context_.executor.spawn(follow(context_, std::move(pattern), handler));
+  return context_.executor.spawn(runtime::follow(context_, std::move(pattern), handler));
 }
 
 Task<void> Surroundings::resume() {

@@ -6,7 +6,7 @@ namespace pizarra::coordinator {
 
 namespace {
 
-constexpr Duration reply_timeout = 15s;
+constexpr Duration answer_timeout = 15s;
 constexpr Duration planning_timeout = 60s;
 
 Facts facts_of(const Datum& facts) { return {facts.items().begin(), facts.items().end()}; }
@@ -89,7 +89,7 @@ Task<Result<std::vector<Datum>>> Planning::try_plan(std::vector<Datum> facts) {
 
 Task<Result<NextOperation>> Planning::next(std::int64_t goal) {
   const Datum question = list("next-operation"_sym, goal, holding({}));
-  const Result<Datum> reply = co_await ask(question, reply_timeout);
+  const Result<Datum> reply = co_await ask(question, answer_timeout);
   if (!reply) co_return fail(reply);
   co_return read(*reply);
 }

@@ -9,10 +9,10 @@
 
 #include "agents/runtime/agent.hpp"
 
-namespace pizarra::coordinator {
+namespace pizarra::runtime {
 
 // Calls `take` with each change of the facts that fit the pattern, one after another, for ever. The context outlives
 // it.
-Task<void> follow(runtime::AgentContext& context, Datum pattern, std::function<Task<void>(Change)> take);
+Task<void> follow(AgentContext& context, Datum pattern, std::function<Task<void>(Change)> take);
 
-}  // namespace pizarra::coordinator
+}  // namespace pizarra::runtime
