@@ -16,7 +16,7 @@ namespace pizarra {
 inline constexpr std::string_view board_teller = "board";
 
 inline bool is_statistics(std::string_view relation) {
-  constexpr std::array<std::string_view, 4> names = {"relation-stats", "journey-stats", "watcher-stats",
+  constexpr std::array<std::string_view, 5> names = {"relation-stats", "reader-stats", "journey-stats", "watcher-stats",
                                                      "client-stats"};
   return std::ranges::find(names, relation) != names.end();
 }

@@ -62,7 +62,7 @@ class View : public Board {
 
   Task<Result<void>> declare(std::vector<Relation> relations) override { co_return board_.declare(teller_, relations); }
   Task<Result<Revision>> transact(Transaction transaction) override { co_return board_.transact(teller_, transaction); }
-  Task<Result<Answers>> ask(Query query) override { co_return board_.ask(query); }
+  Task<Result<Answers>> ask(Query query) override { co_return board_.ask(query, teller_); }
   Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override {
     co_return board_.take(teller_, pattern, holder);
   }
@@ -155,11 +155,12 @@ Result<Revision> MemoryBoard::transact(const std::string& teller, const Transact
   return revision;
 }
 
-Result<Answers> MemoryBoard::ask(const Query& query, std::size_t& examined) {
+Result<Answers> MemoryBoard::ask(const Query& query, std::size_t& examined, std::string_view asker) {
   const Time now = begin();
   const bool about_the_board = Statistics::is_about(query);
   Result<Answers> answers =
       about_the_board ? statistics_.ask(query, *store_, *watches_, now, examined) : store_->ask(query, examined);
+  if (answers && !about_the_board) statistics_.asked(asker, query, store_->revision());
   schedule();
   return answers;
 }
@@ -168,6 +169,7 @@ Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const D
                                               std::size_t& examined) {
   const Time now = begin();
   Result<std::optional<Fact>> taken = store_->take(teller, pattern, holder, now, examined);
+  if (taken && *taken) statistics_.taken(teller, (*taken)->datum, store_->revision());
   schedule();
   return taken;
 }
@@ -220,9 +222,9 @@ Result<Revision> MemoryBoard::transact(const std::string& teller, const Transact
   return told(transact(teller, transaction, examined), *store_);
 }
 
-Result<Answers> MemoryBoard::ask(const Query& query) {
+Result<Answers> MemoryBoard::ask(const Query& query, std::string_view asker) {
   std::size_t examined = 0;
-  return told(ask(query, examined), *store_);
+  return told(ask(query, examined, asker), *store_);
 }
 
 Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const Datum& pattern, LeaseId holder) {

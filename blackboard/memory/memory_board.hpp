@@ -74,7 +74,8 @@ class MemoryBoard {
   Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
   // These add to `examined` how many facts they looked at, and fail beyond limits::examined.
   Result<Revision> transact(const std::string& teller, const Transaction& transaction, std::size_t& examined);
-  Result<Answers> ask(const Query& query, std::size_t& examined);
+  // `asker` is who will be named in what reader-stats says; nobody where it is empty.
+  Result<Answers> ask(const Query& query, std::size_t& examined, std::string_view asker = {});
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder,
                                    std::size_t& examined);
   Result<LeaseId> lease(Duration length);
@@ -90,7 +91,7 @@ class MemoryBoard {
                                                    std::size_t& examined);
   // The same for callers in this process that need no count.
   Result<Revision> transact(const std::string& teller, const Transaction& transaction);
-  Result<Answers> ask(const Query& query);
+  Result<Answers> ask(const Query& query, std::string_view asker = {});
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
   Result<std::unique_ptr<watch::WatchQueue>> watch(const std::string& watcher, const Query& query,
                                                    std::function<void()> ready);

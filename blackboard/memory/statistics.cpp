@@ -31,6 +31,14 @@ Relation about_relations() {
           .lease = {}};
 }
 
+Relation about_readers() {
+  return {.name = "reader-stats",
+          .arguments = {{"name", ArgumentType::symbol}, {"askers", ArgumentType::list}, {"takers", ArgumentType::list}},
+          .key = {0},
+          .durable = false,
+          .lease = {}};
+}
+
 Relation about_journeys() {
   return {
       .name = "journey-stats",
@@ -62,7 +70,8 @@ Relation about_clients() {
           .lease = {}};
 }
 
-constexpr std::array<Relation (*)(), 4> askable = {about_relations, about_journeys, about_watchers, about_clients};
+constexpr std::array<Relation (*)(), 5> askable = {about_relations, about_readers, about_journeys, about_watchers,
+                                                   about_clients};
 
 // Which of them the query is about, first of all.
 std::optional<Relation> relation_asked_for(const Query& query) {
@@ -132,11 +141,17 @@ Statistics::Counts& Statistics::counts_of(std::string_view relation) {
   return last_->second;
 }
 
+void Statistics::Did::again(Revision now) {
+  ++count;
+  newest = now;
+  gone = false;
+}
+
 // Most changes are of the relation of the change before them, and all of one teller's.
 void Statistics::committed(const store::Commit& commit) {
   const Datum* relation = nullptr;
   Counts* counts = nullptr;
-  Told* told = nullptr;
+  Did* told = nullptr;
   for (const store::Commit::Entry& entry : commit.entries) {
     if (!store::adds(entry) && !store::removes(entry)) continue;
     if (relation == nullptr || *relation != entry.fact.datum[0]) {
@@ -150,44 +165,56 @@ void Statistics::committed(const store::Commit& commit) {
     }
     ++counts->told;
     counts->rate.count(commit.when);
-    if (told == nullptr) told = &told_by(*counts, commit.teller);
-    ++told->count;
-    told->newest = commit.revision;
-    told->gone = false;
+    if (told == nullptr) told = &did_by(counts->tellers, commit.teller);
+    told->again(commit.revision);
   }
 }
 
-Statistics::Told& Statistics::told_by(Counts& counts, const std::string& teller) {
-  const auto known = counts.tellers.find(teller);
-  if (known != counts.tellers.end()) return known->second;
-  if (counts.tellers.size() >= max_names) {
-    counts.tellers.erase(std::ranges::min_element(counts.tellers, sooner_forgotten, &Tellers::value_type::second));
+void Statistics::asked(std::string_view asker, const Query& query, Revision revision) {
+  if (asker.empty()) return;
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare) continue;
+    did_by(counts_of(clause.form.head()).askers, asker).again(revision);
   }
-  return counts.tellers[teller];
 }
 
-bool Statistics::sooner_forgotten(const Told& a, const Told& b) {
+void Statistics::taken(std::string_view taker, const Datum& fact, Revision revision) {
+  did_by(counts_of(fact.head()).takers, taker).again(revision);
+}
+
+Statistics::Did& Statistics::did_by(Clients& clients, std::string_view client) {
+  const auto known = clients.find(client);
+  if (known != clients.end()) return known->second;
+  if (clients.size() >= max_names) {
+    clients.erase(std::ranges::min_element(clients, sooner_forgotten, &Clients::value_type::second));
+  }
+  return clients[std::string(client)];
+}
+
+bool Statistics::sooner_forgotten(const Did& a, const Did& b) {
   return a.gone != b.gone ? a.gone : a.newest < b.newest;
 }
 
-void Statistics::left(std::string_view teller) {
+void Statistics::left(std::string_view client) {
   for (auto& [relation, counts] : relations_) {
-    const auto known = counts.tellers.find(teller);
-    if (known != counts.tellers.end()) known->second.gone = true;
+    for (Clients* clients : {&counts.tellers, &counts.askers, &counts.takers}) {
+      const auto known = clients->find(client);
+      if (known != clients->end()) known->second.gone = true;
+    }
   }
 }
 
 // Those that would be forgotten first are left out first.
-Datum Statistics::named(const Tellers& tellers, std::size_t room) {
-  std::vector<const Tellers::value_type*> lasting;
-  for (const auto& teller : tellers) lasting.push_back(&teller);
+Datum Statistics::named(const Clients& clients, std::size_t room) {
+  std::vector<const Clients::value_type*> lasting;
+  for (const auto& client : clients) lasting.push_back(&client);
   std::ranges::sort(lasting, [](const auto* a, const auto* b) { return sooner_forgotten(b->second, a->second); });
   std::map<std::string, std::uint64_t> counts;
-  for (const auto* teller : lasting) {
-    const std::size_t bytes = weigh(list(teller->first, teller->second.count)).bytes;
+  for (const auto* client : lasting) {
+    const std::size_t bytes = weigh(list(client->first, client->second.count)).bytes;
     if (bytes > room) break;
     room -= bytes;
-    counts.emplace(teller->first, teller->second.count);
+    counts.emplace(client->first, client->second.count);
   }
   return counted(counts, std::numeric_limits<std::size_t>::max());
 }
@@ -249,7 +276,8 @@ std::size_t Statistics::looks_for(const Asked& asked) const {
   if (about == "client-stats") return requests_.size();
   if (about == "watcher-stats") return named ? watches.watches_of(named->text()) : watches.size();
   if (named) return looks_a_relation;
-  return looks_a_relation * (about == "relation-stats" ? store.tables().size() : relations_.size());
+  const bool of_all_declared = about == "relation-stats" || about == "reader-stats";
+  return looks_a_relation * (of_all_declared ? store.tables().size() : relations_.size());
 }
 
 std::vector<Datum> Statistics::facts_of(const Asked& asked) {
@@ -257,6 +285,8 @@ std::vector<Datum> Statistics::facts_of(const Asked& asked) {
   std::vector<Datum> facts;
   if (about == "relation-stats") {
     visit_named(store.tables(), named, [&](const auto& table) { facts.push_back(relation_fact(table.second, asked)); });
+  } else if (about == "reader-stats") {
+    visit_named(store.tables(), named, [&](const auto& table) { facts.push_back(reader_fact(table.second, asked)); });
   } else if (about == "journey-stats") {
     visit_named(relations_, named, [&](auto& relation) {
       if (relation.second.journeys == nullptr) return;
@@ -286,6 +316,13 @@ Datum Statistics::relation_fact(const store::FactTable& table, const Asked& aske
   const Datum watchers = counted(asked.watches.watchers_of(relation), room);
   return list("relation-stats"_sym, Datum::symbol(relation), table.size(), counts.told, counts.gone,
               counts.rate.last_second(), named(counts.tellers, room), watchers);
+}
+
+Datum Statistics::reader_fact(const store::FactTable& table, const Asked& asked) {
+  const std::string& relation = table.relation().name;
+  const Counts& counts = counts_of(relation);
+  const std::size_t room = names_bytes / asked.store.tables().size() / 2;
+  return list("reader-stats"_sym, Datum::symbol(relation), named(counts.askers, room), named(counts.takers, room));
 }
 
 }  // namespace pizarra::memory

@@ -88,7 +88,7 @@ Result<Query> PermittedBoard::query_of(const Client& client, const Datum& body) 
 Result<Datum> PermittedBoard::ask(const Client& client, const Datum& body, std::size_t& examined) {
   const Result<Query> query = query_of(client, body);
   if (!query) return fail(query);
-  const Result<Answers> answers = board_.ask(*query, examined);
+  const Result<Answers> answers = board_.ask(*query, examined, client.teller);
   // To say them takes as long as to look at some more facts that are none.
   constexpr std::size_t looks_an_answer = 8;
   if (!answers) return fail(answers);

@@ -85,6 +85,27 @@ TEST(Statistics, CountWhatOneTransactionChangesOfSeveralRelations) {
   EXPECT_EQ(said_of("two"), read("(2 2 0 ((\"alice\" 1) (\"bob\" 1)))"));
 }
 
+TEST(Statistics, SayWhoAskedForFactsAndWhoTookThem) {
+  VirtualExecutor executor;
+  memory::MemoryBoard board(executor);
+  ASSERT_TRUE(board.declare("test", {named("job"), named("hint")}).has_value());
+  Transaction jobs;
+  jobs.tell(list("job"_sym, 1)).tell(list("job"_sym, 2)).tell(list("job"_sym, 3));
+  ASSERT_TRUE(board.transact("alice", jobs).has_value());
+  ASSERT_TRUE(board.take("bob", list("job"_sym, "?n"_sym), 0).value().has_value());
+  ASSERT_TRUE(board.take("bob", list("job"_sym, "?n"_sym), 0).value().has_value());
+  ASSERT_TRUE(board.take("carol", list("job"_sym, "?n"_sym), 0).value().has_value());
+  ASSERT_FALSE(board.take("carol", list("job"_sym, "?n"_sym), 0).value().has_value());
+  board.ask(query("(and (job ?n) (not (hint ?n)))"), "dan").value();
+  board.ask(query("(job ?n)"), "dan").value();
+  board.ask(query("(job ?n)")).value();
+  const auto said_of = [&](const char* relation) {
+    return board.ask(query(std::string("(reader-stats ") + relation + " ? ?)"))->answers.front().facts.front().datum;
+  };
+  EXPECT_EQ(said_of("job"), read("(reader-stats job ((\"dan\" 2)) ((\"bob\" 2) (\"carol\" 1)))"));
+  EXPECT_EQ(said_of("hint"), read("(reader-stats hint ((\"dan\" 1)) ())"));
+}
+
 TEST(Statistics, SayWhatWaitsForEachWatcher) {
   VirtualExecutor executor;
   memory::MemoryBoard board(executor);
@@ -146,7 +167,8 @@ TEST(Statistics, FitAnAnswerWhateverClientsDo) {
   }
   for (const auto& [asked, fewest] :
        {std::pair("(relation-stats ? ? ? ? ? ? ?)", relations.size()),
-        std::pair("(journey-stats ? ? ?)", relations.size()), std::pair("(watcher-stats ? ? ? ?)", std::size_t{16}),
+        std::pair("(reader-stats ? ? ?)", relations.size()), std::pair("(journey-stats ? ? ?)", relations.size()),
+        std::pair("(watcher-stats ? ? ? ?)", std::size_t{16}),
         std::pair("(client-stats ? ? ? ?)", memory::ClientRequests::most_clients)}) {
     const Result<Answers> answers = board.ask(query(asked));
     ASSERT_TRUE(answers.has_value()) << asked << ": " << answers.error().sentence;
