@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "agents/console/change_text.hpp"
+#include "agents/console/console_contract.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::console {
@@ -97,7 +98,7 @@ std::span<const Session::Verb> Session::Verb::all() {
 Session::Session(Setup setup, UpgradedSocket socket)
     : setup_(std::move(setup)),
       context_{setup_.name, "localhost", setup_.executor, *setup_.board, Random(1)},
-      service_(context_, runtime::contract_from_text("(contract console)").value()),
+      service_(context_, runtime::contract_from_text(std::string("(contract console ") + reads_of_pages + ")").value()),
       caller_(context_, service_),
       room_(setup_.executor),
       hands_changed_(setup_.executor) {

@@ -1,20 +1,24 @@
 #include "agents/console/wiring.hpp"
 
+#include "agents/console/console_contract.hpp"
+
 namespace pizarra::console {
 
 namespace {
 
-constexpr const char* contract_text = R"((contract console
+runtime::Contract contract_of_console() {
+  constexpr std::string_view posts = R"((contract console
   (posts (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
-         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
-  (reads agent bound wired)))";
+         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role))) )";
+  return runtime::contract_from_text(std::string(posts) + reads_of_pages + ")").value();
+}
 
 }  // namespace
 
 Wiring::Wiring(Executor& executor, std::unique_ptr<Board> board)
     : board_(std::move(board)),
       context_{client, "localhost", executor, *board_, Random(1)},
-      service_(context_, runtime::contract_from_text(contract_text).value()),
+      service_(context_, contract_of_console()),
       caller_(context_, service_),
       roles_(context_, service_, caller_, {runtime::robot_role(), runtime::eyes_role(), runtime::coordinator_role()}),
       telling_(executor.spawn(tell())) {}

@@ -11,29 +11,21 @@ that was taken by a program that died comes back.
 
 import argparse
 
-from pizarra import Board, Failure, Symbol, settle, tell
+from pizarra import Board, Contract, Failure, Presence, Symbol, settle, tell
 
-RELATIONS = ("(relation job ((number integer) (goal list)) (key number) (durable))",
-             "(relation job-ended ((number integer) (state symbol)) (key number) (durable))")
+CONTRACT = Contract("jobs", takes=["job"], reads=["goal-state"], monitors=["job-ended"],
+                    posts=["(relation job ((number integer) (goal list)) (key number) (durable))",
+                           "(relation job-ended ((number integer) (state symbol)) (key number) (durable))"])
 LONGEST_S = 600  # that a goal is waited for
-LIFE_S = 5  # what this has taken comes back so long after its death
-
-
-def coordinator_of(board):
-    """Whichever is bound: the newest, where there are several."""
-    bound = board.pull("(bound (cell coordinators) ?name coordinator ?agent)")
-    if bound is None:
-        raise Failure("absent", "no coordinator is present")
-    return str(bound.datum[4])
 
 
 def pursue(board, goal):
     """How it ended: reached, refused, replaced or cancelled."""
-    [number] = board.request(coordinator_of(board), [Symbol("goal"), goal])
+    [number] = board.request(board.server("coordinator"), [Symbol("goal"), goal])
     try:
         ended = board.await_answer(f"(and (goal-state {number} ?state ?) (/= ?state running))", LONGEST_S)
     except Failure:
-        board.send(coordinator_of(board), "(cancel)")
+        board.send(board.server("coordinator"), "(cancel)")
         raise
     return ended.bindings["?state"]
 
@@ -41,13 +33,13 @@ def pursue(board, goal):
 def main():
     parser = argparse.ArgumentParser(description="Pursues the jobs that are told to a cell.")
     parser.add_argument("board", metavar="BOARD-ADDRESS", help="as `pizarra ps` shows it")
-    address = parser.parse_args().board
-    with Board(address, "jobs") as board:
-        board.declare(*RELATIONS)
-        life = board.lease(LIFE_S)
-        board.keep(life)
+    parser.add_argument("--name", default="jobs", help="how it is called; each of several has a name of its own")
+    choices = parser.parse_args()
+    with Board(choices.board, choices.name) as board:
+        presence = Presence(choices.name, CONTRACT)
+        board.run(presence.come())
         while True:
-            job = board.event("(job ?number ?goal)", timeout=float("inf"), lease=life)
+            job = board.event("(job ?number ?goal)", timeout=float("inf"), lease=presence.lease)
             _, number, goal = job.datum
             try:
                 state = pursue(board, goal)

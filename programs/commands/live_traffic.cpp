@@ -5,6 +5,7 @@
 
 #include "agents/runtime/contract.hpp"
 #include "agents/runtime/declared.hpp"
+#include "blackboard/streams/remote_streams.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -14,14 +15,33 @@ namespace {
 
 constexpr std::size_t sampled = 20;  // facts of a relation, for their size
 constexpr int probes_each = 30;
+constexpr Duration images_look = 1s;
 const Datum whatever = "?"_sym;
 
 Relation probe_relation() {
   return relation_from_datum(read_one("(relation method-probe ((who symbol) (n integer)) (key who))").value()).value();
 }
 
-// Of (relation-stats NAME FACTS TOLD GONE PER-SECOND TELLERS WATCHERS).
-enum Part : std::size_t { relation_name = 1, its_tellers = 6, its_watchers = 7 };
+// Of (relation-stats NAME FACTS TOLD GONE PER-SECOND TELLERS WATCHERS) and (reader-stats NAME ASKERS TAKERS).
+enum Part : std::size_t { relation_name = 1, its_tellers = 6, its_watchers = 7, its_askers = 2, its_takers = 3 };
+
+// Of ((CLIENT COUNT) ...), by agent.
+std::map<std::string, std::int64_t> counts_in(const Datum& clients) {
+  std::map<std::string, std::int64_t> counts;
+  for (const Datum& client : clients.items()) {
+    counts[method::agent_of_teller(std::string(client[0].text()))] += client[1].integer();
+  }
+  return counts;
+}
+
+// What has come of one client since then. Who was forgotten meanwhile began anew.
+std::int64_t more_than(const std::map<std::string, std::map<std::string, std::int64_t>>& before,
+                       const std::string& relation, const std::string& client, std::int64_t count) {
+  const auto known = before.find(relation);
+  if (known == before.end()) return count;
+  const auto earlier = known->second.find(client);
+  return earlier == known->second.end() || earlier->second > count ? count : count - earlier->second;
+}
 
 double median(std::vector<double> values) {
   std::ranges::sort(values);
@@ -43,23 +63,31 @@ Task<void> LiveLook::collect(Query query) {
   }
 }
 
-Task<Result<LiveLook::Told>> LiveLook::told_so_far(method::Traffic* with_watchers) {
+// A board of an older version says nothing of who asks and takes.
+Task<Result<LiveLook::SoFar>> LiveLook::so_far(method::Traffic* with_readers) {
   Datum pattern = list("relation-stats"_sym, whatever, whatever, whatever, whatever, whatever, whatever, whatever);
   const Result<std::vector<Fact>> statistics = co_await board_.facts(std::move(pattern));
   if (!statistics) co_return fail(statistics);
-  Told told;
+  Datum reading = list("reader-stats"_sym, whatever, whatever, whatever);
+  const Result<std::vector<Fact>> readers = co_await board_.facts(std::move(reading));
+  SoFar counts;
   for (const Fact& fact : *statistics) {
     const std::string relation(fact.datum[relation_name].text());
-    for (const Datum& teller : fact.datum[its_tellers].items()) {
-      told[relation][method::agent_of_teller(std::string(teller[0].text()))] += teller[1].integer();
-    }
-    if (with_watchers == nullptr) continue;
-    for (const Datum& watcher : fact.datum[its_watchers].items()) {
-      const std::string who = method::agent_of_teller(std::string(watcher[0].text()));
-      if (!who.starts_with(name_)) with_watchers->flows[relation].watchers.insert(who);
+    counts.told[relation] = counts_in(fact.datum[its_tellers]);
+    if (with_readers == nullptr) continue;
+    for (const auto& [watcher, patterns] : counts_in(fact.datum[its_watchers])) {
+      if (!watcher.starts_with(name_)) with_readers->flows[relation].watchers.insert(watcher);
     }
   }
-  co_return told;
+  for (const Fact& fact : readers.value_or(std::vector<Fact>())) {
+    const std::string relation(fact.datum[relation_name].text());
+    counts.taken[relation] = counts_in(fact.datum[its_takers]);
+    if (with_readers == nullptr) continue;
+    for (const auto& [asker, questions] : counts_in(fact.datum[its_askers])) {
+      if (!asker.starts_with(name_)) with_readers->flows[relation].askers.insert(asker);
+    }
+  }
+  co_return counts;
 }
 
 Task<Result<void>> LiveLook::see_agents(method::Traffic& traffic) {
@@ -115,6 +143,28 @@ Task<void> LiveLook::see_sizes(method::Traffic& traffic) {
   }
 }
 
+// Streams are announced on the board; what their images weigh, and how often they come, is seen by taking them.
+Task<void> LiveLook::see_images(method::Traffic& traffic) {
+  const Result<std::vector<Fact>> announced =
+      co_await runtime::facts_if_declared(board_, list("stream"_sym, whatever, whatever, whatever));
+  if (!announced || announced->empty()) co_return;
+  const auto streams = streams::RemoteStreams::open(executor_, board_);
+  if (!streams) co_return;
+  std::vector<std::unique_ptr<Streams::Subscription>> subscriptions;
+  for (const Fact& fact : *announced) {
+    method::see_stream(traffic, fact);
+    const std::string name(fact.datum[1].text());
+    method::ImagesSeen& images = traffic.streams[name];
+    subscriptions.push_back((*streams)->subscribe(name, [&images](const StreamFrame& frame) {
+      images.bytes = static_cast<double>(frame.image->pixels.size());
+      ++images.per_second;
+    }));
+  }
+  co_await sleep(executor_, images_look);
+  subscriptions.clear();
+  for (auto& [name, images] : traffic.streams) images.per_second *= 1000 / ms_of(images_look);
+}
+
 // The median time until the last of so many has a fact; nothing where this client may not tell or watch it.
 Task<std::optional<double>> LiveLook::time_to(std::size_t subscribers) {
   std::vector<std::unique_ptr<Board>> boards;
@@ -164,7 +214,7 @@ Task<Result<method::Traffic>> LiveLook::at(Duration duration) {
   std::vector<Relation> shared = runtime::runtime_relations();
   const Result<void> declared = co_await board_.declare(std::move(shared));
   if (!declared) co_return fail(declared);
-  const Result<Told> before = co_await told_so_far(nullptr);
+  const Result<SoFar> before = co_await so_far(nullptr);
   if (!before) co_return fail(before);
   const Time begun = executor_.now();
   const Query requests = query_for(list("request"_sym, whatever, whatever, whatever));
@@ -175,23 +225,27 @@ Task<Result<method::Traffic>> LiveLook::at(Duration duration) {
   method::Traffic traffic;
   traffic.watches_seen = true;
   traffic.seconds = ms_of(executor_.now() - begun) / 1000;
-  const Result<Told> after = co_await told_so_far(&traffic);
+  const Result<SoFar> after = co_await so_far(&traffic);
   if (!after) co_return fail(after);
   asking = Job();
   answering = Job();
-  for (const auto& [relation, tellers] : *after) {
+  for (const auto& [relation, tellers] : after->told) {
     for (const auto& [teller, count] : tellers) {
-      const auto known = before->find(relation);
-      const auto earlier = known == before->end() ? tellers.end() : known->second.find(teller);
-      const bool counted = known != before->end() && earlier != known->second.end() && earlier->second <= count;
-      const std::int64_t more = counted ? count - earlier->second : count;
+      const std::int64_t more = more_than(before->told, relation, teller, count);
       if (more > 0) traffic.flows[relation].told[teller] = static_cast<std::size_t>(more);
+    }
+  }
+  for (const auto& [relation, takers] : after->taken) {
+    for (const auto& [taker, count] : takers) {
+      const std::int64_t more = more_than(before->taken, relation, taker, count);
+      if (more > 0) traffic.flows[relation].taken[taker] = static_cast<std::size_t>(more);
     }
   }
   const Result<void> agents = co_await see_agents(traffic);
   if (!agents) co_return fail(agents);
   co_await see_journeys(traffic);
   co_await see_sizes(traffic);
+  co_await see_images(traffic);
   co_await measure_scales(traffic);
   std::ranges::stable_sort(seen_, {}, &Fact::revision);
   method::ExchangeCounter exchanges(traffic);

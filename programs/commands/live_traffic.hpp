@@ -6,8 +6,9 @@
 //   LiveLook look(executor, board, connect);
 //   Result<method::Traffic> traffic = co_await look.at(60s);
 //
-// It watches requests and replies, and reads the board's statistics before and after. Then it tells a fact of its own
-// to 1, 2, 4, 8 and 16 subscribers, where it may, and measures how long the last one waits.
+// It watches requests and replies, and reads the board's statistics before and after. Then it takes the images of each
+// stream for a second, and tells a fact of its own to 1, 2, 4, 8 and 16 subscribers, where it may, and measures how
+// long the last one waits.
 
 #include <functional>
 #include <memory>
@@ -32,13 +33,17 @@ class LiveLook {
   bool cut() const { return seen_.size() >= most_facts; }
 
  private:
-  using Told = std::map<std::string, std::map<std::string, std::int64_t>>;  // by relation, by teller
+  using Counts = std::map<std::string, std::map<std::string, std::int64_t>>;  // by relation, by client
+  struct SoFar {
+    Counts told, taken;
+  };
 
   Task<void> collect(Query query);
-  Task<Result<Told>> told_so_far(method::Traffic* with_watchers);
+  Task<Result<SoFar>> so_far(method::Traffic* with_readers);
   Task<Result<void>> see_agents(method::Traffic& traffic);
   Task<void> see_journeys(method::Traffic& traffic);
   Task<void> see_sizes(method::Traffic& traffic);
+  Task<void> see_images(method::Traffic& traffic);
   Task<void> measure_scales(method::Traffic& traffic);
   Task<std::optional<double>> time_to(std::size_t subscribers);
 

@@ -5,11 +5,13 @@
 #include <sstream>
 #include <unistd.h>
 
+#include "agents/console/console_contract.hpp"
 #include "agents/launcher/local_cell.hpp"
 #include "agents/launcher/readiness.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
+#include "lisp/reader.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
@@ -53,6 +55,8 @@ Task<void> read_contracts(Board& board, method::Traffic& traffic) {
     if (!facts) co_return;
     for (const Fact& fact : *facts) method::see_agent(traffic, fact.datum);
   }
+  const Result<std::vector<Fact>> streams = co_await board.facts(list("stream"_sym, any, any, any));
+  for (const Fact& fact : streams.value_or(std::vector<Fact>())) method::see_stream(traffic, fact);
   const Datum holders = list("holder"_sym, any, any, any, any);
   const Result<std::vector<Fact>> served = co_await board.facts(holders);
   if (!served) co_return;
@@ -128,6 +132,14 @@ Result<method::Traffic> traffic_of_board(const Destination& to, const std::optio
   return traffic;
 }
 
+// A page of the console may be opened at any time.
+void read_by_pages(method::Traffic& traffic) {
+  const Datum contract = list("contract"_sym, "console"_sym, read_one(console::reads_of_pages).value());
+  for (const std::string& relation : method::names_in(contract, "reads")) {
+    traffic.flows[relation].askers.insert("console");
+  }
+}
+
 int show(const MethodChoices& choices, const method::Report& report) {
   if (choices.draws && !choices.svg.empty()) {
     std::ofstream out(choices.svg.front());
@@ -172,6 +184,7 @@ int run_method(const MethodChoices& choices) {
     traffic = choices.journal.empty() ? traffic_of_cell(choices.file) : traffic_of_file(choices.journal);
     if (!traffic) return complain(traffic.error(), exit_usage);
   }
+  read_by_pages(*traffic);
   return show(choices, method::report_on(*traffic, *kinds, *lists));
 }
 

@@ -1,5 +1,6 @@
 #include "programs/method/connect.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,14 +32,20 @@ std::string recommend(const Nature& nature) {
 }
 
 void advise(Connection& connection, double seconds) {
-  const bool pushes = connection.pattern == "PUSH";
+  const bool streams = connection.pattern == "STREAM", takes = connection.pattern == "EVENT";
+  const bool pushes = connection.pattern == "PUSH" || streams;
   const bool waits = connection.pattern == "QUERY";
   // The facts that a publisher tells are the server's side of the balance. The client asked once, which weighs little.
   const Nature nature{.addressees = connection.addressees,
                       .waits = waits,
                       .bytes = pushes ? 0 : connection.bytes,
-                      .bytes_back = pushes ? connection.bytes : connection.bytes_back};
+                      .bytes_back = streams  ? std::max(connection.bytes, heavy_bytes)
+                                    : pushes ? connection.bytes
+                                             : connection.bytes_back};
   connection.recommended = recommend(nature);
+  if (streams) return;
+  // For many the tables have both.
+  if (takes && connection.recommended == "PUSH") connection.recommended = "EVENT";
   const std::string seen = rate_text(connection, seconds);
   if (pushes && connection.recommended == "SEND + PUSH") {
     connection.remark = fmt::format(
@@ -50,6 +57,11 @@ void advise(Connection& connection, double seconds) {
         "{} alone reads what {} tells of {} ({}): one to one and not blocking is SEND in Table 4.5; PUSH "
         "lets others watch later without {} knowing",
         connection.to, connection.from, about_text(connection), seen, connection.from);
+  } else if (takes && connection.recommended == "SEND") {
+    connection.remark = fmt::format(
+        "{} alone takes what {} tells of {} ({}): one to one and not blocking is SEND in Table 4.5; EVENT waits for "
+        "{} also while it is away, and another may share the work",
+        connection.to, connection.from, about_text(connection), seen, connection.to);
   } else if (waits && connection.recommended == "SEND + PUSH") {
     connection.remark = fmt::format(
         "{} asks {} for {} and is answered with {:.0f} bytes on the mean: let a SEND start "

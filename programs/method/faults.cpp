@@ -1,6 +1,7 @@
 #include "programs/method/faults.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace pizarra::method {
@@ -12,9 +13,15 @@ constexpr double open_for_s = 10;
 
 std::string times(std::size_t count) { return count == 1 ? "once" : fmt::format("{} times", count); }
 
-bool is_read_by_any(const Traffic& traffic, const std::string& relation) {
+bool is_named_by_any(const Traffic& traffic, std::string_view part, const std::string& relation) {
   return std::ranges::any_of(
-      traffic.agents, [&](const auto& agent) { return names_in(agent.second.contract, "reads").contains(relation); });
+      traffic.agents, [&](const auto& agent) { return names_in(agent.second.contract, part).contains(relation); });
+}
+
+// A relation for people to look at is named among a contract's monitors.
+bool is_read_by_any(const Traffic& traffic, const std::string& relation) {
+  return std::ranges::any_of(std::array{"reads", "takes", "monitors"},
+                             [&](const char* part) { return is_named_by_any(traffic, part, relation); });
 }
 
 void find_false_contracts(const Traffic& traffic, std::vector<Fault>& faults) {
@@ -37,32 +44,32 @@ void find_false_contracts(const Traffic& traffic, std::vector<Fault>& faults) {
       faults.push_back({"false-contract", watcher,
                         fmt::format("{} watches {}, and its contract does not read it", watcher, relation)});
     }
+    for (const auto& [taker, count] : flow.taken) {
+      const auto agent = traffic.agents.find(taker);
+      if (agent == traffic.agents.end() || names_in(agent->second.contract, "takes").contains(relation)) continue;
+      faults.push_back(
+          {"false-contract", taker,
+           fmt::format("{} took {} {}, and its contract does not take it", taker, relation, times(count))});
+    }
   }
-}
-
-// A relation for people to look at is named among a contract's monitors.
-bool is_for_people(const Traffic& traffic, const std::string& relation) {
-  return std::ranges::any_of(traffic.agents, [&](const auto& agent) {
-    return names_in(agent.second.contract, "monitors").contains(relation);
-  });
 }
 
 void find_never_read(const Traffic& traffic, std::vector<Fault>& faults) {
   for (const auto& [relation, flow] : traffic.flows) {
     std::size_t told = 0;
     for (const auto& [teller, count] : flow.told) told += traffic.agents.contains(teller) ? count : 0;
-    const bool read = !flow.watchers.empty() || is_read_by_any(traffic, relation);
-    if (read || is_of_every_agent(relation)) continue;
+    const bool read = !flow.watchers.empty() || !flow.askers.empty() || !flow.taken.empty();
+    if (read || is_read_by_any(traffic, relation) || is_of_every_agent(relation)) continue;
     // Before anything has run, contracts alone say what is told.
     const bool nothing_ran = !traffic.watches_seen && traffic.seconds == 0;
-    if (told == 0 && nothing_ran && !is_for_people(traffic, relation)) {
+    if (told == 0 && nothing_ran) {
       faults.push_back(
           {"never-read", relation, fmt::format("{} is posted by a contract, and no contract here reads it", relation)});
     }
     if (told == 0) continue;
     faults.push_back(
         {"never-read", relation,
-         fmt::format("{} was told {}, and nobody present watches it or says that it reads it", relation, times(told))});
+         fmt::format("{} was told {}, and nobody reads it: no agent, page or program", relation, times(told))});
   }
 }
 

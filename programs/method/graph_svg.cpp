@@ -54,13 +54,15 @@ Point edge_of(Point middle, Point inside, Point towards) {
 const char* colour_of(const std::string& pattern) {
   if (pattern == "QUERY") return "#1f5fa8";
   if (pattern == "SEND") return "#7a4fa0";
+  if (pattern == "EVENT") return "#b3541e";
+  if (pattern == "STREAM") return "#7d7d7d";
   return "#2f7d4f";
 }
 
 // To the left of its way, so that the two ways of a pair lie side by side; each pattern a lane of its own.
 std::string arrow(Point from, Point to, const Connection& connection) {
   const double length = std::max(std::hypot(to.x - from.x, to.y - from.y), 1.0);
-  const double lane = connection.pattern == "PUSH" ? 5 : 13;
+  const double lane = connection.pattern == "PUSH" ? 5 : connection.pattern == "QUERY" ? 13 : 21;
   const Point aside{(to.y - from.y) / length * lane, -(to.x - from.x) / length * lane};
   const Point from_aside{from.x + aside.x, from.y + aside.y}, to_aside{to.x + aside.x, to.y + aside.y};
   const Point a = edge_of(from, from_aside, to_aside), b = edge_of(to, to_aside, from_aside);
@@ -86,7 +88,7 @@ std::string svg_of(const System& system) {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {0:.0f}\" font-family=\"sans-serif\">\n<defs>\n",
       size_px);
-  for (const char* pattern : {"QUERY", "SEND", "PUSH", "EVENT", "WIRING"}) {
+  for (const char* pattern : {"QUERY", "SEND", "PUSH", "EVENT", "STREAM", "WIRING"}) {
     out += fmt::format(
         "<marker id=\"{}\" markerWidth=\"8\" markerHeight=\"8\" refX=\"7\" refY=\"3\" orient=\"auto\">"
         "<path d=\"M0,0 L7,3 L0,6 z\" fill=\"{}\"/></marker>\n",

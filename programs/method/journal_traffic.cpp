@@ -21,12 +21,23 @@ using Bytes = std::map<std::string, std::pair<double, std::size_t>>;
 
 void see_told(const Fact& fact, Traffic& traffic, ExchangeCounter& exchanges, Bytes& bytes) {
   if (see_agent(traffic, fact.datum)) return;
+  see_stream(traffic, fact);
   exchanges.see(fact);
   const std::string relation(fact.datum.head());
   ++traffic.flows[relation].told[agent_of_teller(fact.teller)];
   auto& [sum, count] = bytes[relation];
   sum += static_cast<double>(write(fact.datum).size());
   ++count;
+}
+
+// By fact: of one that is taken a journal says the id alone.
+using Relations = std::map<FactId, std::string>;
+
+void see_taken(const store::Commit::Entry& entry, const std::string& teller, Traffic& traffic, Relations& relations) {
+  using Kind = store::Commit::Entry::Kind;
+  if (entry.kind == Kind::told) relations[entry.fact.id] = entry.fact.datum.head();
+  if (entry.kind == Kind::returned) relations[entry.fact.id] = relations[entry.former];
+  if (entry.kind == Kind::taken) ++traffic.flows[relations[entry.fact.id]].taken[agent_of_teller(teller)];
 }
 
 }  // namespace
@@ -42,6 +53,11 @@ bool see_agent(Traffic& traffic, const Datum& fact) {
     traffic.agents[std::string(fact[1].text())].contract = fact[2];
   }
   return fact.is_form("agent") || fact.is_form("contract");
+}
+
+void see_stream(Traffic& traffic, const Fact& fact) {
+  if (!fact.datum.is_form("stream") || fact.datum.size() != 4) return;
+  traffic.streams[std::string(fact.datum[1].text())].teller = agent_of_teller(fact.teller);
 }
 
 void ExchangeCounter::see(const Fact& fact) {
@@ -79,6 +95,7 @@ Result<Traffic> traffic_of_journal(std::string_view text) {
   Traffic traffic;
   ExchangeCounter exchanges(traffic);
   Bytes bytes;
+  Relations relations;
   Time first{}, last{};
   bool begun = false;
   while (!text.empty()) {
@@ -94,6 +111,7 @@ Result<Traffic> traffic_of_journal(std::string_view text) {
     begun = true;
     last = commit->when;
     for (const store::Commit::Entry& entry : commit->entries) {
+      see_taken(entry, commit->teller, traffic, relations);
       if (entry.kind != store::Commit::Entry::Kind::told) continue;
       Fact fact = entry.fact;
       fact.teller = commit->teller;

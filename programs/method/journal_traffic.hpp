@@ -32,6 +32,8 @@ class ExchangeCounter {
   std::map<Datum, Open> open_;
 };
 
+// A stream of images that an agent announces.
+void see_stream(Traffic& traffic, const Fact& fact);
 // Agents and contracts: adds what this fact says of one; false for any other fact.
 bool see_agent(Traffic& traffic, const Datum& fact);
 // The name under which a key's client is an agent: NAME of KEY/NAME.

@@ -15,6 +15,9 @@ double part_of(std::vector<double>& values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
+// The relation by which streams of images are found.
+const std::string announcement = "stream";
+
 using Place = std::array<std::string, 3>;  // from, to, pattern
 
 void add_exchanges(const Traffic& traffic, std::map<Place, Connection>& matrix) {
@@ -39,9 +42,16 @@ void add_exchanges(const Traffic& traffic, std::map<Place, Connection>& matrix) 
   }
 }
 
-void add_flows(const Traffic& traffic, std::map<Place, Connection>& matrix) {
+// So many messages more.
+void carry(Connection& connection, std::size_t count, double bytes) {
+  const auto before = static_cast<double>(connection.count), more = static_cast<double>(count);
+  if (before + more > 0) connection.bytes = (connection.bytes * before + bytes * more) / (before + more);
+  connection.count += count;
+}
+
+void add_pushes(const Traffic& traffic, std::map<Place, Connection>& matrix) {
   for (const auto& [relation, flow] : traffic.flows) {
-    if (is_of_every_agent(relation)) continue;
+    if (is_of_every_agent(relation) || relation == announcement) continue;
     const std::set<std::string> readers = readers_of(traffic, relation);
     for (const auto& [teller, count] : flow.told) {
       if (!traffic.agents.contains(teller)) continue;
@@ -49,17 +59,48 @@ void add_flows(const Traffic& traffic, std::map<Place, Connection>& matrix) {
       for (const std::string& reader : readers) {
         if (reader == teller || !traffic.agents.contains(reader)) continue;
         Connection& connection = matrix[{teller, reader, "PUSH"}];
-        const auto before = static_cast<double>(connection.count);
-        const auto more = static_cast<double>(count);
-        if (before + more > 0) {
-          connection.bytes = (connection.bytes * before + flow.mean_bytes * more) / (before + more);
-        }
+        carry(connection, count, flow.mean_bytes);
         connection.about.insert(relation);
-        connection.count += count;
         connection.addressees = std::max(connection.addressees, others);
         connection.p50_ms = std::max(connection.p50_ms, flow.delivered_p50_ms);
         connection.p99_ms = std::max(connection.p99_ms, flow.delivered_p99_ms);
       }
+    }
+  }
+}
+
+// Of a relation with several tellers, what is taken counts for each by how much it told.
+void add_events(const Traffic& traffic, std::map<Place, Connection>& matrix) {
+  for (const auto& [relation, flow] : traffic.flows) {
+    if (is_of_every_agent(relation)) continue;
+    const std::set<std::string> takers = takers_of(traffic, relation);
+    std::size_t all = 0;
+    for (const auto& [teller, count] : flow.told) all += count;
+    for (const auto& [teller, count] : flow.told) {
+      if (!traffic.agents.contains(teller)) continue;
+      for (const std::string& taker : takers) {
+        if (taker == teller || !traffic.agents.contains(taker)) continue;
+        const auto taken = flow.taken.find(taker);
+        const std::size_t took = taken == flow.taken.end() || all == 0 ? 0 : taken->second * count / all;
+        Connection& connection = matrix[{teller, taker, "EVENT"}];
+        carry(connection, took, flow.mean_bytes);
+        connection.about.insert(relation);
+        connection.addressees = std::max(connection.addressees, takers.size());
+      }
+    }
+  }
+}
+
+void add_streams(const Traffic& traffic, std::map<Place, Connection>& matrix) {
+  const std::set<std::string> readers = readers_of(traffic, announcement);
+  for (const auto& [name, images] : traffic.streams) {
+    if (!traffic.agents.contains(images.teller)) continue;
+    for (const std::string& reader : readers) {
+      if (reader == images.teller || !traffic.agents.contains(reader)) continue;
+      Connection& connection = matrix[{images.teller, reader, "STREAM"}];
+      carry(connection, static_cast<std::size_t>(images.per_second * traffic.seconds), images.bytes);
+      connection.about.insert(name);
+      connection.addressees = readers.size();
     }
   }
 }
@@ -98,7 +139,10 @@ bool is_visitor(const std::string& kind) {
 std::set<std::string> readers_of(const Traffic& traffic, const std::string& relation) {
   if (traffic.watches_seen) {
     const auto flow = traffic.flows.find(relation);
-    return flow == traffic.flows.end() ? std::set<std::string>() : flow->second.watchers;
+    if (flow == traffic.flows.end()) return {};
+    std::set<std::string> readers = flow->second.watchers;
+    readers.insert(flow->second.askers.begin(), flow->second.askers.end());
+    return readers;
   }
   std::set<std::string> readers;
   for (const auto& [name, agent] : traffic.agents) {
@@ -107,11 +151,25 @@ std::set<std::string> readers_of(const Traffic& traffic, const std::string& rela
   return readers;
 }
 
+std::set<std::string> takers_of(const Traffic& traffic, const std::string& relation) {
+  std::set<std::string> takers;
+  const auto flow = traffic.flows.find(relation);
+  if (flow != traffic.flows.end()) {
+    for (const auto& [taker, count] : flow->second.taken) takers.insert(taker);
+  }
+  for (const auto& [name, agent] : traffic.agents) {
+    if (names_in(agent.contract, "takes").contains(relation)) takers.insert(name);
+  }
+  return takers;
+}
+
 System system_of(const Traffic& traffic, const std::map<std::string, Component>& kinds) {
   System system{.name = traffic.name, .seconds = traffic.seconds, .components = {}, .connections = {}};
   std::map<Place, Connection> matrix;
   add_exchanges(traffic, matrix);
-  add_flows(traffic, matrix);
+  add_pushes(traffic, matrix);
+  add_events(traffic, matrix);
+  add_streams(traffic, matrix);
   std::map<std::string, int> beginning;
   for (auto& [place, connection] : matrix) {
     connection.from = place[0];

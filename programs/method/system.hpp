@@ -34,8 +34,8 @@ struct Component {
 struct Connection {
   std::string from;
   std::string to;
-  std::string pattern;            // QUERY, SEND, PUSH
-  std::set<std::string> about;    // operations or relations
+  std::string pattern;            // QUERY, SEND, PUSH, EVENT, STREAM: images, beside the board
+  std::set<std::string> about;    // operations, relations or streams
   std::size_t count = 0;          // exchanges or facts, as far as they were seen
   double bytes = 0;               // of one, towards `to`
   double bytes_back = 0;          // of its answer
@@ -67,10 +67,19 @@ struct ExchangeKey {
 
 // What is told of one relation.
 struct Flow {
-  std::map<std::string, std::size_t> told;  // by agent
-  std::set<std::string> watchers;           // agents
+  std::map<std::string, std::size_t> told;   // by agent
+  std::set<std::string> watchers;            // agents
+  std::set<std::string> askers;              // agents
+  std::map<std::string, std::size_t> taken;  // by agent
   double mean_bytes = 0;
   double delivered_p50_ms = 0, delivered_p99_ms = 0;
+};
+
+// Images that somebody publishes.
+struct ImagesSeen {
+  std::string teller;
+  double per_second = 0;  // 0: not measured
+  double bytes = 0;       // of one
 };
 
 struct AgentSeen {
@@ -91,17 +100,20 @@ struct Traffic {
   std::map<std::string, AgentSeen> agents;
   std::map<ExchangeKey, Exchange> exchanges;
   std::map<std::string, Flow> flows;
+  std::map<std::string, ImagesSeen> streams;
   std::vector<Scale> scales;
 };
 
-// The names in a contract's part: offers, posts, reads, configures, monitors.
+// The names in a contract's part: offers, posts, reads, takes, configures, monitors.
 std::set<std::string> names_in(const Datum& contract, std::string_view part);
 // A relation that every agent tells or watches through the runtime, and that says nothing of the system.
 bool is_of_every_agent(const std::string& relation);
 // Prompts, tools and tellers of stories: they use the cell and are no part of it.
 bool is_visitor(const std::string& kind);
-// Who reads it: those seen to watch it, or, where watches are not seen, those whose contract says so.
+// Who reads it: those seen to watch it or ask for it, or, where that is not seen, those whose contract says so.
 std::set<std::string> readers_of(const Traffic& traffic, const std::string& relation);
+// Who takes facts of it: those seen to, and those whose contract says so.
+std::set<std::string> takers_of(const Traffic& traffic, const std::string& relation);
 
 // What the traffic is as components and connections; criteria of kinds that are not known are none.
 System system_of(const Traffic& traffic, const std::map<std::string, Component>& kinds);

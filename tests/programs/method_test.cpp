@@ -1,9 +1,13 @@
 // The method: the thesis' own figures, patterns by its tables, and faults that a recorded cell has.
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <regex>
 
+#include "agents/console/console_contract.hpp"
 #include "agents/robot/robot_contract.hpp"
 #include "lisp/reader.hpp"
 #include "programs/method/connect.hpp"
@@ -116,6 +120,73 @@ TEST(Method, AJournalShowsWhoAskedAndToldWhat) {
   EXPECT_EQ(divide(system).connections, 3U);
 }
 
+// A cell that hands jobs to whoever is free, and shows images.
+constexpr std::string_view journal_of_jobs =
+    "(0 0 \"office\" (declare (relation job ((n integer)) (key n))))\n"
+    "(1 0 \"office\" (tell 1 (agent office office \"here\")) (tell 2 (contract office (contract office (offers (go)) "
+    "(posts (relation job ((n integer)))) (reads stream)))))\n"
+    "(2 0 \"worker\" (tell 3 (agent worker worker \"here\")) (tell 4 (contract worker (contract worker (offers (go)) "
+    "(posts (relation done ((n integer))) (relation stream ((name symbol) (kind symbol) (place list)))) (takes job) "
+    "(monitors done)))))\n"
+    "(3 0 \"idle\" (tell 5 (agent idle worker \"here\")) (tell 6 (contract idle (contract worker (offers (go)) "
+    "(posts)))))\n"
+    "(4 0 \"worker\" (tell 7 (stream worker-left left ())))\n"
+    "(5 1000000 \"office\" (tell 8 (job 1)) (tell 9 (job 2)) (tell 10 (job 3)))\n"
+    "(6 2000000 \"worker\" (take 8))\n"
+    "(7 3000000 \"worker\" (take 9) (tell 11 (done 1)))\n"
+    "(8 4000000 \"idle\" (take 10))\n";
+
+TEST(Method, AJournalShowsWhoTookWhatAndWhoHasImages) {
+  const Result<Traffic> traffic = traffic_of_journal(journal_of_jobs);
+  ASSERT_TRUE(traffic) << describe(traffic.error());
+  const Report report = report_on(*traffic, known_components("").value(), {});
+  const Connection* event = between(report.system, "office", "worker", "EVENT");
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->about, std::set<std::string>{"job"});
+  EXPECT_EQ(event->count, 2U);
+  EXPECT_EQ(event->recommended, "EVENT");
+  EXPECT_EQ(between(report.system, "office", "idle", "EVENT")->count, 1U);
+  const Connection* stream = between(report.system, "worker", "office", "STREAM");
+  ASSERT_NE(stream, nullptr);
+  EXPECT_EQ(stream->about, std::set<std::string>{"worker-left"});
+  EXPECT_EQ(stream->recommended, "SEND + PUSH");
+  EXPECT_EQ(between(report.system, "worker", "office", "PUSH"), nullptr);
+  const std::string text = text_of(report), json = json_of(report), picture = svg_of(report.system);
+  for (const char* pattern : {"EVENT", "STREAM"}) {
+    EXPECT_NE(text.find(pattern), std::string::npos) << text;
+    EXPECT_NE(json.find(std::string("\"pattern\":\"") + pattern), std::string::npos) << json;
+    EXPECT_NE(picture.find(std::string(">") + pattern + "<"), std::string::npos) << picture;
+  }
+  EXPECT_TRUE(has(report.faults, "false-contract", "idle")) << "it takes jobs, and its contract does not say so";
+  EXPECT_FALSE(has(report.faults, "false-contract", "worker"));
+  EXPECT_FALSE(has(report.faults, "never-read", "job"));
+  EXPECT_FALSE(has(report.faults, "never-read", "done")) << "it is for people to look at";
+}
+
+// Pages and programs that come and go read what no agent does.
+TEST(Method, WhatAPageOrAProgramReadsIsRead) {
+  Traffic traffic = traffic_of_journal(journal).value();
+  traffic.watches_seen = true;
+  EXPECT_TRUE(has(faults_of(traffic), "never-read", "load"));
+  traffic.flows["load"].askers = {"prompt-7"};
+  EXPECT_FALSE(has(faults_of(traffic), "never-read", "load"));
+}
+
+TEST(Method, TheConsolesContractHasWhatItsPagesFollow) {
+  const std::set<std::string> reads =
+      names_in(list("contract"_sym, "console"_sym, form(console::reads_of_pages)), "reads");
+  const std::regex following(R"(follow\((?:'[a-z]+', )?'\(([a-z-]+) )");
+  std::set<std::string> followed;
+  for (const auto& file : std::filesystem::directory_iterator(source_dir() + "/agents/console/page/src")) {
+    std::ifstream in(file.path());
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::sregex_iterator found(text.begin(), text.end(), following);
+    for (auto each = found; each != std::sregex_iterator(); ++each) followed.insert((*each)[1]);
+  }
+  EXPECT_GT(followed.size(), 20U);
+  for (const std::string& relation : followed) EXPECT_TRUE(reads.contains(relation)) << relation;
+}
+
 TEST(Method, FindsWhatIsWrongWithASystem) {
   Traffic traffic = traffic_of_journal(journal).value();
   const std::vector<Fault> faults = faults_of(traffic);
@@ -182,6 +253,7 @@ TEST(Method, SaysOfACellFileWhatItsContractsPromise) {
     EXPECT_NE(said.text.find(part), std::string::npos) << part << "\n" << said.text;
   }
   EXPECT_EQ(said.text.find("false-contract"), std::string::npos);
+  EXPECT_EQ(said.text.find("arm-joints is posted"), std::string::npos) << "the console's pages read it\n" << said.text;
 }
 
 TEST(Method, ARecordedDemoShowsItsTraffic) {

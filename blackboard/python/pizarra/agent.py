@@ -45,11 +45,11 @@ class Agent:
 
     def __init__(self, name: str, kind: Optional[str] = None, posts: Iterable[Any] = (), reads: Iterable[Any] = (),
                  configures: Iterable[Any] = (), monitors: Iterable[Any] = (), host: Optional[str] = None,
-                 context: Optional[str] = None) -> None:
+                 context: Optional[str] = None, takes: Iterable[Any] = ()) -> None:
         """`kind` is as the name where it is not said. What it reads is a relation's name, or a whole relation, which is
         declared then: so it need not wait for who posts it. `context` is where it is bound (docs/facts/agents.md, Names)."""
         self.name, self.kind, self.host, self.context = name, kind or name, host, context
-        self._parts = (list(posts), list(reads), list(configures), list(monitors))
+        self._parts = (list(posts), list(reads), list(configures), list(monitors), list(takes))
         self._operations: Dict[str, Tuple[Operation, Callable[..., Any]]] = {}
         self._watches: List[Tuple[Any, Callable[..., Any]]] = []
         self._beats: List[Tuple[float, Callable[..., Any]]] = []
@@ -108,8 +108,7 @@ class Agent:
 
     @property
     def contract(self) -> Contract:
-        posts, reads, configures, monitors = self._parts
-        return Contract(self.kind, [offered for offered, _ in self._operations.values()], posts, reads, configures, monitors)
+        return Contract(self.kind, [offered for offered, _ in self._operations.values()], *self._parts)
 
     async def tell(self, fact: Any, because: Iterable[int] = ()) -> int:
         """Under the agent's presence, and as soon as there is one: it goes with the agent."""

@@ -59,7 +59,7 @@ class Operation:
 
 class Contract:
     def __init__(self, kind: str, offers: Iterable[Any] = (), posts: Iterable[Any] = (), reads: Iterable[Any] = (),
-                 configures: Iterable[Any] = (), monitors: Iterable[Any] = ()) -> None:
+                 configures: Iterable[Any] = (), monitors: Iterable[Any] = (), takes: Iterable[Any] = ()) -> None:
         self.kind = kind
         self.offers = [offer if isinstance(offer, Operation) else Operation(offer) for offer in offers]
         self.posts = [Relation(relation) for relation in posts]
@@ -72,6 +72,9 @@ class Contract:
                      [Symbol("reads"), *reads],
                      [Symbol("configures"), *map(datum_of, configures)],
                      [Symbol("monitors"), *map(datum_of, monitors)]]
+        taken = list(map(datum_of, takes))
+        if taken:
+            self.form.append([Symbol("takes"), *taken])
         write(self.form)
 
     @property

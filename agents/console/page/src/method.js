@@ -8,7 +8,7 @@ const seconds = 10;
 const size = 560;
 const circle = 220;
 const box = { width: 104, height: 26 };
-const patterns = ['QUERY', 'SEND', 'PUSH'];
+const patterns = ['QUERY', 'SEND', 'PUSH', 'EVENT', 'STREAM'];
 
 // Components on a circle, an arrow for each connection, each pattern in a lane beside the line between the two.
 function graph({ components, connections }) {

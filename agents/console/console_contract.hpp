@@ -1,0 +1,13 @@
+#pragma once
+
+// What the console reads for its pages, as a part of its contract.
+
+namespace pizarra::console {
+
+inline constexpr const char* reads_of_pages =
+    "(reads agent arm arm-joints arm-pose believed board-refusal bound calibration calibration-board calibration-lacks "
+    "calibration-sees camera-model camera-state commander commander-wanted contract event goal goal-state gripper head "
+    "head-speed holder learned learned-template look look-alike operation pan-tilt place plan process request "
+    "robot-released robot-speed robot-variable servo stop stream tracked vision-held vision-mode wired)";
+
+}  // namespace pizarra::console
