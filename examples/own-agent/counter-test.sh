@@ -3,8 +3,16 @@
 # names the command where it is not on the PATH; PYTHONPATH says where Pizarra's Python is, and PYTHON which has zmq.
 set -eu
 
+# The PATH's Python need not have zmq: Debian's package is for Debian's alone.
+has_zmq() { "$1" -c 'import zmq' 2>/dev/null; }
 if [ $# -eq 0 ]; then
-  set -- "${PYTHON:-python3}" "$(dirname "$0")/counter.py"
+  python=${PYTHON:-python3}
+  has_zmq "$python" || python=/usr/bin/python3
+  if ! has_zmq "$python"; then
+    echo "FAILED: no Python has zmq here: apt install python3-zmq" >&2
+    exit 1
+  fi
+  set -- "$python" "$(dirname "$0")/counter.py"
 fi
 pizarra=${PIZARRA:-pizarra}
 folder=$(mktemp -d)

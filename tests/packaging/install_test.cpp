@@ -92,10 +92,15 @@ TEST(New, WritesASchemeAgentThatPassesItsTest) {
   EXPECT_EQ(tried.status, 0) << tried.text;
 }
 
+// Also where the PATH has a Python of another maker first, which has no zmq.
 TEST(New, WritesAPythonAgentThatPassesItsTest) {
   ASSERT_EQ(pizarra("new agent py-lamp --python --in " + scratch_folder()).status, 0);
-  // Debian's, which has Debian's python3-zmq.
-  const Said tried = shell("PYTHON=/usr/bin/python3 PIZARRA=" + prefix() + "/bin/pizarra PYTHONPATH=" + prefix() +
+  const std::string other = scratch_folder() + "other";
+  ASSERT_EQ(shell("mkdir -p " + other + " && printf '#!/bin/sh\\nexec /usr/bin/python3 -S -E \"$@\"\\n' > " + other +
+                  "/python3 && chmod +x " + other + "/python3")
+                .status,
+            0);
+  const Said tried = shell("PATH=" + other + ":$PATH PIZARRA=" + prefix() + "/bin/pizarra PYTHONPATH=" + prefix() +
                            "/share/pizarra/blackboard/python " + scratch_folder() + "py-lamp/py-lamp-test.sh 2>&1");
   EXPECT_EQ(tried.status, 0) << tried.text;
   EXPECT_TRUE(contains(tried, "py-lamp works")) << tried.text;

@@ -15,6 +15,14 @@ One module is one idea:
 It needs Debian's python3-zmq; images as arrays need python3-numpy.
 """
 
+import sys
+
+try:
+    import zmq as _zmq  # noqa: F401
+except ImportError as missing:
+    raise ImportError("pizarra needs zmq. Debian's python3-zmq is for /usr/bin/python3; for this Python it is pyzmq: "
+                      f"{sys.executable} -m pip install pyzmq") from missing
+
 from pizarra.agent import Agent
 from pizarra.aio import AsyncBoard
 from pizarra.aio_watch import AsyncStream, AsyncWatch
