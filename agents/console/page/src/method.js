@@ -90,7 +90,7 @@ function report(seen) {
       'Divide',
       element('p', { id: 'indices' }, `I_cpx ${cpx.toFixed(3)}, I_struct ${struct.toFixed(3)}, I_cnx ${cnx.toFixed(3)}`),
       graph(seen),
-      element('p', { class: 'quiet' }, 'QUERY blue, SEND violet, PUSH green.'),
+      element('p', { class: 'quiet' }, 'QUERY blue, SEND violet, PUSH green, EVENT orange, STREAM grey.'),
     ),
     section('Wrap', filled('wrappers', ['Component', 'Is one for', 'Operations', 'I_abstract', 'Parts of a wrapper'], wrapperRows(seen))),
     section('Connect', filled('connections', ['Connection', 'Pattern', 'Times', 'ms p50 / p99', 'About', 'The tables say'], connectionRows(seen))),
