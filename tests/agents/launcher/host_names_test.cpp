@@ -28,7 +28,8 @@ class HostNames : public testing::Test {
   std::vector<std::string> bound() {
     std::vector<std::string> names;
     const Datum pattern = list("bound"_sym, list("cell"_sym, "hosts"_sym, "bench"_sym), "?"_sym, "?"_sym, "?"_sym);
-    for (const Fact& fact : run(executor, ears->facts(pattern)).value()) names.push_back(write(fact.datum));
+    const std::vector<Fact> facts = run(executor, ears->facts(pattern)).value();
+    for (const Fact& fact : facts) names.push_back(write(fact.datum));
     return names;
   }
 
