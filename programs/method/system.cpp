@@ -52,7 +52,9 @@ void carry(Connection& connection, std::size_t count, double bytes) {
 void add_pushes(const Traffic& traffic, std::map<Place, Connection>& matrix) {
   for (const auto& [relation, flow] : traffic.flows) {
     if (is_of_every_agent(relation) || relation == announcement) continue;
-    const std::set<std::string> readers = readers_of(traffic, relation);
+    // Who takes a fact waits for it by watching.
+    std::set<std::string> readers = readers_of(traffic, relation);
+    for (const std::string& taker : takers_of(traffic, relation)) readers.erase(taker);
     for (const auto& [teller, count] : flow.told) {
       if (!traffic.agents.contains(teller)) continue;
       const std::size_t others = readers.size() - (readers.contains(teller) ? 1 : 0);
