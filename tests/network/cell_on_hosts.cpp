@@ -5,12 +5,21 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "tests/network/connection.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::network {
 
 namespace {
+
+constexpr const char* world_host = "world-pc";
+constexpr const char* world_address = "ipc:///run/shared/world.ipc";
+
+std::vector<std::string> with_the_world(std::vector<std::string> hosts) {
+  hosts.emplace_back(world_host);
+  return hosts;
+}
 
 std::string quoted(const std::vector<std::string>& words) {
   std::string line;
@@ -26,18 +35,26 @@ std::string quoted(const std::vector<std::string>& words) {
 
 const std::vector<std::string> CellOnHosts::hosts = {"arm-pc", "eyes-pc", "board-pc"};
 
-CellOnHosts::CellOnHosts() : network_("cell", hosts, Network::Wires::forwarded) {
+CellOnHosts::CellOnHosts(Boards boards)
+    : boards_(boards),
+      network_("cell", boards == Boards::one ? hosts : with_the_world(hosts), Network::Wires::forwarded) {
   make_keys();
   write_cell();
 }
 
-// Each host has its own secret and the board's public key; the board has everybody's public one.
+// Each host has its own secret and the board's public key; a board has everybody's public one, and its own secret.
 void CellOnHosts::make_keys() const {
   namespace files = std::filesystem;
   const std::string folder = network_.folder("board-pc") + "keys";
-  for (const char* name : {"board", "arm-pc", "eyes-pc", "board-pc"}) {
+  for (const char* name : {"board", "arm-pc", "eyes-pc", "board-pc", world_host}) {
     const programs::Said made = programs::shell(fmt::format("{} keys new {} --dir {}", PIZARRA_KEYS, name, folder));
     if (made.status != 0) throw std::runtime_error(made.text);
+  }
+  if (boards_ == Boards::that_take_over) {
+    for (const char* host : {"arm-pc", "eyes-pc", world_host}) {
+      files::copy(folder, network_.folder(host) + "keys", files::copy_options::recursive);
+    }
+    return;
   }
   for (const char* host : {"arm-pc", "eyes-pc"}) {
     const std::string secret = std::string(host) + ".secret";
@@ -47,20 +64,52 @@ void CellOnHosts::make_keys() const {
   }
 }
 
+std::string CellOnHosts::boards() const {
+  if (boards_ == Boards::one) return fmt::format("tcp://{}:{}", network_.address("board-pc"), board_port);
+  std::string all;
+  for (const std::string& host : hosts) {
+    all += fmt::format("{}tcp://{}:{}", all.empty() ? "" : ",", network_.address(host), board_port);
+  }
+  return all;
+}
+
+std::string CellOnHosts::log() const {
+  std::string members;
+  for (const std::string& host : hosts) members += (members.empty() ? "" : ",") + network_.address(host);
+  return "etcd://" + members + "/three";
+}
+
+std::string CellOnHosts::leading_host() const {
+  for (const std::string& host : hosts) {
+    if (listens(network_.address(host), board_port)) return host;
+  }
+  return "";
+}
+
 void CellOnHosts::write_cell() const {
+  const bool one = boards_ == Boards::one;
   const std::string text = fmt::format(
       "(cell three (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain \"{}/domains/blocks.scm\")\n"
-      " (board \"board-pc\" \"tcp://{}:7943\" (keys \"keys\"))\n"
-      " (host \"arm-pc\" (agents robot person) (key \"keys/arm-pc.secret\"))\n"
+      " (board \"{}\" \"{}\" (keys \"keys\"))\n"
+      " (host \"arm-pc\" (agents robot{}) (key \"keys/arm-pc.secret\"))\n"
       " (host \"eyes-pc\" (agents vision) (key \"keys/eyes-pc.secret\"))\n"
-      " (host \"board-pc\" (agents planner coordinator)))\n",
-      source_dir(), network_.address("board-pc"));
-  for (const std::string& host : hosts) std::ofstream(network_.folder(host) + "cell.scm") << text;
+      " (host \"board-pc\" (agents planner coordinator){}))\n",
+      source_dir(), one ? "board-pc" : world_host, boards(), one ? " person" : "",
+      one ? ""
+          : " (key \"keys/board-pc.secret\"))\n (host \"world-pc\" (agents person) (key \"keys/world-pc.secret\")");
+  for (const std::string& host : one ? hosts : with_the_world(hosts)) {
+    std::ofstream(network_.folder(host) + "cell.scm") << text;
+  }
 }
 
 void CellOnHosts::up(const std::string& host) {
-  const std::vector<std::string> words = {
-      PIZARRA_CELL, "up", "/run/cell.scm", "--host", host, "--world", "ipc:///run/shared/world.ipc"};
+  std::vector<std::string> words = {PIZARRA_CELL, "up", "/run/cell.scm", "--host", host, "--world", world_address};
+  if (boards_ == Boards::that_take_over && host == world_host) words.insert(words.end(), {"--board", boards()});
+  if (boards_ == Boards::that_take_over && host != world_host) {
+    const std::string& own = network_.address(host);
+    words.insert(words.end(), {"--log", log(), "--log-insecure", "--log-here", own, "--log-folder", "/run/member",
+                               "--standby", fmt::format("tcp://{}:{}", own, board_port)});
+  }
   running_[host] = std::make_unique<programs::Running>(network_.on(host, words), scratch_folder() + host + ".log");
 }
 

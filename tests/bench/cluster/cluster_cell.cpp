@@ -1,12 +1,13 @@
 #include "tests/bench/cluster/cluster_cell.hpp"
 
-#include <arpa/inet.h>
 #include <array>
 #include <fmt/format.h>
 #include <optional>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include "tests/network/connection.hpp"
 
 namespace pizarra::bench {
 
@@ -17,29 +18,9 @@ constexpr int board_port = 7943;
 constexpr int client_port = 2379;
 constexpr int patience_ms = 150;
 
-// A connection, if there is one soon; the caller closes it.
-std::optional<int> connect_to(const std::string& address, int port) {
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(static_cast<std::uint16_t>(port));
-  inet_pton(AF_INET, address.c_str(), &name.sin_addr);
-  const int file = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  connect(file, reinterpret_cast<const sockaddr*>(&name), sizeof name);
-  pollfd connecting{file, POLLOUT, 0};
-  if (poll(&connecting, 1, patience_ms) == 1 && (connecting.revents & (POLLERR | POLLHUP)) == 0) return file;
-  close(file);
-  return std::nullopt;
-}
-
-bool listens(const std::string& address) {
-  const std::optional<int> file = connect_to(address, board_port);
-  if (file) close(*file);
-  return file.has_value();
-}
-
 // What a member says of itself, as JSON; empty where it says nothing.
 std::string status_of_member(const std::string& address) {
-  const std::optional<int> file = connect_to(address, client_port);
+  const std::optional<int> file = network::connect_to(address, client_port);
   if (!file) return "";
   const std::string question =
       "POST /v3/maintenance/status HTTP/1.0\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}";
@@ -146,7 +127,7 @@ void ClusterCell::start_what_was_killed() {
 
 std::size_t ClusterCell::leading_board() const {
   for (const auto& [number, board] : boards_) {
-    if (listens(network_.address(host(number)))) return number;
+    if (network::listens(network_.address(host(number)), board_port)) return number;
   }
   return most_boards;
 }

@@ -1,14 +1,13 @@
 // pizarra-bench-cluster: what durable facts take through an etcd cluster of three members, beside etcd's own
 // transactions in the same run, and how long a takeover takes.
 
-#include <CLI/CLI.hpp>
 #include <atomic>
-#include <csignal>
 #include <fmt/format.h>
 #include <thread>
 
 #include "blackboard/cluster/etcd_client.hpp"
 #include "lisp/reader.hpp"
+#include "tests/bench/bench_main.hpp"
 #include "tests/bench/cluster/takeovers.hpp"
 #include "tests/bench/figures.hpp"
 #include "tests/bench/measure.hpp"
@@ -136,6 +135,8 @@ void say_takeovers(Figures& figures, Takeovers& takeovers, const std::string& wh
   figures.say({what + ": first tell, worst", worst(waits.tell_s), "s", at_most(goal_worst), {}, note});
   figures.say({what + ": first ask, p50", percentile(waits.ask_s, 0.5), "s", at_most(goal_p50), {}, note});
   figures.say({what + ": first ask, worst", worst(waits.ask_s), "s", at_most(goal_worst), {}, note});
+  figures.say({what + ": an agent is there again, p50", percentile(waits.present_s, 0.5), "s", {}, {}, note});
+  figures.say({what + ": an agent is there again, worst", worst(waits.present_s), "s", {}, {}, note});
 }
 
 int run(const Choices& choices) {
@@ -183,16 +184,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--json", choices.json, "one JSON object a line");
   app.footer("As root; elsewhere it says why it is skipped. Status 0 when every figure was measured, short or not.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
-    return pizarra::bench::run(choices);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pizarra bench cluster: {}\n", error.what());
-    return 1;
-  }
+  return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run(choices); });
 }

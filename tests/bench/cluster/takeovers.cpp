@@ -23,12 +23,17 @@ Takeovers::Takeovers(RealExecutor& executor, ClusterCell& cell)
     : executor_(executor),
       cell_(cell),
       teller_(client_of(executor, cell, "teller")),
-      asker_(client_of(executor, cell, "asker")) {
+      asker_(client_of(executor, cell, "asker")),
+      looker_(client_of(executor, cell, "looker")),
+      agents_(client_of(executor, cell, "idle")),
+      agent_{"idle", "bench", executor, *agents_, Random(1)},
+      service_(agent_, runtime::contract_from_text("(contract idle)").value()) {
   const Relation mark =
       relation_from_datum(read_one("(relation mark ((n integer)) (key n) (durable))").value()).value();
   const std::vector<Relation> relations = {mark};
   while (!pizarra::run(executor_, teller_->declare(relations))) continue;
   while (!pizarra::run(executor_, asker_->declare(relations))) continue;
+  while (!pizarra::run(executor_, service_.start())) continue;
 }
 
 Task<void> Takeovers::until_told(Time begun, double* took) {
@@ -49,6 +54,14 @@ Task<void> Takeovers::until_asked(Time begun, double* took) {
   }
 }
 
+Task<void> Takeovers::until_present(Time begun, double* took) {
+  const Datum idle = list("agent"_sym, "idle"_sym, "?"_sym, "?"_sym);
+  while (*took == 0) {
+    const Result<std::vector<Fact>> facts = co_await looker_->facts(idle);
+    if (facts && !facts->empty()) *took = seconds(executor_.now() - begun);
+  }
+}
+
 Waits Takeovers::of(const std::function<void()>& kill, int rounds) {
   Waits waits;
   for (int round = 0; round < rounds; ++round) {
@@ -57,13 +70,16 @@ Waits Takeovers::of(const std::function<void()>& kill, int rounds) {
     const Time begun = executor_.now();
     double tell = 0;
     double ask = 0;
+    double present = 0;
     {
       const Job telling = executor_.spawn(until_told(begun, &tell));
       const Job asking = executor_.spawn(until_asked(begun, &ask));
-      executor_.run_until([&] { return tell > 0 && ask > 0; });
+      const Job looking = executor_.spawn(until_present(begun, &present));
+      executor_.run_until([&] { return tell > 0 && ask > 0 && present > 0; });
     }
     waits.tell_s.push_back(tell);
     waits.ask_s.push_back(ask);
+    waits.present_s.push_back(present);
   }
   wait_until_whole();
   for (const std::int64_t mark : acknowledged_) {

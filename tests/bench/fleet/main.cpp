@@ -1,14 +1,13 @@
 // pizarra-bench-fleet: many cells on one machine, each a board of its own with ten agents: what they do together, and
 // what memory each board takes.
 
-#include <CLI/CLI.hpp>
-#include <csignal>
 #include <fmt/format.h>
 #include <numeric>
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
+#include "tests/bench/bench_main.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/figures.hpp"
 #include "tests/bench/measure.hpp"
@@ -108,16 +107,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--json", choices.json, "one JSON object a line");
   app.footer("Status 0 when every figure was measured.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
-    return pizarra::bench::run_all(choices);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pizarra bench fleet: {}\n", error.what());
-    return 1;
-  }
+  return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run_all(choices); });
 }

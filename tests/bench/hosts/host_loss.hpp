@@ -1,0 +1,74 @@
+#pragma once
+
+// A cell whose boards take over from each other, on three hosts, and what is lost when the host of the board that leads
+// loses its power while a goal is pursued.
+//
+//   HostLoss cell(seed);                        // throws where it cannot be had
+//   for (int round = 0; round < 20; ++round) cell.round();
+//   cell.tally()
+
+#include <map>
+#include <set>
+#include <string>
+#include <zmq.hpp>
+
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/random.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "drivers/simulation/socket_link.hpp"
+#include "programs/story/world_state.hpp"
+#include "tests/network/cell_on_hosts.hpp"
+
+namespace pizarra::bench {
+
+class HostLoss {
+ public:
+  struct Tally {
+    int rounds = 0;
+    int reached = 0;            // and the world shows it
+    int refused_correctly = 0;  // and in the world a cube of the goal is gone
+    int failed = 0;
+    int durable_lost = 0;  // acknowledged facts that are missing, and retracted ones that stand
+    int done_twice = 0;    // an operation that was done, and done again with none between
+  };
+
+  explicit HostLoss(std::uint64_t seed);
+  HostLoss(const HostLoss&) = delete;
+  HostLoss& operator=(const HostLoss&) = delete;
+  ~HostLoss();
+  void round();
+  const Tally& tally() const { return tally_; }
+  // Of the last round: the host that was lost, and how it ended.
+  const std::string& last() const { return last_; }
+
+ private:
+  void begin();
+  Task<void> tell_notes();
+  Task<void> watch_operations();
+  void pass(Duration time);
+  void lose_the_leading_host();
+  void judge(const std::string& upper, int status);
+  int lost_notes();
+  story::WorldState truth();
+  Duration between(int least_ms, int most_ms);
+
+  Random random_;
+  network::CellOnHosts cell_;
+  RealExecutor executor_;
+  zmq::context_t context_;
+  std::unique_ptr<client::RemoteBoard> board_;
+  std::unique_ptr<simulation::SocketLink> world_;
+  Tally tally_;
+  std::string last_;
+  std::int64_t next_note_ = 1;
+  std::int64_t first_note_ = 1;          // of this round
+  std::set<std::int64_t> acknowledged_;  // notes of this round
+  bool tells_ = false;
+  bool is_telling_ = false;
+  Datum done_last_;
+  std::optional<FactId> seen_last_;
+  std::optional<Job> telling_;
+  std::optional<Job> watching_;
+};
+
+}  // namespace pizarra::bench

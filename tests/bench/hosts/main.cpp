@@ -1,0 +1,53 @@
+// pizarra-bench-hosts: a whole cell on three hosts, whose boards take over from each other, while the host of the board
+// that leads loses its power in the middle of a goal.
+
+#include <fmt/format.h>
+
+#include "programs/command_line/command_tools.hpp"
+#include "tests/bench/bench_main.hpp"
+#include "tests/bench/child.hpp"
+#include "tests/bench/hosts/host_loss.hpp"
+
+namespace pizarra::bench {
+namespace {
+
+std::string why_unavailable() {
+  return find_program("etcd") ? network::Network::unavailable() : "etcd is not installed: etcd-server";
+}
+
+int run_all(int rounds, std::uint64_t seed) {
+  if (const std::string why = why_unavailable(); !why.empty()) {
+    fmt::print("skipped: {}\n", why);
+    return 0;
+  }
+  HostLoss cell(seed);
+  for (int round = 1; round <= rounds; ++round) {
+    cell.round();
+    fmt::print("round {}, lost {}\n", round, cell.last());
+    std::fflush(stdout);
+  }
+  const HostLoss::Tally& tally = cell.tally();
+  fmt::print("rounds {}, reached {}, refused correctly {}, failed {}, durable lost {}, done twice {}\n", tally.rounds,
+             tally.reached, tally.refused_correctly, tally.failed, tally.durable_lost, tally.done_twice);
+  return tally.failed == 0 && tally.durable_lost == 0 && tally.done_twice == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace pizarra::bench
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "A cell on three hosts, one of which loses its power while a goal is pursued: that of the leading board.",
+      "pizarra bench hosts");
+  int rounds = 20;
+  std::uint64_t seed = 1;
+  app.add_option("--rounds", rounds, "goals, some 20 s each")->check(CLI::Range(1, 10'000))->capture_default_str();
+  app.add_option("--seed", seed, "what chance begins from; the machine's timing has its share")
+      ->check(pizarra::programs::seed_check())
+      ->capture_default_str();
+  app.footer(
+      "As root; elsewhere it says why it is skipped. Status 0 when every goal was reached, as the world shows, or\n"
+      "refused because in the world a cube of it is gone, no acknowledged durable fact was lost, and no operation was\n"
+      "done twice; 1 otherwise; 2 for wrong arguments.");
+  return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run_all(rounds, seed); });
+}
