@@ -15,7 +15,6 @@ constexpr int steps = 6;
 // How far from where it is expected an edge is looked for: at first a part of the mark's standard deviation, px.
 constexpr double first_reach = 0.4;
 constexpr double least_reach_px = 2.5;
-constexpr int most_reach_px = 12;
 // An edge's change is added up so far to either side of its steepest place, while it is more than a part of that.
 constexpr int spread_px = 5;
 constexpr double least_share = 0.12;
@@ -32,7 +31,6 @@ constexpr double biweight = 4.685;
 // Edges farther off support nothing: px, and a part of the mark's standard deviation.
 constexpr double most_off_px = 0.75;
 constexpr double most_off_share = 0.04;
-constexpr double least_found = 0.5;
 
 double level_at(const cv::Mat1b& image, double x, double y) {
   const int left = static_cast<int>(x);
@@ -51,7 +49,7 @@ bool is_within(const cv::Mat1b& image, double x, double y) {
 // The grey levels along a normal.
 class Profile {
  public:
-  static constexpr int longest = 2 * (most_reach_px + spread_px) + 3;
+  static constexpr int longest = 2 * (for_whole.most_reach_px + spread_px) + 3;
   Profile(const cv::Mat1b& image, cv::Point2d at, const cv::Vec2d& normal, int reach, double sign)
       : reach_(reach), sign_(sign) {
     const int all = reach + spread_px + 1;
@@ -110,18 +108,23 @@ double weight_of(double off, double spread) {
 
 class Registration {
  public:
-  Registration(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start, MarkTone tone)
-      : image_(image), outline_(outline), sign_(tone == MarkTone::dark ? 1 : -1) {
+  Registration(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start, MarkTone tone,
+               const PlaneSearch& search)
+      : image_(image), outline_(outline), search_(search), sign_(tone == MarkTone::dark ? 1 : -1) {
     fit_.to_image = (1 / start(2, 2)) * start;
     const cv::Matx22d slope = fit_.slope();
     size_px_ = std::sqrt(std::abs(cv::determinant(slope)));
     fit_.edges.resize(outline.points.size());
   }
 
+  // Elsewhere nothing is asked of the outline.
+  void go_by_border_of(const PlaneFit& fit) {
+    for (const PlaneEdge& edge : fit.edges) shows_.push_back(edge.is_border);
+  }
   bool run() {
     for (int step = 0; step < steps; ++step) {
       const double reach = std::max(least_reach_px, first_reach * size_px_ * std::pow(0.5, step));
-      if (!measure(std::min(most_reach_px, cvCeil(reach)))) return false;
+      if (!measure(std::min(search_.most_reach_px, cvCeil(reach)))) return false;
       if (!solve(step)) return false;
     }
     return judge();
@@ -146,20 +149,21 @@ class Registration {
       edge.point = i;
       edge.normal = normal;
       edge.counts = point.from_corner > std::max(corner_share, corner_px / size_px_);
+      edge.measures = edge.counts && (shows_.empty() || shows_[i]);
       edge.found = Profile(image_, at, normal, reach, sign_).find(edge.off_px, edge.inner, edge.outer);
       edge.at = at + edge.off_px * cv::Point2d(normal[0], normal[1]);
-      if (!edge.counts) continue;
+      if (!edge.measures) continue;
       ++counted;
       found += edge.found ? 1 : 0;
     }
-    return counted >= 16 && static_cast<double>(found) >= least_found * static_cast<double>(counted);
+    return counted >= 16 && static_cast<double>(found) >= search_.least_found * static_cast<double>(counted);
   }
 
   // A robust standard deviation of the edges.
   double spread() const {
     std::vector<double> off;
     for (const PlaneEdge& edge : fit_.edges) {
-      if (edge.found && edge.counts) off.push_back(std::abs(edge.off_px));
+      if (edge.found && edge.measures) off.push_back(std::abs(edge.off_px));
     }
     if (off.empty()) return least_edge_spread;
     std::ranges::nth_element(off, off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2));
@@ -172,7 +176,7 @@ class Registration {
     Vector8 b = Vector8::Zero();
     const cv::Matx33d& h = fit_.to_image;
     for (const PlaneEdge& edge : fit_.edges) {
-      if (!edge.found || !edge.counts) continue;
+      if (!edge.found || !edge.measures) continue;
       const cv::Vec2d& p = outline_.points[edge.point].at;
       const cv::Point2d x = fit_.in_image(p);
       const double w = h(2, 0) * p[0] + h(2, 1) * p[1] + 1;
@@ -192,6 +196,8 @@ class Registration {
     a(7, 7) += prior;
     b(6) -= prior * h(2, 0);
     b(7) -= prior * h(2, 1);
+    hold_slant(a, b);
+    normal_ = a;
     // Unknowns that the outline leaves open, such as a circle's turn, stay as they are.
     a.diagonal().head<6>().array() += 1e-4 * a.diagonal().head<6>().maxCoeff();
     const Vector8 d = a.ldlt().solve(b);
@@ -201,6 +207,22 @@ class Registration {
     if (!(size > size_px_ / 2) || !(size < 2 * size_px_)) return false;
     size_px_ = size;
     return true;
+  }
+
+  // A turn and a size leave the two columns of the slope as long, and at a right angle.
+  void hold_slant(Matrix8& a, Vector8& b) const {
+    if (!std::isfinite(search_.usual_slant)) return;
+    const double free = search_.usual_slant * size_px_;
+    const cv::Matx33d& h = fit_.to_image;
+    const auto hold = [&](int one, int other, double sign, double off) {
+      Vector8 j = Vector8::Zero();
+      j[one] = 1;
+      j[other] = sign;
+      a += j * j.transpose() / (free * free);
+      b -= j * off / (free * free);
+    };
+    hold(0, 4, -1, h(0, 0) - h(1, 1));
+    hold(1, 3, 1, h(0, 1) + h(1, 0));
   }
 
   bool judge() {
@@ -219,14 +241,28 @@ class Registration {
     }
     if (supporting == 0) return false;
     fit_.rms_px = std::sqrt(squares / supporting);
+    fit_.middle_spread_px = middle_spread_px();
     fit_.supported = static_cast<double>(supporting) / counted;
     return true;
   }
 
+  // The longer one of the ellipse's. Neighbouring edges share pixels, so that two say as much as one.
+  double middle_spread_px() const {
+    Matrix8 normal = normal_;
+    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff();
+    const Matrix8 covariance = normal.inverse();
+    const double mean = (covariance(2, 2) + covariance(5, 5)) / 2;
+    const double half = std::hypot((covariance(2, 2) - covariance(5, 5)) / 2, covariance(2, 5));
+    return std::sqrt(2 * (mean + half));
+  }
+
   const cv::Mat1b& image_;
   const PlaneOutline& outline_;
+  const PlaneSearch search_;
   const double sign_;  // 1 where the ground is lighter
   double size_px_;
+  std::vector<bool> shows_;  // the border, by the outline's points; empty: all may
+  Matrix8 normal_ = Matrix8::Identity();
   PlaneFit fit_;
 };
 
@@ -263,9 +299,17 @@ cv::Matx33d affine_start(const Reach& seen, const Reach& learned, int turn) {
 }
 
 std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,
-                                  MarkTone tone) {
+                                  MarkTone tone, const PlaneSearch& search) {
   if (outline.points.size() < 32) return std::nullopt;
-  Registration registration(image, outline, start, tone);
+  Registration registration(image, outline, start, tone, search);
+  if (!registration.run()) return std::nullopt;
+  return registration.take();
+}
+
+std::optional<PlaneFit> fit_to_border(const cv::Mat1b& image, const PlaneOutline& outline, const PlaneFit& fit,
+                                      MarkTone tone, const PlaneSearch& search) {
+  Registration registration(image, outline, fit.to_image, tone, search);
+  registration.go_by_border_of(fit);
   if (!registration.run()) return std::nullopt;
   return registration.take();
 }

@@ -11,6 +11,8 @@
 // derivatives, each edge weighted by how far it is off (J. W. Tukey's biweight). A prior holds what a circle leaves
 // open, and bounds the perspective: no mark is as near as that.
 
+#include <limits>
+
 #include "agents/vision/marks/mark_patch.hpp"
 #include "agents/vision/marks/plane_outline.hpp"
 
@@ -26,6 +28,7 @@ struct PlaneEdge {
   double outer = 0;
   bool is_border = false;  // supports the fit
   bool counts = false;     // far enough from corners to be measured
+  bool measures = false;   // and the fit goes by it
 };
 
 struct PlaneFit {
@@ -33,6 +36,7 @@ struct PlaneFit {
   std::vector<PlaneEdge> edges;  // one for every point of the outline
   double rms_px = 0;             // of the edges that support it
   double supported = 0;          // the part of the outline that edges support, 0 to 1
+  double middle_spread_px = 0;   // of the mark's centroid: a standard deviation, by the edges' scatter
 
   cv::Point2d in_image(const cv::Vec2d& plane) const;
   // How places near the mark's centroid move: px a standard deviation.
@@ -43,8 +47,21 @@ struct PlaneFit {
 // The map between the two reaches, the seen one turned by so many of Reach::turns.
 cv::Matx33d affine_start(const Reach& seen, const Reach& learned, int turn);
 
-// Nothing where fewer than half of the edges are there.
+// How much of the outline is there, and how near the start is.
+struct PlaneSearch {
+  int most_reach_px;
+  double least_found;  // of the edges
+  // How much of itself the image of a part may be slanted, which says less of that than a whole: a standard deviation.
+  double usual_slant;
+};
+inline constexpr PlaneSearch for_whole{12, 0.5, std::numeric_limits<double>::infinity()};
+inline constexpr PlaneSearch for_part{4, 0.35, 0.05};
+
+// Nothing where fewer edges are there.
 std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,
-                                  MarkTone tone);
+                                  MarkTone tone, const PlaneSearch& search = for_whole);
+// The same by the edges alone that are its border by now (PlaneEdge::is_border).
+std::optional<PlaneFit> fit_to_border(const cv::Mat1b& image, const PlaneOutline& outline, const PlaneFit& fit,
+                                      MarkTone tone, const PlaneSearch& search);
 
 }  // namespace pizarra::vision

@@ -158,18 +158,9 @@ std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample
   SeenMark out;
   out.tone = sample.tone;
   out.flattened = true;
-  out.centre = fit.in_image({0, 0});
   out.box = region.box;
-  // Of a standard deviation of one in the plane, as the image shows it.
-  const cv::Matx22d slope = fit.slope();
-  const cv::Matx22d spread = slope * slope.t();
-  out.width_px = std::sqrt(spread(0, 0));
-  out.height_px = std::sqrt(spread(1, 1));
-  out.slant_px2 = spread(0, 1);
-  const double size2 = std::abs(cv::determinant(slope));
-  const double mean = (spread(0, 0) + spread(1, 1)) / 2;
-  const double half = std::sqrt(std::max(0.0, mean * mean - size2 * size2));
-  out.slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));
+  set_place(out, fit);
+  const double size2 = std::abs(cv::determinant(fit.slope()));
   const double area = moments->sum / full;  // the template's pixels
   out.area_px = area * size2 / (template_scale * template_scale);
   out.perimeter_px = static_cast<int>(region.contour.size());
@@ -183,6 +174,20 @@ std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample
 }
 
 }  // namespace
+
+void set_place(SeenMark& mark, const PlaneFit& fit) {
+  mark.centre = fit.in_image({0, 0});
+  // Of a standard deviation of one in the plane, as the image shows it.
+  const cv::Matx22d slope = fit.slope();
+  const cv::Matx22d spread = slope * slope.t();
+  mark.width_px = std::sqrt(spread(0, 0));
+  mark.height_px = std::sqrt(spread(1, 1));
+  mark.slant_px2 = spread(0, 1);
+  const double size2 = std::abs(cv::determinant(slope));
+  const double mean = (spread(0, 0) + spread(1, 1)) / 2;
+  const double half = std::sqrt(std::max(0.0, mean * mean - size2 * size2));
+  mark.slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));
+}
 
 std::optional<PlaneFit> fit_region(const ImageCut& cut, const LearnedSample& sample, const Reach& region) {
   if (sample.tag || sample.plane.points.empty()) return std::nullopt;

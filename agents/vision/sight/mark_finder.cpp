@@ -78,7 +78,7 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   if (best && (best->right || place_of(object.name))) return best;
   double most = best ? confidence_at_first(sight, object, *best) : 0;
   const auto take_surer = [&](SeenPair&& other) {
-    look_at_plane(sight, object, other);
+    if (!other.plane) look_at_plane(sight, object, other);
     const double confidence = confidence_at_first(sight, object, other);
     if (best ? confidence < most + clearly_surer : confidence < least_confidence) return;
     most = confidence;
@@ -94,6 +94,9 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   }
   if (most < clearly_sure) {
     for (SeenPair& thorough : sight.find_in_plane(objects_, object)) take_surer(std::move(thorough));
+  }
+  if (most < clearly_sure) {
+    for (SeenPair& part : sight.find_parts(objects_, object)) take_surer(std::move(part));
   }
   return best;
 }

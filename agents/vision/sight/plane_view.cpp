@@ -4,6 +4,14 @@
 
 namespace pizarra::vision {
 
+std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
+                                       const PlaneFit& fit) {
+  // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
+  const double unit_mm = sample.face_mm();
+  if (unit_mm <= 0 || sample.slimness < least_round) return std::nullopt;
+  return plane_pose(model, sample.plane, fit, unit_mm);
+}
+
 std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,
                                     const SeenMark& mark) {
   const LearnedSample* sample = match_of(mark, object).sample;
@@ -14,10 +22,7 @@ std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoMod
   if (!fit) return std::nullopt;
   const bool agrees = is_outline_of(*fit);
   PlaneView out{std::move(*fit), agrees, std::nullopt};
-  if (!agrees) return out;
-  // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
-  const double unit_mm = sample->face_mm();
-  if (unit_mm > 0 && sample->slimness >= least_round) out.pose = plane_pose(model, sample->plane, out.fit, unit_mm);
+  if (agrees) out.pose = pose_in_plane(model, *sample, out.fit);
   return out;
 }
 

@@ -14,7 +14,12 @@ struct PlaneView {
   PlaneFit fit;
   bool agrees;                    // the edges are those of the outline; else it is something that is like it
   std::optional<PlanePose> pose;  // where they agree
+  bool is_part = false;           // something hides the rest: the fit goes by what is seen of the outline
 };
+
+// How the sample's plane lies by the fit; nothing where its size is not known.
+std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
+                                       const PlaneFit& fit);
 
 // Of its likest sample; nothing of a tag, and where there are too few edges.
 std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agents/vision/marks/tags.hpp"
+#include "agents/vision/objects/part_look.hpp"
 #include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
@@ -182,6 +183,21 @@ std::vector<SeenPair> StereoSight::find_in_plane(const LearnedObjects& objects, 
     return !is_cut_off(object, pair.left);
   });
   return seen;
+}
+
+std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, const LearnedObject& object) {
+  std::vector<SeenPair> out;
+  if (!model_.is_single()) return out;
+  const ImageCut& cut = left_segmentation().cut();
+  if (!left_edges_) left_edges_ = edge_chains(cut);
+  for (PartLook& look : look_for_parts(cut, *left_edges_, objects, object, model_.focal_px)) {
+    SeenPair pair{.left = whole_mark(cut, look), .right = std::nullopt};
+    pair.left.focal_px = model_.focal_px;
+    std::optional<PlanePose> pose = pose_in_plane(model_, *look.sample, look.fit);
+    pair.plane = PlaneView{std::move(look.fit), true, std::move(pose), true};
+    out.push_back(std::move(pair));
+  }
+  return out;
 }
 
 std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect> area,

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "agents/vision/marks/edge_chains.hpp"
 #include "agents/vision/marks/segmentation.hpp"
 #include "agents/vision/objects/recognise.hpp"
 #include "agents/vision/sight/plane_view.hpp"
@@ -47,6 +48,9 @@ class StereoSight {
   // is about it. Where an image has a shadow's edge across the mark, and where it is far away or turned away far.
   // The likest first.
   std::vector<SeenPair> find_in_plane(const LearnedObjects& objects, const LearnedObject& object);
+  // The object by what is seen of it: where something hides a part, or joins its outline with another thing's. Before
+  // one camera; each with its plane, the one with the longest outline first.
+  std::vector<SeenPair> find_parts(const LearnedObjects& objects, const LearnedObject& object);
   // A tag in both images: within `area` of the left one where that is given, but at none of `others`; nowhere in the
   // right one where that does not show it. Where several cubes bear it, none of them.
   std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Rect> area = {},
@@ -75,6 +79,7 @@ class StereoSight {
   std::optional<ImageSegmentation> right_segmentation_;
   Regions left_regions_;
   Regions right_regions_;
+  std::optional<EdgeChains> left_edges_;
   std::optional<ImageSegmentation> right_rows_;  // beside the first mark whose partner was looked for
 };
 

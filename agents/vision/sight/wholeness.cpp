@@ -31,6 +31,9 @@ constexpr double if_no_plane = 0.85;
 constexpr double least_of_slimness = 0.72;
 constexpr double if_slim = 0.87;
 
+// What is seen in part may be a part of something unlearned.
+constexpr double if_part = 0.5;
+
 void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
   if (whole) {
     whole->follow(now, captured);
@@ -92,6 +95,9 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
 }
 
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+  if (pair.plane && pair.plane->is_part) {
+    return confidence_if_off(if_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
+  }
   const double by_ground = confidence_if_off(confidence_by_form(sight, object, pair), ground_doubt(sight, pair), 1);
   if (pair.right || pair.left.tag || !pair.plane) return by_ground;
   const double in_shadow = confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/segmentation.hpp"
+#include "agents/vision/objects/part_look.hpp"
 #include "agents/vision/objects/plane_look.hpp"
 #include "agents/vision/sight/plane_pose.hpp"
 #include "agents/vision/sight/tag_pose.hpp"
@@ -68,6 +69,9 @@ LearnedSample learned(const Corners& plane, Random& random) {
   LearnedSample out;
   for (const SeenMark& mark : segmentation.marks()) {
     out.set_picture(template_from_picture(portray_mark(segmentation.cut(), mark.contour, mark.tone)->picture));
+    out.height_px = mark.height_px;
+    out.area_px = mark.area_px;
+    out.roundness = mark.roundness;
     out.size_mm = std::sqrt(mark.width_px * mark.height_px) * 500 / 600;
     out.size_by = LearnedSample::SizeBy::guessed_face;
     out.slimness = mark.slimness;
@@ -163,6 +167,55 @@ TEST(Plane, AHardShadowAcrossTheSheetHidesNoOutline) {
   ASSERT_TRUE(seen);
   const cv::Point2d middle = projected({{0, 0}}, cv::Matx33d::eye(), {10, 5, 500}).front();
   EXPECT_LT(cv::norm(seen->fit.in_image({0, 0}) - middle), 0.4);
+}
+
+// Lays grey over all that is farther than so much along a direction, px from the middle.
+void cover(cv::Mat1b& image, cv::Point2d middle, double beyond_px, double direction, std::uint8_t level) {
+  const cv::Point2d away(std::cos(direction), std::sin(direction));
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      const cv::Point2d p = cv::Point2d(x, y) - middle;
+      if (p.dot(away) > beyond_px && cv::norm(p) < 75) image(y, x) = level;
+    }
+  }
+}
+
+std::vector<PartLook> parts_of_square(const cv::Mat1b& image, const LearnedObjects& objects) {
+  const ImageCut cut = look_at(image, {0, 0, image.cols, image.rows}, noise_of(image));
+  return look_for_parts(cut, edge_chains(cut), objects, *objects.find("square"), 600);
+}
+
+TEST(Plane, OfASquareThatSomethingHidesACornerOfIsWhereTheWholeIs) {
+  Random random(9);
+  LearnedObjects objects;
+  objects.add("square", learned(square, random));
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    // Of each side a part shows.
+    const double from = CV_PI / 4 + random.uniform(-0.2, 0.2);
+    const double turned = random.uniform(-3, 3);
+    const cv::Matx33d turn = turned_about({0, 0, turned});
+    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(400, 550));
+    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
+    cv::Mat1b image = filled(projected(square, turn, place), random);
+    const double side_px = 600 * 2 * half_mm / place[2];
+    cover(image, middle, 0.28 * side_px, turned + from, i % 2 == 0 ? 90 : 130);
+    const std::vector<PartLook> parts = parts_of_square(image, objects);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_LT(cv::norm(parts.front().fit.in_image({0, 0}) - middle), 0.5);
+    EXPECT_GT(parts.front().part.hidden, 0.1);
+  }
+}
+
+TEST(Plane, AThingWithoutAPartOfTheSquareIsNoneThatSomethingHides) {
+  Random random(10);
+  LearnedObjects objects;
+  objects.add("square", learned(square, random));
+  // Where the rest should be is ground.
+  Corners cut_off = square;
+  cut_off[1].x = 0;
+  cut_off.insert(cut_off.begin() + 2, {half_mm, 0});
+  EXPECT_TRUE(parts_of_square(filled(projected(cut_off, cv::Matx33d::eye(), {0, 0, 450}), random), objects).empty());
 }
 
 // Where no corner says anything of a tilt; about the axis of the camera too, which a lab's camera looks along.

@@ -1,0 +1,103 @@
+#include "agents/vision/marks/seen_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pizarra::vision {
+namespace {
+
+// So far inside there is ink, in standard deviations of the mark; and so far on either side there is no blur, px.
+constexpr double deep = 0.35;
+constexpr double beside_px = 3;
+// By how much the levels of one print differ, as a part of its contrast, and by the noise.
+constexpr double same_level = 0.13;
+constexpr double same_in_noise = 3;
+// Paper is so many times as light as ink, in a shadow too.
+constexpr double least_ratio = 2;
+
+double level_at(const cv::Mat1b& pixels, const cv::Point2d& at) {
+  const int x = std::clamp(cvRound(at.x), 0, pixels.cols - 1);
+  const int y = std::clamp(cvRound(at.y), 0, pixels.rows - 1);
+  return pixels(y, x);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+// The ink and the ground, as most of the border shows them.
+struct Print {
+  double ink = 0;
+  double ground = 0;
+
+  Print(const PlaneFit& fit, double noise) {
+    std::vector<double> inner;
+    std::vector<double> outer;
+    for (const PlaneEdge& edge : fit.edges) {
+      if (!edge.is_border) continue;
+      inner.push_back(edge.inner);
+      outer.push_back(edge.outer);
+    }
+    ink = median(inner);
+    ground = median(outer);
+    slack_ = std::hypot(same_level * std::abs(ground - ink), same_in_noise * noise);
+  }
+  bool is_print(MarkTone tone) const {
+    const auto [dark, light] = tone == MarkTone::dark ? std::pair(ink, ground) : std::pair(ground, ink);
+    return light > least_ratio * dark;
+  }
+  bool is_ink(double level) const { return std::abs(level - ink) < slack_; }
+  bool is_ground(double level) const { return std::abs(level - ground) < slack_; }
+
+ private:
+  double slack_ = 0;
+};
+
+}  // namespace
+
+SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& fit, MarkTone tone) {
+  const cv::Mat1b& pixels = cut.pixels;
+  const Print print(fit, cut.noise);
+  const bool is_there = print.is_print(tone);
+  int counted = 0;
+  int supported = 0;
+  int contradicted = 0;
+  double squares = 0;
+  for (PlaneEdge& edge : fit.edges) {
+    if (!edge.counts) continue;
+    ++counted;
+    const PlaneOutline::Point& point = outline.points[edge.point];
+    const cv::Point2d inward = -cv::Point2d(edge.normal[0], edge.normal[1]);
+    const bool is_print = edge.found && is_there && print.is_ink(edge.inner) && print.is_ground(edge.outer) &&
+                          print.is_ink(level_at(pixels, fit.in_image(point.at - deep * point.out)));
+    edge.is_border = edge.is_border && is_print;
+    if (edge.is_border) {
+      ++supported;
+      squares += edge.off_px * edge.off_px;
+      continue;
+    }
+    const cv::Point2d at = fit.in_image(point.at);
+    const bool none_there = print.is_ground(level_at(pixels, at + beside_px * inward)) &&
+                            print.is_ground(level_at(pixels, at - beside_px * inward));
+    contradicted += none_there || is_print ? 1 : 0;
+  }
+  SeenPart out;
+  if (counted == 0 || supported == 0) return out;
+  out.supported = static_cast<double>(supported) / counted;
+  out.contradicted = static_cast<double>(contradicted) / counted;
+  out.hidden = 1 - out.supported - out.contradicted;
+  out.rms_px = std::sqrt(squares / supported);
+  double length = 0;
+  for (std::size_t i = 1; i < outline.points.size(); ++i) {
+    if (fit.edges[i].is_border) {
+      length += cv::norm(fit.in_image(outline.points[i].at) - fit.in_image(outline.points[i - 1].at));
+    }
+  }
+  out.supported_px = length;
+  return out;
+}
+
+}  // namespace pizarra::vision

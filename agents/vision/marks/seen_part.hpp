@@ -1,0 +1,28 @@
+#pragma once
+
+// What an image says of each place of an outline that was registered with it: it shows the mark's border there, it
+// shows that there is none, or something hides it.
+//
+//   const SeenPart part = judge_part(cut, outline, fit, MarkTone::dark);
+//   part.supported, part.contradicted, part.hidden       // they add up to 1
+//
+// A border of the mark is one from its ink to its ground, each as light as most of it, and ink goes on inside. Ground
+// on either side of the outline, or the border somewhere else, contradicts it. What is neither hides it. So a shadow's
+// edge across a mark hides a part as well.
+
+#include "agents/vision/marks/plane_fit.hpp"
+
+namespace pizarra::vision {
+
+struct SeenPart {
+  double supported = 0;
+  double contradicted = 0;
+  double hidden = 0;
+  double rms_px = 0;        // of the places that support it
+  double supported_px = 0;  // how long they are together
+};
+
+// Edges that are not the mark's border stop being it (PlaneEdge::is_border).
+SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& fit, MarkTone tone);
+
+}  // namespace pizarra::vision

@@ -1,0 +1,145 @@
+#include "agents/vision/objects/part_look.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/marks/outline_guess.hpp"
+#include "agents/vision/objects/mark_match.hpp"
+#include "agents/vision/objects/plane_look.hpp"
+
+namespace pizarra::vision {
+namespace {
+
+// Of the outline; the guess is not yet registered, and edges are missing at its corners.
+constexpr double least_shown = 0.4;
+constexpr int fits_by_border = 2;
+constexpr double least_at_first = 0.3;
+constexpr double least_supported = 0.42;
+constexpr double most_contradicted = 0.04;
+// Shorter edges make shapes everywhere.
+constexpr double least_supported_px = 70;
+// Of the mark's standard deviation, and px.
+constexpr double most_rms_share = 0.03;
+constexpr double most_rms_px = 0.2;
+// A part says too little of a face that is turned farther away.
+constexpr double least_slimness = 0.75;
+// A place that the part leaves more open is none.
+constexpr double most_spread_px = 0.7;
+// What is told has more: a turn makes up for what a part lacks, and where two sides alone show, the mark may be larger
+// and lie farther along them.
+constexpr double least_supported_px_told = 75;
+constexpr double least_slimness_told = 0.85;
+constexpr double most_spread_px_told = 0.35;
+constexpr double smallest_px = 5;  // a standard deviation
+// Another explanation of the same edges must be so much shorter.
+constexpr double most_of_rival = 0.9;
+
+SizeRange sizes_of(const LearnedSample& sample, double focal_px) {
+  const double shown = sample.focal_px > 0 && focal_px > 0 ? focal_px / sample.focal_px : 1;
+  const double as_learned = shown * sample.height_px;
+  return {std::max(smallest_px, least_scale * as_learned), most_scale * as_learned};
+}
+
+double slimness_of(const PlaneFit& fit) {
+  SeenMark mark;
+  set_place(mark, fit);
+  return mark.slimness;
+}
+
+double size_px(const PlaneFit& fit) { return std::sqrt(std::abs(cv::determinant(fit.slope()))); }
+
+bool may_be(const PartLook& look) {
+  return look.part.supported >= least_supported && look.part.contradicted <= most_contradicted &&
+         look.part.rms_px <= std::hypot(most_rms_px, most_rms_share * size_px(look.fit)) &&
+         look.part.supported_px >= least_supported_px && look.fit.middle_spread_px <= most_spread_px &&
+         slimness_of(look.fit) >= least_slimness;
+}
+
+bool may_be_told(const PartLook& look) {
+  return look.part.supported_px >= least_supported_px_told && look.fit.middle_spread_px <= most_spread_px_told &&
+         slimness_of(look.fit) >= least_slimness_told;
+}
+
+// With whatever larger it may be a part of.
+cv::Rect around(const PartLook& look) {
+  constexpr double reach = 5;
+  const double half = reach * size_px(look.fit);
+  const cv::Point2d at = look.fit.in_image({0, 0});
+  return {cvRound(at.x - half), cvRound(at.y - half), cvRound(2 * half), cvRound(2 * half)};
+}
+
+bool are_at_one_place(const PartLook& a, const PartLook& b) {
+  const double apart = cv::norm(a.fit.in_image({0, 0}) - b.fit.in_image({0, 0}));
+  return apart < 1.5 * std::max(size_px(a.fit), size_px(b.fit));
+}
+
+// What hides a part has edges as well: the next fits go by the border alone that the one before showed.
+std::optional<PartLook> part_look(const ImageCut& cut, const LearnedSample& sample, const cv::Matx33d& start) {
+  std::optional<PlaneFit> fit = fit_plane(cut.pixels, sample.plane, start, sample.tone, for_part);
+  for (int again = 0; again < fits_by_border && fit; ++again) {
+    if (judge_part(cut, sample.plane, *fit, sample.tone).supported < least_at_first) return std::nullopt;
+    fit = fit_to_border(cut.pixels, sample.plane, *fit, sample.tone, for_part);
+  }
+  if (!fit) return std::nullopt;
+  const SeenPart part = judge_part(cut, sample.plane, *fit, sample.tone);
+  return PartLook{&sample, std::move(*fit), part};
+}
+
+std::vector<PartLook> all_looks(const ImageCut& cut, const EdgeChains& edges, const LearnedObject& object,
+                                double focal_px) {
+  std::vector<PartLook> out;
+  for (const LearnedSample& sample : object.samples) {
+    // How a slim mark lies in its template is not kept.
+    if (sample.tag || sample.slimness < least_round) continue;
+    for (const OutlineGuess& guess :
+         outline_guesses(edges, sample.plane, sample.tone, sizes_of(sample, focal_px), least_shown)) {
+      std::optional<PartLook> look = part_look(cut, sample, guess.to_image);
+      if (look && may_be(*look)) out.push_back(std::move(*look));
+    }
+  }
+  std::ranges::sort(out, std::ranges::greater(), [](const PartLook& look) { return look.part.supported_px; });
+  return out;
+}
+
+}  // namespace
+
+std::vector<PartLook> look_for_parts(const ImageCut& cut, const EdgeChains& edges, const LearnedObjects& objects,
+                                     const LearnedObject& object, double focal_px) {
+  std::vector<PartLook> out;
+  for (PartLook& look : all_looks(cut, edges, object, focal_px)) {
+    const auto is_there = [&](const PartLook& other) { return are_at_one_place(look, other); };
+    if (std::ranges::none_of(out, is_there)) out.push_back(std::move(look));
+  }
+  std::erase_if(out, [&](const PartLook& look) {
+    if (!may_be_told(look)) return true;
+    const EdgeChains there = edges.within(around(look));
+    return std::ranges::any_of(objects.all(), [&](const LearnedObject& other) {
+      if (same_name(other.name, object.name)) return false;
+      return std::ranges::any_of(all_looks(cut, there, other, focal_px), [&](const PartLook& rival) {
+        return are_at_one_place(look, rival) && rival.part.supported_px > most_of_rival * look.part.supported_px;
+      });
+    });
+  });
+  return out;
+}
+
+SeenMark whole_mark(const ImageCut& cut, const PartLook& look) {
+  SeenMark out;
+  set_place(out, look.fit);
+  out.tone = look.sample->tone;
+  out.flattened = true;
+  const double size2 = std::abs(cv::determinant(look.fit.slope()));
+  out.area_px = look.sample->area_px * size2 / (look.sample->height_px * look.sample->height_px);
+  out.roundness = look.sample->roundness;
+  out.noise = cut.noise;
+  out.signature = look.sample->signatures.front().unturned();
+  for (const PlaneOutline::Point& point : look.sample->plane.points) {
+    out.contour.emplace_back(look.fit.in_image(point.at));
+  }
+  out.box = cv::boundingRect(out.contour);
+  out.perimeter_px = static_cast<int>(out.contour.size());
+  return out;
+}
+
+}  // namespace pizarra::vision
