@@ -20,7 +20,7 @@ inline constexpr double least_round = 0.9;
 
 // How many times as large as it was learned an object is looked for.
 inline constexpr double least_scale = 0.35;
-inline constexpr double most_scale = 1.8;
+inline constexpr double most_scale = 2.5;
 // More than this no lens that is nearly focused blurs.
 inline constexpr double widest_blur_px = 2.2;
 

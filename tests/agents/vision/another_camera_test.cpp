@@ -108,7 +108,7 @@ TEST_P(AnotherCamera, FindsAndFollowsWhatWasLearnedAndNothingOfAnotherSize) {
     // Of few pixels blur makes a mark seem larger, by some percent of a triangle.
     EXPECT_NEAR(sighting.range_mm, cv::norm(face.place), 0.04 * face.place.z);
   }
-  for (const double scale : {0.3, 2.0}) expect_another_size(objects, looking, scale);
+  for (const double scale : {0.3, 3.0}) expect_another_size(objects, looking, scale);
 }
 
 std::string another_camera_name(const testing::TestParamInfo<AnotherCamera::ParamType>& one) {
