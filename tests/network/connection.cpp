@@ -1,6 +1,7 @@
 #include "tests/network/connection.hpp"
 
 #include <arpa/inet.h>
+#include <cerrno>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -19,9 +20,9 @@ std::optional<int> connect_to(const std::string& address, int port) {
   name.sin_port = htons(static_cast<std::uint16_t>(port));
   inet_pton(AF_INET, address.c_str(), &name.sin_addr);
   const int file = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  connect(file, reinterpret_cast<const sockaddr*>(&name), sizeof name);
+  const bool begun = connect(file, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0 || errno == EINPROGRESS;
   pollfd connecting{file, POLLOUT, 0};
-  if (poll(&connecting, 1, patience_ms) == 1 && (connecting.revents & (POLLERR | POLLHUP)) == 0) return file;
+  if (begun && poll(&connecting, 1, patience_ms) == 1 && (connecting.revents & (POLLERR | POLLHUP)) == 0) return file;
   close(file);
   return std::nullopt;
 }
