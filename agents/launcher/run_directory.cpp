@@ -123,7 +123,8 @@ Datum run_state_to_datum(const RunState& state) {
                            Datum::integer(state.supervisor_pid),
                            Datum::string(state.board_address),
                            Datum::string(state.world_address),
-                           Datum::string(state.key)};
+                           Datum::string(state.key),
+                           Datum::string(state.cell_file)};
   for (const RunProcess& process : state.processes) {
     items.push_back(list("process"_sym, process.name, process.pid, process.restarts));
   }
@@ -131,7 +132,7 @@ Datum run_state_to_datum(const RunState& state) {
 }
 
 Result<RunState> run_state_from_datum(const Datum& datum) {
-  if (!datum.is_form("run") || datum.size() < 7) return fail("malformed", "not a run's state", datum);
+  if (!datum.is_form("run") || datum.size() < 8) return fail("malformed", "not a run's state", datum);
   RunState state;
   state.cell = datum[1].text();
   state.host = datum[2].text();
@@ -139,7 +140,8 @@ Result<RunState> run_state_from_datum(const Datum& datum) {
   state.board_address = datum[4].text();
   state.world_address = datum[5].text();
   state.key = datum[6].text();
-  for (const Datum& item : datum.items().subspan(7)) {
+  state.cell_file = datum[7].text();
+  for (const Datum& item : datum.items().subspan(8)) {
     if (!item.is_form("process") || item.size() != 4) return fail("malformed", "not a run's state", item);
     const int pid = static_cast<int>(item[2].integer());
     state.processes.push_back({std::string(item[1].text()), pid, static_cast<int>(item[3].integer())});

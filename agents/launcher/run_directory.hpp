@@ -24,8 +24,8 @@ struct RunProcess {
   int restarts = 0;
 };
 
-// The state file: (run "CELL" "HOST" SUPERVISOR-PID "BOARD-ADDRESS" "WORLD-ADDRESS" "KEY" (process NAME PID RESTARTS)
-// ...)
+// The state file: (run "CELL" "HOST" SUPERVISOR-PID "BOARD-ADDRESS" "WORLD-ADDRESS" "KEY" "CELL-FILE"
+// (process NAME PID RESTARTS) ...)
 struct RunState {
   std::string cell;
   std::string host;
@@ -33,6 +33,7 @@ struct RunState {
   std::string board_address;
   std::string world_address;
   std::string key;  // the file of the secret key with which one comes to the board; empty: none is needed
+  std::string cell_file;  // its whole path
   std::vector<RunProcess> processes;
 };
 

@@ -78,20 +78,18 @@ Result<std::optional<console::Console::Abroad>> abroad_of(const ConsoleChoices& 
   return abroad;
 }
 
+// Each robot agent and each second arm by its name, as the cell names them.
 Result<console::CellView> view_of(const forms::CellDescription& cell) {
-  console::CellView view{.name = cell.name, .arms = {}, .camera = std::nullopt};
-  Result<arm::ArmModel> model = arm::read_arm_file(cell.arm_file);
-  if (!model) return fail(model);
-  view.arms.emplace("robot", std::move(*model));
-  if (cell.slave) {
-    Result<arm::ArmModel> second = arm::read_arm_file(cell.slave->arm_file);
-    if (!second) return fail(second);
-    view.arms.emplace("slave", std::move(*second));
-  }
+  console::CellView view{.name = cell.name, .arms = {}, .camera = cell.camera.pose, .head = !cell.head.empty()};
   view.cube_mm = cell.cube_mm;
-  view.camera = cell.camera.pose;
-  view.head = !cell.head.empty();
-  for (const auto& [name, arm] : view.arms) view.reaches.emplace(name, console::reach_outline(arm, cell.cube_mm / 2));
+  for (const std::string& name : launcher::named_agents(cell)) {
+    const std::string kind = launcher::kind_of_agent(name);
+    if (kind != "robot" && kind != "slave") continue;
+    Result<arm::ArmModel> model = arm::read_arm_file(kind == "robot" ? cell.arm_file : cell.slave->arm_file);
+    if (!model) return fail(model);
+    view.reaches.emplace(name, console::reach_outline(*model, cell.cube_mm / 2));
+    view.arms.emplace(name, std::move(*model));
+  }
   return view;
 }
 
@@ -107,18 +105,13 @@ bool is_simulated(const forms::CellDescription& cell) {
   return cell.arm_line.protocol.empty() && cell.eyes.is_simulated();
 }
 
-// The cell file of a running cell is not on its board: it is the one given, else that of the examples of its name.
-Result<std::optional<forms::CellDescription>> file_of_running(const ConsoleChoices& choices, const std::string& name) {
-  if (!choices.cell_file.empty()) {
-    Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell_file);
+// The cell file of a running cell is not on its board: it is the one given, else that with which `up` began it here.
+Result<std::optional<forms::CellDescription>> file_of_running(const ConsoleChoices& choices, const Destination& to) {
+  const std::string& file = choices.cell_file.empty() && to.run ? to.run->cell_file : choices.cell_file;
+  if (!file.empty()) {
+    Result<forms::CellDescription> cell = forms::read_cell_file(file);
     if (!cell) return fail(cell);
     return std::move(*cell);
-  }
-  for (const char* example : {"01-blocks", "02-numbered-places", "03-moving-head", "04-plain-english", "05-own-camera",
-                              "06-master-and-slave"}) {
-    Result<forms::CellDescription> cell =
-        forms::read_cell_file(shipped_file(fmt::format("examples/{}/cell.scm", example)));
-    if (cell && cell->name == name) return std::move(*cell);
   }
   fmt::print(stderr,
              "pizarra: of this cell the console knows no file, and draws no arm: name it, as ./pizarra console "
@@ -234,7 +227,7 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
   if (!keys) return complain(keys.error(), exit_usage);
   const std::string running = to->run ? to->run->cell : std::string();
-  const auto cell = file_of_running(choices, running);
+  const auto cell = file_of_running(choices, *to);
   if (!cell) return complain(cell.error(), exit_usage);
   const Result<console::CellView> view = *cell ? view_of(**cell) : unknown_cell(running);
   if (!view) return complain(view.error(), exit_usage);

@@ -103,6 +103,7 @@ class Up {
   Result<void> start(const std::string& name, std::vector<std::string> command);
   Result<void> start_plugins();
   Result<void> start_door();
+  std::string cell_path() const { return std::filesystem::absolute(choices_.cell).string(); }
   std::string device_address(const std::string& kind) const;
   Result<void> start_scheme_agent(const forms::CellSchemeAgent& agent);
   void on_process(const launcher::ProcessEvent& event);
@@ -244,7 +245,7 @@ Result<void> Up::start_board() {
 Result<void> Up::start_all() {
   const std::string program = beside_this_program("pizarra-agent");
   const std::string seed = std::to_string(choices_.seed);
-  const std::string cell = std::filesystem::absolute(choices_.cell).string();
+  const std::string cell = cell_path();
   const Result<void> log = start_log();
   if (!log) return log;
   const Result<void> board = start_board();
@@ -312,7 +313,7 @@ void Up::on_process(const launcher::ProcessEvent& event) {
 }
 
 void Up::save_state() {
-  launcher::RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, key_, {}};
+  launcher::RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, key_, cell_path(), {}};
   for (const launcher::Supervisor::Process& process : supervisor_.processes()) {
     state.processes.push_back({process.name, process.pid, process.restarts});
   }

@@ -26,7 +26,7 @@ class RunDirectoryTest : public testing::Test {
 };
 
 RunState state_of(int pid, const std::string& board) {
-  return {"blocks", "here", pid, board, "", "", {{"vision", 7, 1}}};
+  return {"blocks", "here", pid, board, "", "", "/cells/blocks.scm", {{"vision", 7, 1}}};
 }
 
 TEST_F(RunDirectoryTest, IsTheUsersAlone) {
@@ -68,6 +68,7 @@ TEST_F(RunDirectoryTest, AStateIsReadBackAsItWasSaved) {
   const Result<RunState> back = run_state_from_datum(run_state_to_datum(state));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->board_address, state.board_address);
+  EXPECT_EQ(back->cell_file, state.cell_file);
   ASSERT_EQ(back->processes.size(), 1U);
   EXPECT_EQ(back->processes[0].pid, 7);
 }
