@@ -121,8 +121,8 @@ Annotation VisionAgent::State::annotation_for(std::uint64_t frame, std::vector<T
 }
 
 // The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
-// where the camera has moved on, is asked for once more in colour. While they learn the picture of it stays grey, and
-// what is filled stands out.
+// where the camera has moved on, is asked for once more in colour. While they learn or track, the picture of it stays
+// grey, as the thesis has it, and what they mark stands out.
 Task<void> VisionAgent::State::show(camera::StereoFrame frame, Annotation annotation) {
   const Time before = frame.captured - Duration(1);
   const Result<camera::StereoFrame> coloured = co_await camera.next(before, true);
@@ -132,7 +132,8 @@ Task<void> VisionAgent::State::show(camera::StereoFrame frame, Annotation annota
   if (watched("colour")) streams->publish(stream("colour"), {base.number, base.captured, base.left});
   if (!watched("annotated")) co_return;
   const bool learning = !annotation.filled.empty() || !annotation.learned_contour.empty();
-  const Image& shown = learning ? *frame.left : *base.left;
+  const bool grey = learning || !annotation.sightings.empty();
+  const Image& shown = grey ? *frame.left : *base.left;
   streams->publish(stream("annotated"), {frame.number, frame.captured, annotate(shown, annotation)});
 }
 

@@ -258,6 +258,26 @@ TEST_F(Vision, ShowsForAWhileWhatWasFound) {
   EXPECT_FALSE(is_crossed());
 }
 
+TEST_F(Vision, ShowsWhatItMakesOfItInGreyWhileItTracks) {
+  learn_all();
+  std::shared_ptr<const Image> annotated;
+  const auto watching = streams.subscribe("vision-annotated", [&](const StreamFrame& f) { annotated = f.image; });
+  const auto is_grey = [&] {
+    const auto corner = std::span(annotated->pixels).first(3);
+    return corner[0] == corner[1] && corner[1] == corner[2];
+  };
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(300ms);
+  ASSERT_NE(annotated, nullptr);
+  EXPECT_FALSE(is_grey());
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(300ms);
+  EXPECT_TRUE(is_grey());
+  EXPECT_EQ(call("(end-track)"), "()");
+  run_for(300ms);
+  EXPECT_FALSE(is_grey());
+}
+
 // Colour is asked of the camera, and pictures are drawn, only for those who look.
 TEST_F(Vision, SendsEachImageOnlyWhileSomeoneWatchesThatKind) {
   learn_all();

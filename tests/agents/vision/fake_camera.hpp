@@ -73,9 +73,13 @@ class FakeCamera : public camera::StereoCamera {
     }
     return std::make_shared<Image>(std::move(image));
   }
+  // A little less blue than grey is.
   static std::shared_ptr<const Image> in_colour(const Image& grey) {
     auto image = std::make_shared<Image>(Image{grey.width, grey.height, 3, {}});
-    for (const std::uint8_t pixel : grey.pixels) image->pixels.insert(image->pixels.end(), 3, pixel);
+    for (const std::uint8_t pixel : grey.pixels) {
+      const std::uint8_t blue = pixel - pixel / 8;
+      image->pixels.insert(image->pixels.end(), {blue, pixel, pixel});
+    }
     return image;
   }
 
