@@ -56,15 +56,8 @@ class HeldPage : public ConsoleTest {
     const auto found = run(executor_, here_->facts(read_one(pattern).value()));
     return found ? found->size() : 0;
   }
-  // The newest stamp that has come.
   std::int64_t stamp(RawClient& client) {
-    return serve([&] {
-      while (const auto frame = client.read_any_frame()) {
-        const std::string head = "{\"pulse\":";
-        if (frame->payload.starts_with(head)) return std::stoll(frame->payload.substr(head.size()));
-      }
-      return 0LL;
-    });
+    return serve([&] { return client.read_stamp(); });
   }
 };
 

@@ -3,11 +3,19 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <stdexcept>
 #include <sys/socket.h>
 #include <unistd.h>
 
 namespace pizarra::console {
+
+namespace {
+
+constexpr std::chrono::seconds patience{10};
+constexpr std::string_view stamp_head = "{\"pulse\":";
+
+}  // namespace
 
 int RawClient::Frame::close_code() const {
   if (kind != closing || payload.size() < 2) return 0;
@@ -16,8 +24,6 @@ int RawClient::Frame::close_code() const {
 
 RawClient::RawClient(int port, int receive_bytes) : file_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   if (receive_bytes > 0) setsockopt(file_, SOL_SOCKET, SO_RCVBUF, &receive_bytes, sizeof receive_bytes);
-  const timeval patience{.tv_sec = 10, .tv_usec = 0};
-  setsockopt(file_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -54,6 +60,9 @@ void RawClient::send_frame(int kind, const std::string& payload) {
 
 bool RawClient::fill(std::size_t size) {
   while (read_.size() < size) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
+    pollfd readable{.fd = file_, .events = POLLIN, .revents = 0};
+    if (left.count() <= 0 || ::poll(&readable, 1, static_cast<int>(left.count())) <= 0) return false;
     char buffer[65536];
     const ssize_t got = ::recv(file_, buffer, sizeof buffer, 0);
     if (got <= 0) return false;
@@ -63,6 +72,7 @@ bool RawClient::fill(std::size_t size) {
 }
 
 std::string RawClient::read_head() {
+  deadline_ = std::chrono::steady_clock::now() + patience;
   std::size_t end = read_.find("\r\n\r\n");
   while (end == std::string::npos) {
     if (!fill(read_.size() + 1)) return read_;
@@ -74,9 +84,17 @@ std::string RawClient::read_head() {
 }
 
 std::optional<RawClient::Frame> RawClient::read_frame() {
+  deadline_ = std::chrono::steady_clock::now() + patience;
   std::optional<Frame> frame = read_any_frame();
-  while (frame && frame->payload.starts_with("{\"pulse\"")) frame = read_any_frame();
+  while (frame && frame->payload.starts_with(stamp_head)) frame = read_any_frame();
   return frame;
+}
+
+std::int64_t RawClient::read_stamp() {
+  deadline_ = std::chrono::steady_clock::now() + patience;
+  std::optional<Frame> frame = read_any_frame();
+  while (frame && !frame->payload.starts_with(stamp_head)) frame = read_any_frame();
+  return frame ? std::stoll(frame->payload.substr(stamp_head.size())) : 0;
 }
 
 std::optional<RawClient::Frame> RawClient::read_any_frame() {

@@ -9,6 +9,7 @@
 //   client.send_frame(RawClient::text, "(stop 1 \"now\")");
 //   std::optional<RawClient::Frame> frame = client.read_frame();     // nothing: the connection is over
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -37,14 +38,18 @@ class RawClient {
   void send(const std::string& bytes);
   void send_frame(int kind, const std::string& payload);
   std::string read_head();
-  // Waits ten seconds at most. Stamps, which come whenever they will, are passed over.
+  // Waits ten seconds at most, whatever else comes. Stamps, which come whenever they will, are passed over.
   std::optional<Frame> read_frame();
-  std::optional<Frame> read_any_frame();
+  // The next stamp, other frames passed over; 0 where none comes in that time.
+  std::int64_t read_stamp();
 
  private:
+  std::optional<Frame> read_any_frame();
+  // Until so many bytes are read; false where they have not come by the deadline.
   bool fill(std::size_t size);
 
   int file_;
+  std::chrono::steady_clock::time_point deadline_;
   std::string read_;
 };
 
