@@ -54,6 +54,8 @@ std::string change_text(std::int64_t watch, const Change& change) {
       change.revision, change.resynchronised, change.added.size() - told, removed, added);
 }
 
+std::string told_text(const Fact& fact) { return added_text(Answer{.bindings = {}, .facts = {fact}}); }
+
 std::string failed_watch_text(std::int64_t watch, const Failure& failure) {
   return fmt::format("{{\"watch\":{},\"error\":{},\"said\":{}}}", watch, json_failure(failure),
                      json_string(describe(failure)));

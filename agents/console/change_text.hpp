@@ -23,6 +23,8 @@ constexpr std::size_t most_answers = 2000;
 constexpr std::size_t most_answer_bytes = 1 << 20;
 
 std::string change_text(std::int64_t watch, const Change& change);
+// One of its answers: of a fact alone.
+std::string told_text(const Fact& fact);
 std::string failed_watch_text(std::int64_t watch, const Failure& failure);
 
 // A request's answer: its values, strings as they are and everything else as its text.

@@ -58,6 +58,8 @@ Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   console->access_ = std::make_unique<Access>(std::move(door));
   const Result<void> kept = console->keep_pictures();
   if (!kept) return fail(kept);
+  const Result<void> followed = console->keep_changes();
+  if (!followed) return fail(followed);
   const Result<void> wired = console->tell_wiring();
   if (!wired) return fail(wired);
   return console;
@@ -81,6 +83,13 @@ Result<void> Console::keep_pictures() {
   };
   keeper_ = std::make_unique<PictureKeeper>(
       PictureKeeper::Setup{setup_.executor, setup_.streams, std::move(*board), *setup_.pictures, trouble});
+  return {};
+}
+
+Result<void> Console::keep_changes() {
+  Result<std::unique_ptr<Board>> board = setup_.board(setup_.name + "-changes", "");
+  if (!board) return fail(board);
+  kept_ = std::make_unique<KeptChanges>(setup_.executor, std::move(*board));
   return {};
 }
 
@@ -212,6 +221,7 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
   Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), session.until, ended};
   setup.pictures = setup_.pictures;
   setup.truth = &truth_;
+  setup.kept = kept_.get();
   setup.instruments = &setup_.instruments;
   setup.connect = [this, key = session.key](const std::string& as) { return setup_.board(as, key); };
   pages_.emplace(number, Page{session.number, std::make_unique<Session>(std::move(setup), std::move(socket))});

@@ -85,6 +85,7 @@ class Console {
  private:
   Console(Setup setup, PageFiles page);
   Result<void> keep_pictures();
+  Result<void> keep_changes();
   Result<void> tell_wiring();
   HttpAnswer answer(const HttpRequest& request);
   HttpAnswer exchange(const HttpRequest& request);
@@ -101,6 +102,7 @@ class Console {
   ImageFeeds images_;
   TruthFeed truth_;
   std::unique_ptr<PictureKeeper> keeper_;
+  std::unique_ptr<KeptChanges> kept_;
   std::unique_ptr<Wiring> wiring_;
   std::unique_ptr<HttpServer> server_;
   std::unique_ptr<Access> access_;

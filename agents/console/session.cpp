@@ -31,8 +31,8 @@ std::string hello_text(const CellView& cell, const std::string& name, bool truth
   std::string camera = "null";
   if (cell.camera) {
     const forms::CameraPose& at = *cell.camera;
-    camera = fmt::format("{{\"at\":[{:.2f},{:.2f},{:.2f}],\"pan\":{:.3f},\"tilt\":{:.3f},\"head\":{}}}", at.at_mm[0],
-                         at.at_mm[1], at.at_mm[2], at.pan_deg, at.tilt_deg, cell.head);
+    camera = fmt::format("{{\"at\":[{:.2f},{:.2f},{:.2f}],\"pan\":{:.3f},\"tilt\":{:.3f},\"roll\":{:.3f},\"head\":{}}}",
+                         at.at_mm[0], at.at_mm[1], at.at_mm[2], at.pan_deg, at.tilt_deg, at.roll_deg, cell.head);
   }
   return fmt::format(
       "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"reaches\":{{{}}},\"camera\":{},\"cube\":{:.1f},\"truth\":{"
@@ -87,6 +87,7 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"truth-no-more", {}, &Session::truth_no_more},
                                           {"activity", {}, &Session::activity},
                                           {"activity-no-more", {}, &Session::activity_no_more},
+                                          {"work", {number}, &Session::work},
                                           {"method", {number, number}, &Session::method},
                                           {"look", {name}, &Session::look},
                                           {"look-away", {name}, &Session::look_away},

@@ -22,11 +22,13 @@
 //   (hold-on STAMP), (release)                   what keeps it moving, said every 50 ms, and what ends it
 //   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp)
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
+//   (work N)                    what went on since the console began (kept_changes.hpp)
 //   (method N SECONDS)          what the components are and how they are connected, as seen for so long
 //   (look STREAM), (look-away STREAM), (drawn STREAM)            images; each that was drawn makes room for the next
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
+// {"work":"servo","changes":[...]} some at a time,
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; images as
 // binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it; one that was asked for as
 // `(picture N NUMBER CAPTURED-US WIDTH HEIGHT)`.
@@ -44,6 +46,7 @@
 
 #include "agents/console/image_feed.hpp"
 #include "agents/console/instruments.hpp"
+#include "agents/console/kept_changes.hpp"
 #include "agents/console/picture_store.hpp"
 #include "agents/console/pulse.hpp"
 #include "agents/console/reach_outline.hpp"
@@ -87,6 +90,7 @@ class Session {
     std::function<void()> ended;  // it has left the board; this may be destroyed
     const PictureStore* pictures = nullptr;
     TruthFeed* truth = nullptr;
+    const KeptChanges* kept = nullptr;
     const Instruments* instruments = nullptr;
     Instruments::Connect connect = nullptr;  // others on the board with this page's rights
   };
@@ -149,6 +153,7 @@ class Session {
   void truth_no_more(const Datum& form);
   void activity(const Datum& form);
   void activity_no_more(const Datum& form);
+  void work(const Datum& form);
   void method(const Datum& form);
   void look(const Datum& form);
   void look_away(const Datum& form);
@@ -168,6 +173,8 @@ class Session {
   Task<void> ask_now(Number number, Query query);
   Task<void> ask_then(Number number, Query query);
   Task<void> sample_activity();
+  Task<void> show_work(Number number);
+  Task<void> say_kept(std::string kind, Datum pattern, const std::deque<KeptChange>& kept);
   Task<void> look_at_method(Number number, Duration length);
   Task<void> show_kept(Number number, std::string stream, Time moment);
   void say_arms(const std::vector<Answer>& answers, const std::string& past);

@@ -1,10 +1,12 @@
-// A page's truth overlay and its measurements of the board, each for as long as the page looks.
+// A page's truth overlay and its measurements of the board, each for as long as the page looks; and what went on before
+// it was opened.
 
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "agents/console/change_text.hpp"
 #include "agents/console/session.hpp"
+#include "agents/runtime/declared.hpp"
 #include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr Duration between_samples = 1s;
 constexpr std::int64_t longest_look_s = 60;
+constexpr std::size_t changes_at_once = 100;
 
 std::string failed_text(const char* what, const Failure& failure) {
   return fmt::format("{{\"{}\":null,\"said\":{}}}", what, json_string(describe(failure)));
@@ -47,6 +50,33 @@ Task<void> Session::sample_activity() {
     }
     say_fact(fmt::format("{{\"activity\":{}}}", *sample));
     co_await sleep(setup_.executor, between_samples);
+  }
+}
+
+void Session::work(const Datum& form) { begin_request(form[1].integer(), show_work(form[1].integer())); }
+
+Task<void> Session::show_work(Number number) {
+  if (setup_.kept != nullptr) {
+    co_await say_kept("servo", KeptChanges::servo_pattern(), setup_.kept->servo());
+    co_await say_kept("sightings", KeptChanges::sighting_pattern(), setup_.kept->sightings());
+  }
+  const Datum done;
+  say(reply_text(number, done));
+}
+
+// Where the page's own session may read what was kept.
+Task<void> Session::say_kept(std::string kind, Datum pattern, const std::deque<KeptChange>& kept) {
+  const Result<std::vector<Fact>> may = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
+  if (!may) co_return;
+  const std::vector<KeptChange> changes(kept.begin(), kept.end());
+  for (std::size_t first = 0; first < changes.size(); first += changes_at_once) {
+    std::string items;
+    for (std::size_t i = first; i < std::min(first + changes_at_once, changes.size()); ++i) {
+      items += fmt::format("{}{{\"until\":{},\"answer\":{}}}", items.empty() ? "" : ",",
+                           changes[i].until.time_since_epoch().count(), told_text(changes[i].fact));
+    }
+    co_await room();
+    say_fact(fmt::format("{{\"work\":{},\"changes\":[{}]}}", json_string(kind), items));
   }
 }
 

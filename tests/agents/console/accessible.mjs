@@ -1,22 +1,14 @@
 // node accessible.mjs PIZARRA-CELL SCRATCH: axe-core finds nothing serious in any view of the page.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
-import { expect, expectAccessible, launch, openPage, ownFolder, start } from './browser.mjs';
+import { begin, expectAccessible } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console'], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console']);
 await page.waitForFunction(() => /mm/.test(document.getElementById('readings').textContent));
 const look = (view) => expectAccessible(page, scratch, view);
 for (const tab of await page.locator('[role=tab]').allInnerTexts()) {
   await page.click(`[role=tab]:text-is("${tab}")`);
-  await page.screenshot({ path: join(pictures, `view-${tab.toLowerCase()}.png`) });
+  await picture(`view-${tab.toLowerCase()}`);
   await look(tab);
 }
 await page.click('#tab-drive');
@@ -26,6 +18,4 @@ await look('the arm in hand');
 await page.keyboard.press('Escape');
 await page.waitForSelector('#stopped:not([hidden])');
 await look('a stop');
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

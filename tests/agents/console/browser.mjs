@@ -176,6 +176,26 @@ export async function openPage(browser, address, size = { width: 1280, height: 8
   return page;
 }
 
+// A program that serves a console (`console ...`, `up ... --console`) in a folder of its own, and a page of it that is
+// alive. `picture` keeps what a page shows; `end` finds that nothing went wrong in the pages, and ends everything.
+export async function begin(scratch, words) {
+  const browser = await launch(scratch);
+  const pictures = join(scratch, 'console-screenshots');
+  mkdirSync(pictures, { recursive: true });
+  const folder = ownFolder();
+  const served = start(words, folder);
+  const page = await openPage(browser, await (words[1] === 'up' ? served.next(1) : served.line));
+  await page.waitForSelector('body[data-state=live]');
+  const picture = (name, of = page) => of.screenshot({ path: join(pictures, `${name}.png`) });
+  const end = async (...others) => {
+    for (const { troubles } of [page, ...others]) expect(troubles.length === 0, `nothing went wrong in a page: ${troubles.join('; ')}`);
+    expect((await served.end()) === 0, 'it ends in order');
+    await browser.close();
+    process.exit(0);
+  };
+  return { browser, folder, served, page, picture, end };
+}
+
 // How many pixels of what an element shows are of that colour, or near it.
 export async function pixelsLike(page, selector, colour) {
   const picture = (await page.locator(selector).screenshot()).toString('base64');

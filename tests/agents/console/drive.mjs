@@ -1,19 +1,12 @@
 // node drive.mjs PIZARRA-CELL SCRATCH: the thesis' first subsystem in the Drive view: slides, poses, places by name,
 // actions typed, the questions, and the robot's service taken and given back.
 
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, expectAccessible, here, launch, openPage, ownFolder, start, text } from './browser.mjs';
+import { begin, expect, expectAccessible, here, text } from './browser.mjs';
 import { distance, Driving } from './driving.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console', join(here, 'unattended.scm')]);
 const driving = new Driving(page);
 await driving.begin();
 const done = async (label, command, what) => {
@@ -134,7 +127,7 @@ await page.waitForFunction(() => /released control/.test(document.getElementById
 const home = page.locator('#drive button:text-is("Home")');
 expect(await home.isDisabled(), 'nothing that moves is pressed then');
 expect(/released control/.test(await home.getAttribute('title')), 'and the button says why');
-await page.screenshot({ path: join(pictures, 'released.png') });
+await picture('released');
 await expectAccessible(page, scratch, 'an arm whose control is released');
 await done('Get control', '(get-control)', 'the service is started');
 await page.waitForFunction(() => document.getElementById('service-light').textContent === 'In service');
@@ -142,8 +135,5 @@ await done('Home', '(home)', 'and moves');
 
 const log = await text(page, '#drive .log');
 for (const word of ['(release-control)', '(finish stop)', `(speed ${percent})`]) expect(log.includes(word), `the log has ${word}`);
-await page.screenshot({ path: join(pictures, 'drive.png') });
-expect(page.troubles.length === 0, `nothing went wrong: ${page.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await picture('drive');
+await end();

@@ -1,18 +1,11 @@
 // node head.mjs PIZARRA-CELL SCRATCH: the head that the cameras stand on: slides, places, speeds, resets, its light, and to
 // look where the image is clicked.
 
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, launch, openPage, ownFolder, source, start, text } from './browser.mjs';
+import { begin, expect, source, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console', join(source, 'examples/03-moving-head/cell.scm')], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console', join(source, 'examples/03-moving-head/cell.scm')]);
 await page.click('#tab-head');
 await page.waitForFunction(() => document.getElementById('head-light').textContent === 'ready');
 expect(true, 'the light says that the head is ready');
@@ -90,7 +83,7 @@ await page.waitForFunction(
   [pan0, tilt0],
 );
 expect(true, 'the head looks where the image is clicked');
-await page.screenshot({ path: join(pictures, 'head.png') });
+await picture('head');
 
 for (const [button, command] of [
   ['Reset pan', '(reset-pan)'],
@@ -108,7 +101,4 @@ await page.waitForFunction(() => /^closed/.test(document.getElementById('head-li
 expect(/bad/.test(await page.getAttribute('#head-light', 'class')), 'the light says that it is closed');
 await page.click('#head button:text-is("Connect")');
 await page.waitForFunction(() => document.getElementById('head-light').textContent === 'ready');
-expect(page.troubles.length === 0, `nothing went wrong: ${page.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

@@ -1,18 +1,11 @@
 // node jogging.mjs PIZARRA-CELL SCRATCH: a held jog, and what ends it.
 
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, here, launch, openPage, ownFolder, start } from './browser.mjs';
+import { begin, expect, here } from './browser.mjs';
 import { Driving, jogs } from './driving.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console', join(here, 'unattended.scm')]);
 await page.click('#tab-drive');
 expect(await page.isDisabled(jogs('right')), 'who has no arm in hand jogs none');
 const driving = new Driving(page);
@@ -102,7 +95,7 @@ for (const [what, happen] of [
 
 // A page that hangs is silent: the arm's own agent stops it.
 const hang = async () => {
-  await page.screenshot({ path: join(pictures, 'jog.png') });
+  await picture('jog');
   await page.evaluate(() => {
     const end = performance.now() + 2000;
     while (performance.now() < end);
@@ -111,7 +104,4 @@ const hang = async () => {
 const silence = await jog(press, release, hang, tooLate);
 expect(/has not renewed its hold for \d+ ms/.test(silence.answer), `silence stops the arm: ${silence.answer}`);
 await page.waitForFunction(() => /arm\s*stopped/.test(document.getElementById('readings').innerText));
-expect(page.troubles.length === 0, `nothing went wrong: ${page.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

@@ -1,18 +1,11 @@
 // node look_under.mjs PIZARRA-CELL SCRATCH: what goes on on the board, live; agents with contracts, load and restarts;
 // what the method of the thesis says of the running cell.
 
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, expectAccessible, launch, openPage, ownFolder, source, start, text } from './browser.mjs';
+import { begin, expect, expectAccessible, source, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const up = start([cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console'], folder);
-const page = await openPage(browser, await up.next(1));
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console']);
 
 await page.click('#tab-facts');
 await page.waitForFunction(() => /revision \d+, \d+ facts, [\d.]+ transactions\/s; a fact is committed after/.test(document.getElementById('activity-note').textContent));
@@ -26,7 +19,7 @@ expect(true, 'how long its facts are under way');
 await row('arm-joints').locator('button').click();
 await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer');
 expect((await page.inputValue('#query')) === '(arm-joints ?robot ?joints)', 'a relation is asked for by its name');
-await page.screenshot({ path: join(pictures, 'relations.png') });
+await picture('relations');
 await expectAccessible(page, scratch, 'the relations');
 
 await page.click('#tab-agents');
@@ -52,9 +45,6 @@ const wrapped = await page.locator('#wrappers tr:has-text("CRS")').innerText();
 expect(/robot\s+a device\s+\d+\s+.*17\/182 = 0\.093/s.test(wrapped), `Wrap: ${wrapped}`);
 expect((await page.locator('#connections tbody tr').count()) >= 1, `Connect: ${await page.locator('#connections tbody tr >> nth=0').innerText()}`);
 await page.locator('#method').scrollIntoViewIfNeeded();
-await page.screenshot({ path: join(pictures, 'method.png') });
+await picture('method');
 await expectAccessible(page, scratch, 'the method');
-expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
-expect((await up.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

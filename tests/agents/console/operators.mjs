@@ -1,19 +1,12 @@
 // node operators.mjs PIZARRA-CELL SCRATCH: two pages that want the same arm: asked for, let go, taken over, and stopped by
 // who does not have it.
 
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, expectAccessible, here, launch, openPage, ownFolder, start } from './browser.mjs';
+import { begin, expect, expectAccessible, here, openPage } from './browser.mjs';
 import { Driving, jogs } from './driving.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { browser, served, page, picture, end } = await begin(scratch, [cell, 'console', join(here, 'unattended.scm')]);
 await new Driving(page).begin();
 
 // Another operator.
@@ -26,7 +19,7 @@ const noted = (of, words) =>
   of.waitForFunction((said) => document.getElementById('hands-note').innerText.includes(said), words);
 await second.click('#ask-for-arm');
 await noted(page, 'asks for the arm');
-await page.screenshot({ path: join(pictures, 'asked-for.png') });
+await picture('asked-for');
 await expectAccessible(page, scratch, 'who asks for the arm');
 await second.click('#ask-for-arm');
 await page.waitForSelector('#hands-note', { state: 'hidden' });
@@ -50,8 +43,5 @@ expect(true, 'a taking over is told to both');
 await page.waitForFunction(() => /arm: console/.test(document.getElementById('arm-chip').textContent));
 expect(await page.isDisabled(jogs('right')), 'taking over is told to both');
 await page.bringToFront();
-await page.screenshot({ path: join(pictures, 'taken-over.png') });
-for (const each of [page, second]) expect(each.troubles.length === 0, `nothing went wrong: ${each.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await picture('taken-over');
+await end(second);

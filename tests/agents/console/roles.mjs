@@ -3,14 +3,10 @@
 
 import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
-import { expect, launch, openPage, ownFolder, say, source, start } from './browser.mjs';
+import { begin, expect, say, source } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const up = start([cell, 'up', join(source, 'tests/scenarios/cells/two-of-each.scm'), '--console'], folder);
-const page = await openPage(browser, await up.next(1));
-await page.waitForSelector('body[data-state=live]');
+const { folder, page, end } = await begin(scratch, [cell, 'up', join(source, 'tests/scenarios/cells/two-of-each.scm'), '--console']);
 await page.click('#tab-eyes');
 const looksThrough = (eyes) =>
   page.waitForFunction(
@@ -45,7 +41,4 @@ await served('console eyes vision-2');
 await page.click('#tab-eyes');
 await looksThrough('vision-2');
 expect(true, 'those that are wired serve again when they are back');
-expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
-expect((await up.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

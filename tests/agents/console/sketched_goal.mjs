@@ -1,17 +1,9 @@
 // node sketched_goal.mjs PIZARRA-CELL SCRATCH: a goal by the mouse alone: towers sketched by dragging, and pursued.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
-import { expect, launch, openPage, ownFolder, start, taught } from './browser.mjs';
+import { begin, expect, taught } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console'], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console']);
 await taught(page);
 await page.click('#sketch-toggle');
 await page.waitForFunction(() => document.querySelectorAll('[data-block]').length >= 4);
@@ -37,7 +29,7 @@ expect(
   both.every((fact) => tower.includes(fact)),
   `on top of what is there: ${tower}`,
 );
-await page.screenshot({ path: join(pictures, 'sketch.png') });
+await picture('sketch');
 await drag('circle', async () => {
   const box = await page.locator('.towers').boundingBox();
   return [box.x + box.width - 6, box.y + 12];
@@ -49,7 +41,4 @@ expect((await goal()).includes('(on circle triangle)'), 'by two clicks, too');
 await page.click('#goal-form button[type=submit]');
 await page.waitForSelector('#plan li.running');
 expect(await page.isHidden('#sketch'), 'the plan takes its place');
-expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

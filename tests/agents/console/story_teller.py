@@ -1,7 +1,7 @@
-"""story_teller.py TREE BOARD declare|tell|work|serve|more: declares what it tells, and tells how it begins; tells a story
+"""story_teller.py TREE BOARD declare|tell|work|serve|more|approach: declares what it tells, and tells how it begins; tells a story
 with two goals, a plan that was made anew, facts because of facts, of which one has gone, and an arm that moves; tells
 260 entries of work, of which the newest 200 stand, as a coordinator does; tells a plan of which a part was done by
-somebody else; tells one entry more."""
+somebody else; tells one entry more; tells an approach that is over, and a mark that was lost and seen again."""
 
 import sys
 
@@ -23,6 +23,8 @@ RELATIONS = POSTS[:-1] + [
     "(relation goal-state ((n integer) (state symbol) (detail list)) (key n) (durable))",
     "(relation plan ((n integer) (operations list)) (key) (durable))",
     "(relation operation ((index integer) (operation list) (state symbol)) (key) (durable))",
+    "(relation servo ((state integer) (object symbol) (x number) (y number) (d number)) (key))",
+    "(relation tracked ((eyes symbol) (name string) (state symbol) (frame integer) (confidence number)) (key eyes name))",
     "(relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)"
     " (m0 number) (m1 number) (m2 number)) (key eyes name num) (durable))",
 ]
@@ -101,6 +103,15 @@ def work(board):
     board.tell("(goal-state 1 reached ())")
 
 
+def approach(board):
+    for state in (1, 2, 3, 4):
+        for error in (9, 4, 1):
+            board.tell(f"(servo {state} circle {error} {error} {error})")
+    board.transact(steps=[retract("(servo ?state ?object ?x ?y ?d)")])
+    for state in ("seen", "bridged", "lost", "seen"):
+        board.tell(f'(tracked eyes "circle" {state} 7 0.9)')
+
+
 def more(board):
     tell_event(board, 261, 'result "goal 1 is reached" ()')
     tell_event(board, 262, 'missing "the cross is not seen" cross')
@@ -124,7 +135,7 @@ def serve(board):
     board.tell(f"(operation 2 {plan[2]} running)")
 
 
-WORDS = {"declare": declare, "tell": tell_all, "work": work, "more": more, "serve": serve}
+WORDS = {"declare": declare, "tell": tell_all, "work": work, "more": more, "serve": serve, "approach": approach}
 with Board(sys.argv[2], "teller") as client:
     WORDS[sys.argv[3]](client)
     print("done", flush=True)

@@ -1,18 +1,11 @@
 // node teaching.mjs PIZARRA-CELL SCRATCH: an object taught by a click: training, the learned parameters, a name, a
 // second sample, a click on a frame that has gone by, and what is refused with its reason.
 
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, launch, openPage, ownFolder, start, taught, text } from './browser.mjs';
+import { begin, expect, taught, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console'], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console']);
 await taught(page);
 await page.click('#tab-eyes');
 const objects = () => page.locator('.objects li strong').allInnerTexts();
@@ -72,7 +65,7 @@ const filling = shown.filter(({ red }) => red > 0);
 expect(filling.every(({ grey, red }) => grey > (6400 - red) * 0.6), 'the rest is grey meanwhile');
 const table = await text(page, '#learned-window dl');
 expect(/Area/.test(table) && /Perimeter/.test(table) && /NF/.test(table) && /M2/.test(table), 'Table C.1 is shown before it is named');
-await page.screenshot({ path: join(pictures, 'learned.png') });
+await picture('learned');
 await page.click('#reject');
 await hint('Rejected');
 expect(await page.isHidden('#learned-window'), 'what is rejected is asked about no more');
@@ -117,13 +110,10 @@ await page.waitForFunction(() => /TRACK/.test(document.querySelector('[aria-labe
 await page.waitForSelector('#training:disabled');
 expect(true, 'tracking excludes learning');
 expect(/tracks/.test(await page.getAttribute('#training', 'title')), 'and the button says why');
-await page.screenshot({ path: join(pictures, 'tracking.png') });
+await picture('tracking');
 await page.click('#eyes button:text-is("End track")');
 await page.waitForSelector('#training:not(:disabled)');
 
 await page.click('#tab-head');
 expect(await page.isDisabled('#head button:text-is("Reset both")'), 'a cell without a head shows its controls off');
-expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

@@ -1,18 +1,10 @@
 // node watch.mjs PIZARRA-CELL SCRATCH: the cell in three dimensions: reach, camera, objects as sure and as exact as they
 // are seen, the way to the target, and the simulated world's truth, which only the page is shown.
 
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
-import { ask, expect, expectAccessible, launch, openPage, ownFolder, pixelsLike, start, taught, text } from './browser.mjs';
+import { ask, begin, expect, expectAccessible, pixelsLike, taught, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const browser = await launch(scratch);
-const folder = ownFolder();
-const pictures = join(scratch, 'console-screenshots');
-mkdirSync(pictures, { recursive: true });
-const served = start([cell, 'console'], folder);
-const page = await openPage(browser, await served.line);
-await page.waitForSelector('body[data-state=live]');
+const { page, picture, end } = await begin(scratch, [cell, 'console']);
 const shows = (kind, wanted) =>
   page.waitForFunction(([of, like]) => new RegExp(like).test(document.getElementById('scene').dataset[of] ?? ''), [kind, wanted]);
 const canvas = '#scene-card';
@@ -40,7 +32,7 @@ expect(/known to no agent/.test(await text(page, '#truth-note')), 'it is marked 
 expect((await pixelsLike(page, canvas, pink)) > 100, 'the truth is laid over what is believed');
 await page.click('#tab-story');
 await page.selectOption('#story select', { label: '10 minutes' });
-await page.screenshot({ path: join(pictures, 'truth.png') });
+await picture('truth');
 await expectAccessible(page, scratch, 'the cell in three dimensions');
 await page.uncheck('#truth');
 await shows('truth', '^0$');
@@ -48,7 +40,4 @@ expect((await pixelsLike(page, canvas, pink)) === 0, 'and taken away again');
 await ask(page, '(truth ?this)');
 await page.waitForSelector('#query-wrong:not([hidden])');
 expect(/no relation is called truth/.test(await text(page, '#query-wrong')), 'the board has never heard of it');
-expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
-expect((await served.end()) === 0, 'it ends in order');
-await browser.close();
-process.exit(0);
+await end();

@@ -18,13 +18,34 @@ const counted = (marks) => marks.map((label) => 1 + Number(label.match(/ and (\d
 const labels = () => page.locator('#work .mark').evaluateAll((marks) => marks.map((mark) => mark.getAttribute('aria-label')));
 const inLane = async (lane) => counted((await labels()).filter((label) => label.startsWith(lane)));
 const waitFor = (condition, ...of) => page.waitForFunction(condition, ...of);
-await waitFor(() => {
-  const found = [...document.querySelectorAll('#work .mark[data-lane=Operations]')].map((mark) => mark.getAttribute('aria-label'));
-  return found.reduce((sum, label) => sum + 1 + Number(label.match(/ and (\d+) more$/)?.[1] ?? 0), 0) === 43;
-});
+const wholeStory = () =>
+  waitFor(() => {
+    const found = [...document.querySelectorAll('#work .mark[data-lane=Operations]')].map((mark) => mark.getAttribute('aria-label'));
+    return found.reduce((sum, label) => sum + 1 + Number(label.match(/ and (\d+) more$/)?.[1] ?? 0), 0) === 43;
+  });
+await wholeStory();
 expect((await page.locator('#story > .timeline details').count()) === 200, 'the list holds the newest 200');
 expect((await inLane('Plans')) === 43 && (await inLane('Differences')) === 44, 'the picture holds all of them, by the journal');
+const lane = (name, words) =>
+  waitFor(
+    ([of, like]) => [...document.querySelectorAll(`#work .mark[data-lane=${of}] title`)].some((title) => new RegExp(like).test(title.textContent)),
+    [name, words],
+  );
+const showsApproach = async () => {
+  await lane('Servo', 'servo align x: circle');
+  await lane('Servo', 'servo fine: circle');
+  await lane('Sightings', 'eyes: circle lost since frame 7');
+};
 expect((await inLane('Servo')) === 44, 'what the servo met');
+told.tell('approach');
+await showsApproach();
+// A page that is opened when all of it is over shows the same.
+await page.reload();
+await page.waitForSelector('body[data-state=live]');
+await wholeStory();
+await showsApproach();
+expect((await inLane('Servo')) === 44 + 4, 'each of its states once, also of before the page was opened');
+expect((await inLane('Sightings')) === 4, 'what came into sight and went');
 expect((await inLane('Faults')) === 86, 'what failed, and who went');
 expect((await labels()).some((label) => /^Goals, .*goal 1 reached: \(on circle triangle\)/.test(label)), 'the goal and its outcome');
 expect((await page.locator('#work .mark').count()) < 60, 'and never more marks than can be told apart');

@@ -8,9 +8,10 @@ const shown = 8;
 
 function wordsOf(sighting) {
   if (!sighting) return 'not looked for';
-  const sure = sighting.confidence === undefined ? sighting.state : `${(sighting.confidence * 100).toFixed(0)} %`;
-  const off = sighting.spread > 0 ? `  ±${(2 * sighting.spread).toFixed(1)} mm` : '';
-  return sighting.state === 'seen' ? sure + off : sighting.state;
+  const { state, confidence, spread } = sighting;
+  if (state !== 'seen' && state !== 'found') return state;
+  const sure = confidence === undefined ? state : `${(confidence * 100).toFixed(0)} %`;
+  return spread > 0 ? `${sure}  ±${(2 * spread).toFixed(1)} mm` : sure;
 }
 
 // Answers what is told whenever the eyes have looked.

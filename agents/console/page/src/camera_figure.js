@@ -1,26 +1,20 @@
-// The camera's view: from where the cell file has it, turned by the head that it stands on, as wide as its model says.
-// Nobody knows the view of a head that does not say how it is turned, and none is drawn.
+// The camera's view: from where the coordinator believes it, or the cell file has it, turned by the head that it stands
+// on, as wide as its model says. Nobody knows the view of a head that does not say how it is turned, and none is drawn.
 
-import { BufferGeometry, LineBasicMaterial, LineSegments, Vector3 } from 'three';
+import { BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
+import { cameraFrame } from './camera_frame.js';
 import { fact } from './live_answers.js';
 
-// The pair's view: along the base's -x, turned by pan towards +y and by tilt upwards.
-function frustum(camera, turn, model) {
+const far = 320;
+
+function frustum({ eye, right, down, ahead }, model) {
   const [, , width, height, focal] = model;
-  const far = 320;
-  const pan = ((camera.pan + turn.pan) * Math.PI) / 180;
-  const tilt = ((camera.tilt + turn.tilt) * Math.PI) / 180;
-  const ahead = new Vector3(-Math.cos(pan) * Math.cos(tilt), Math.sin(pan) * Math.cos(tilt), Math.sin(tilt));
-  const right = new Vector3(Math.sin(pan), Math.cos(pan), 0);
-  const up = new Vector3().crossVectors(ahead, right).multiplyScalar(-1);
-  if (up.z < 0) up.negate();
-  const eye = new Vector3(...camera.at);
   const corner = (x, y) =>
     eye
       .clone()
       .addScaledVector(ahead, far)
       .addScaledVector(right, (x * far * width) / 2 / focal)
-      .addScaledVector(up, (y * far * height) / 2 / focal);
+      .addScaledVector(down, (y * far * height) / 2 / focal);
   const corners = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
   const points = corners.flatMap((c, i) => [eye, c, c, corners[(i + 1) % 4]]);
   return new LineSegments(
@@ -29,32 +23,48 @@ function frustum(camera, turn, model) {
   );
 }
 
-const ahead = { pan: 0, tilt: 0 };
+const unturned = { pan: 0, tilt: 0 };
 
-export function showCamera(connection, view) {
-  let camera = null;
-  let model = null;
-  let turn = null;
-  let figure = null;
-  const show = () => {
-    if (figure) view.scene.remove(figure);
-    const turned = camera?.head ? turn : ahead;
-    figure = camera && turned && model?.[4] > 0 ? frustum(camera, turned, model) : null;
-    if (figure) view.scene.add(figure);
-    view.says('camera', Boolean(figure));
-    view.ask();
-  };
-  connection.follow('(camera-model ?eyes ?width ?height ?focal ?cx ?cy ?base)', (answers) => {
-    model = answers.length ? fact(answers[0]) : null;
-    show();
-  });
-  connection.follow('(head ?pan ?tilt ?state)', (answers) => {
-    const [, pan, tilt] = answers.length ? fact(answers[0]) : [];
-    turn = answers.length ? { pan, tilt } : null;
-    show();
-  });
-  return (at) => {
-    camera = at;
-    show();
-  };
+export class CameraFigure {
+  #view;
+  #moved;
+  #ofFile = null;
+  #believed = null;
+  #model = null;
+  #turn = null;
+  #figure = null;
+  frame = null; // where it is known
+
+  // `moved` is told whenever the frame has changed.
+  constructor(connection, view, moved) {
+    this.#view = view;
+    this.#moved = moved;
+    const follow = (query, take) =>
+      connection.follow(query, (answers) => {
+        take(answers.length ? fact(answers[0]) : null);
+        this.#show();
+      });
+    follow('(camera-model ?eyes ?width ?height ?focal ?cx ?cy ?base)', (model) => (this.#model = model));
+    follow('(head ?pan ?tilt ?state)', (head) => (this.#turn = head && { pan: head[1], tilt: head[2] }));
+    follow('(camera-pose ?x ?y ?z ?pan ?tilt ?roll ?state ?spread ?guess)', (told) => {
+      this.#believed = told && { at: told.slice(1, 4), pan: told[4], tilt: told[5], roll: told[6] };
+    });
+  }
+
+  setCell({ camera }) {
+    this.#ofFile = camera;
+    this.#show();
+  }
+
+  #show() {
+    if (this.#figure) this.#view.scene.remove(this.#figure);
+    const camera = this.#ofFile && { ...this.#ofFile, ...this.#believed };
+    const turn = camera?.head ? this.#turn : unturned;
+    this.frame = camera && turn ? cameraFrame(camera, turn) : null;
+    this.#figure = this.frame && this.#model?.[4] > 0 ? frustum(this.frame, this.#model) : null;
+    if (this.#figure) this.#view.scene.add(this.#figure);
+    this.#view.says('camera', Boolean(this.#figure));
+    this.#moved();
+    this.#view.ask();
+  }
 }

@@ -19,6 +19,7 @@ export class Connection {
   #stamp = 0;
   #laid = null; // who is shown the world's truth
   #sampled = null; // and what goes on on the board
+  #earlier = null; // and what went on before this page was opened
   #moment = null; // what is shown is of then, in microseconds; null: of now
   #asked = new Map(); // questions of the past, by their watches
 
@@ -86,6 +87,7 @@ export class Connection {
       for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
       if (this.#laid) this.#say(sym('truth'));
       if (this.#sampled) this.#say(sym('activity'));
+      if (this.#earlier) this.#say(sym('work'), this.#next++);
     } else if (message.arm) {
       if ((message.past ?? null) === this.#moment) this.onArm(message);
       this.#takenIn();
@@ -99,6 +101,9 @@ export class Connection {
       this.#takenIn();
     } else if ('activity' in message) {
       this.#sampled?.(message.activity, message.said);
+      this.#takenIn();
+    } else if (message.work) {
+      this.#earlier?.(message.work, message.changes);
       this.#takenIn();
     } else if (message.pulse) {
       this.#stamp = message.pulse;
@@ -270,6 +275,11 @@ export class Connection {
   sampleActivity(show) {
     this.#sampled = show;
     this.#say(sym(show ? 'activity' : 'activity-no-more'));
+  }
+  // Some at a time, and anew with each connection: `show('servo', changes)`, `show('sightings', changes)`.
+  earlierWork(show) {
+    this.#earlier = show;
+    this.#say(sym('work'), this.#next++);
   }
   async method(seconds) {
     const [report] = await this.#call(null, 'method', seconds);

@@ -98,6 +98,7 @@ export function showEyes(connection, images, roles, me) {
     const track = button('Track', sym('track'), name);
     const forget = button('Forget', sym('forget'), name);
     const more = element('button', { type: 'button', onclick: () => teaching.more(name) }, 'Add sample');
+    const by = [...new Set(samples.map((one) => one.eyes))].join(', ');
     const alike = objects.alike(name).map((sentence) => element('small', { class: 'warn' }, clipped(sentence, 160)));
     const item = element(
       'li',
@@ -111,7 +112,7 @@ export function showEyes(connection, images, roles, me) {
         'span',
         {},
         element('strong', {}, clipped(name, 64)),
-        element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''}; `, state),
+        element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''} by ${clipped(by, 64)}; `, state),
         ...alike,
       ),
       button('Find', sym('find'), name),

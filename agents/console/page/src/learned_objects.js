@@ -3,7 +3,7 @@
 //
 //   const objects = new LearnedObjects(roles);              of those eyes that play the role
 //   objects.onChange(() => objects.names());
-//   objects.sample('circle', 1)      { num, parameters, picture, tone }
+//   objects.samples('circle')        [{ eyes, num, parameters, picture, tone }, ...]
 
 import { text } from './datum.js';
 
@@ -26,7 +26,7 @@ export class LearnedObjects {
       });
     follow('(learned ?eyes ?name ?num ?area ?perimeter ?nf ?m0 ?m1 ?m2)', (facts) => (this.#learned = facts));
     follow('(learned-template ?eyes ?name ?num ?tone ? ? ? ? ? ? ?picture)', (facts) => {
-      this.#templates = new Map(facts.map((row) => [`${row[2]} ${row[3]}`, row]));
+      this.#templates = new Map(facts.map((row) => [`${row[1]} ${row[2]} ${row[3]}`, row]));
     });
     follow('(look-alike ?eyes ?name ?other ?error ?sentence)', (facts) => (this.#alike = facts));
   }
@@ -54,9 +54,10 @@ export class LearnedObjects {
   }
 
   #shown(row) {
-    const template = this.#templates.get(`${row[2]} ${row[3]}`);
+    const template = this.#templates.get(`${row[1]} ${row[2]} ${row[3]}`);
     const values = row.slice(4).map((value, i) => [parameters[i], Number.isInteger(value) ? value : value.toFixed(3)]);
     return {
+      eyes: text(row[1]),
       num: row[3],
       parameters: values,
       picture: template ? text(template.at(-1)) : '',

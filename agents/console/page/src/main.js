@@ -31,7 +31,7 @@ showTabs();
 const logIn = showLogIn(connection);
 showStop(connection, hands);
 showHandsNote(hands);
-const scene = showScene(connection);
+const scene = showScene(connection, roles);
 const images = showImages(connection, roles);
 const entries = new WorkEntries(connection);
 showWant(connection, entries);

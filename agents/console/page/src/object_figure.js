@@ -1,12 +1,10 @@
 // An object where the coordinator places it: a white cube with its mark on the face that the camera sees, and its name
 // above. The place is the mark's. The end effector's own mark is a plate that the arm carries. What is not seen in this
-// look is faint. A bar along the line of sight shows how far the distance may be off: twice its standard deviation to
-// both sides, fifty times enlarged. The target of the arm stands in a ring.
+// look is faint. An ellipsoid shows how far off it may be (spread_figure.js). The target of the arm stands in a ring.
 
 import {
   BoxGeometry,
   CanvasTexture,
-  CylinderGeometry,
   DoubleSide,
   Group,
   Mesh,
@@ -18,13 +16,11 @@ import {
   SRGBColorSpace,
   Vector3,
 } from 'three';
+import { SpreadFigure } from './spread_figure.js';
 
 const between = 160; // ms
 const carried = 'end-effector';
-const enlarged = 50;
-const deviations = 2;
 const unseen = 0.45; // of its opacity
-const along = new Vector3(0, 1, 0);
 const marks = {
   circle: (c) => c.arc(64, 64, 34, 0, 2 * Math.PI),
   square: (c) => c.rect(33, 33, 62, 62),
@@ -103,7 +99,7 @@ export class ObjectFigure {
   #to = null;
   #since = 0;
   #materials;
-  #spread;
+  #spread = new SpreadFigure();
   #ring;
 
   constructor(name, size) {
@@ -120,28 +116,23 @@ export class ObjectFigure {
     name_plate.scale.set(size * 2.4, size * 0.6, 1);
     name_plate.position.set(-size / 2, 0, size * 0.85);
     this.#materials = [white, marked];
-    this.#spread = new Mesh(new CylinderGeometry(4, 4, 1, 8), new MeshBasicMaterial({ color: 0x6cc0ff, depthTest: false, transparent: true }));
     this.#ring = new Mesh(new RingGeometry(size * 0.85, size * 0.97, 40), new MeshBasicMaterial({ color: 0xf2a33a, side: DoubleSide, transparent: true }));
     this.#ring.position.set(-depth / 2, 0, -width / 2 + 2);
-    this.#spread.visible = false;
     this.#ring.visible = false;
-    this.group.add(cube, name_plate, this.#spread, this.#ring);
+    this.group.add(cube, name_plate, this.#spread.mesh, this.#ring);
   }
 
-  // What the eyes say of it in their newest look (sightings.js), from where they look; undefined where they do not.
-  believe(sighting, eye) {
-    const faint = sighting && sighting.state !== 'seen';
+  // What the eyes say of it (sightings.js), and the frame they say it in (camera_frame.js); undefined where they do not.
+  believe(sighting, frame) {
+    const faint = sighting && !['seen', 'found'].includes(sighting.state);
     for (const material of this.#materials) {
       material.opacity = faint ? unseen : 1;
       material.transparent = Boolean(faint);
     }
-    this.#spread.visible = Boolean(sighting?.spread > 0 && eye && this.#to);
-    if (!this.#spread.visible) return;
-    this.#spread.scale.setY(2 * deviations * enlarged * sighting.spread);
-    this.#spread.quaternion.setFromUnitVectors(along, new Vector3(...eye).sub(this.#to).normalize());
+    this.#spread.show(sighting, frame, this.#to);
   }
   hasSpread() {
-    return this.#spread.visible;
+    return this.#spread.mesh.visible;
   }
   mark(isTarget) {
     this.#ring.visible = isTarget;

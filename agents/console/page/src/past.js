@@ -27,7 +27,9 @@ export function showPast(connection, images) {
     note.textContent = moment === null ? 'now' : `${clock(moment)} …`;
     images.showMoment(moment);
     const failure = await connection.showMoment(moment);
-    if (moment !== null) note.textContent = failure ? failureText(failure) : `as it was at ${clock(moment)}`;
+    // Another moment may have been chosen meanwhile.
+    if (moment === null || connection.moment !== moment) return;
+    note.textContent = failure ? failureText(failure) : `as it was at ${clock(moment)}`;
   };
   slider.addEventListener('input', () => (note.textContent = clock(at())));
   slider.addEventListener('change', () => show(Number(slider.value) === 1000 ? null : at()));

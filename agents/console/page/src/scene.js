@@ -4,6 +4,7 @@
 
 import { BufferGeometry, Float32BufferAttribute, Group, Line, LineDashedMaterial, Vector3 } from 'three';
 import { ArmFigure } from './arm_figure.js';
+import { CameraFigure } from './camera_figure.js';
 import { makeView } from './cell_view.js';
 import { ObjectFigure } from './object_figure.js';
 import { ReachFigure } from './reach_figure.js';
@@ -11,8 +12,7 @@ import { TruthOverlay } from './truth_overlay.js';
 import { fact } from './live_answers.js';
 import { sightingsIn } from './sightings.js';
 import { showBeliefs } from './beliefs.js';
-import { showCamera } from './camera_figure.js';
-import { showReadings } from './readings.js';
+import { Readings } from './readings.js';
 import { text } from './datum.js';
 
 const most = 64;
@@ -52,21 +52,26 @@ function followTarget(connection, changed) {
   });
 }
 
-export function showScene(connection) {
+export function showScene(connection, roles) {
   const view = makeView();
   let arm = null;
   let reach = null;
   let target = '';
   let hello = nobody;
+  let robot = '';
   const objects = new Map();
-  const moved = { robot: 'robot', open: (opening) => view && arm?.open(opening) && view.ask() };
-  showReadings(connection, moved);
+  const told = new Map(); // the newest of each arm
+  const readings = new Readings(connection, (opening) => view && arm?.open(opening) && view.ask());
   const showSightings = showBeliefs(connection);
-  if (!view) return { moveArm: () => {}, setCell: (told) => (moved.robot = told.arms[0] ?? 'robot') };
+  if (!view) {
+    roles.onChange(() => readings.show(roles.server('robot') || 'robot'));
+    return { moveArm: () => {}, setCell: () => {} };
+  }
 
   const things = new Group();
   const way = new Way();
-  const setCamera = showCamera(connection, view);
+  let seen = new Map();
+  const camera = new CameraFigure(connection, view, () => believe());
   const truth = new TruthOverlay(connection, view);
   view.scene.add(things, way.line);
   view.moving = () => {
@@ -80,8 +85,11 @@ export function showScene(connection) {
     view.says('target', objects.has(target) ? target : '');
     view.ask();
   };
+  const believe = () => {
+    for (const [name, figure] of objects) figure.believe(seen.get(name), camera.frame);
+    view.says('spread', [...objects.values()].filter((figure) => figure.hasSpread()).length);
+  };
 
-  let seen = new Map();
   const place = (name, [, , x, y, z]) => {
     if (!objects.has(name)) {
       if (objects.size >= most) return;
@@ -89,7 +97,6 @@ export function showScene(connection) {
       things.add(objects.get(name).group);
     }
     objects.get(name).goTo(x, y, z);
-    objects.get(name).believe(seen.get(name), hello.camera?.at);
   };
   connection.follow('(place ?name ?x ?y ?z ?frame)', (answers) => {
     const placed = new Map(answers.map((answer) => [text(fact(answer)[1]), fact(answer)]));
@@ -99,41 +106,59 @@ export function showScene(connection) {
       objects.delete(name);
     }
     for (const [name, told] of placed) place(name, told);
+    believe();
     mark();
   });
-  connection.follow('(look ?eyes ?frame ?text ?of)', (answers) => {
-    seen = sightingsIn(answers);
-    for (const [name, figure] of objects) figure.believe(seen.get(name), hello.camera?.at);
-    view.says('spread', [...objects.values()].filter((figure) => figure.hasSpread()).length);
-    showSightings(seen);
-    view.ask();
-  });
+  const sighted = { looks: [], found: [] };
+  const follow = (name, query) =>
+    connection.follow(query, (answers) => {
+      sighted[name] = answers;
+      seen = sightingsIn(sighted.looks, sighted.found);
+      believe();
+      showSightings(seen);
+      view.ask();
+    });
+  follow('looks', '(look ?eyes ?frame ?text ?of)');
+  follow('found', '(found ?eyes ?name ?frame ?confidence ?second ?margin ?others ?places)');
   followTarget(connection, (name) => {
     target = name;
     mark();
   });
 
+  const drawArm = (message) => {
+    if (!arm) {
+      arm = new ArmFigure();
+      view.scene.add(arm.group);
+    }
+    arm.goTo(message);
+    reach?.standAt(message.points[0]);
+    view.ask();
+  };
+  // The arm of whoever plays the robot's role, and how far that reaches.
+  const choose = () => {
+    robot = roles.server('robot') || (hello.arms[0] ?? 'robot');
+    readings.show(robot);
+    for (const figure of [arm, reach]) if (figure) view.scene.remove(figure.group);
+    arm = null;
+    reach = hello.reaches[robot] ? new ReachFigure(hello.reaches[robot]) : null;
+    if (reach) view.scene.add(reach.group);
+    view.says('reach', Boolean(reach));
+    view.says('arm', robot);
+    if (told.has(robot)) drawArm(told.get(robot));
+    view.ask();
+  };
+  roles.onChange(() => (roles.server('robot') || robot) !== robot && choose());
+
   return {
     moveArm: (message) => {
-      if (message.arm !== moved.robot) return;
-      if (!arm) {
-        arm = new ArmFigure();
-        view.scene.add(arm.group);
-      }
-      arm.goTo(message);
-      reach?.standAt(message.points[0]);
-      view.ask();
+      told.set(message.arm, message);
+      if (message.arm === robot) drawArm(message);
     },
-    setCell: (told) => {
-      hello = told;
-      moved.robot = told.arms[0] ?? 'robot';
-      setCamera(told.camera);
-      truth.setCell(told);
-      if (reach) view.scene.remove(reach.group);
-      const outline = told.reaches[moved.robot];
-      reach = outline ? new ReachFigure(outline) : null;
-      if (reach) view.scene.add(reach.group);
-      view.says('reach', Boolean(reach));
+    setCell: (cell) => {
+      hello = cell;
+      camera.setCell(cell);
+      truth.setCell(cell);
+      choose();
     },
   };
 }

@@ -2,7 +2,7 @@
 // opens its detail, what it was told because of, and what was seen then; above them the coordinator says why it does
 // what it does.
 
-import { clipped, clock, eachFrame, element, failureText, find } from './dom.js';
+import { arrange, clipped, clock, eachFrame, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { goalHistory } from './goal_history.js';
 import { keptPicture } from './kept_picture.js';
@@ -84,7 +84,7 @@ export function showStory(connection, entries, images, goTo) {
     const keys = new Set(newest.map(keyOf));
     for (const key of made.keys()) if (!keys.has(key)) made.delete(key);
     for (const answer of newest) if (!made.has(keyOf(answer))) made.set(keyOf(answer), entry(answer));
-    list.replaceChildren(...newest.map((answer) => made.get(keyOf(answer))));
+    arrange(list, newest.map((answer) => made.get(keyOf(answer))));
     work.draw();
   });
   entries.onChange(draw);

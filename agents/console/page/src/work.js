@@ -4,6 +4,7 @@
 import { clipped, clock, eachFrame, element } from './dom.js';
 import { fact } from './live_answers.js';
 import { toldBy } from './provenance.js';
+import { WorkChanges } from './work_changes.js';
 import { entryMarks, goalMarks, refusalMarks, servoMarks, sightingMarks } from './work_marks.js';
 import { WorkPicture } from './work_picture.js';
 
@@ -12,38 +13,8 @@ const spans = [
   ['1 hour', 3600e6],
   ['8 hours', 8 * 3600e6],
 ];
-const mostChanges = 2000; // of the servo, and of what is in sight
 const mostOpened = 20;
 const goesOn = 5000; // ms between two drawings of a time in which nothing happens
-
-// While the page is open, a state of the servo and how long it lasted.
-function servoChanges(connection, changed) {
-  const changes = [];
-  connection.follow('(servo ?state ?object ?x ?y ?d)', (answers) => {
-    if (connection.moment !== null) return;
-    const last = changes.at(-1);
-    const [answer] = answers;
-    const same = answer && last && !last.ended && fact(last.answer)[1] === fact(answer)[1];
-    if (last && !last.ended) last.until = answer ? answer.facts[0].when : last.until;
-    if (same) return changed();
-    if (last) last.ended = true;
-    if (answer) changes.push({ answer, until: answer.facts[0].when, ended: false });
-    if (changes.length > mostChanges) changes.shift();
-    changed();
-  });
-  return changes;
-}
-
-// What came into sight and went, as far as the page was told of it.
-function sightChanges(connection, changed) {
-  const changes = new Map();
-  connection.follow('(tracked ?eyes ?name ?state ?frame ?confidence)', (answers) => {
-    for (const answer of answers) changes.set(answer.ids[0], answer);
-    for (const id of [...changes.keys()].slice(0, Math.max(0, changes.size - mostChanges))) changes.delete(id);
-    changed();
-  });
-  return changes;
-}
 
 // `entryOf` makes the story's entry of a fact of the story.
 export function showWork(connection, entries, entryOf) {
@@ -74,14 +45,13 @@ export function showWork(connection, entries, entryOf) {
     const marks = [
       ...goalMarks(held.goals, held.states, until),
       ...entryMarks(entries.until(until)),
-      ...servoMarks(servo.filter((change) => change.until <= until)),
-      ...sightingMarks([...sightings.values()].filter((answer) => answer.facts[0].when <= until)),
+      ...servoMarks(changes.servo(until)),
+      ...sightingMarks(changes.sightings(until)),
       ...refusalMarks(held.refusals),
     ];
     picture.draw(marks, since, until);
   });
-  const servo = servoChanges(connection, draw);
-  const sightings = sightChanges(connection, draw);
+  const changes = new WorkChanges(connection, draw);
   const follow = (query, name) =>
     connection.follow(query, (answers) => {
       held[name] = answers;

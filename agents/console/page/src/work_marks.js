@@ -51,19 +51,19 @@ export function refusalMarks(refusals) {
 
 // Where an object came into sight, or went out of it.
 export function sightingMarks(changes) {
-  return changes.map((answer) => {
+  return changes.map(({ answer }) => {
     const [, eyes, name, state, frame] = fact(answer);
     const label = `${text(eyes)}: ${text(name)} ${text(state)} since frame ${frame}`;
     return { lane: 'Sightings', from: told(answer), until: told(answer), kind: text(state), label, answer };
   });
 }
 
-// The states of the visual servo as they were told while the page was open.
+// The states of the visual servo, for as long as each lasted.
 export function servoMarks(changes) {
   return changes.map(({ answer, until }) => {
     const [, state, object] = fact(answer);
     const label = `servo ${servoStates[state] ?? state}: ${text(object)}`;
-    return { lane: 'Servo', from: told(answer), until: until ?? told(answer), kind: `state-${state}`, label, answer };
+    return { lane: 'Servo', from: told(answer), until, kind: `state-${state}`, label, answer };
   });
 }
 
