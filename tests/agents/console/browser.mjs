@@ -155,6 +155,9 @@ export function storyBoard(board, folder, ...options) {
   return { at, tell: (word = 'tell') => teller(word), end: kept.end };
 }
 
+// For a picture of a view that is longer than the usual page.
+export const tall = { width: 1280, height: 1080 };
+
 // A page that counts what a page of ours must never do.
 export async function openPage(browser, address, size = { width: 1280, height: 800 }) {
   const page = await browser.newPage({ viewport: size });
@@ -176,6 +179,15 @@ export async function openPage(browser, address, size = { width: 1280, height: 8
   return page;
 }
 
+// Of what a page shows, in a window of another size where one is given.
+export async function keepPicture(page, path, size = null) {
+  const usual = page.viewportSize();
+  if (size) await page.setViewportSize(size);
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  await page.screenshot({ path });
+  if (size) await page.setViewportSize(usual);
+}
+
 // A program that serves a console (`console ...`, `up ... --console`) in a folder of its own, and a page of it that is
 // alive. `picture` keeps what a page shows; `end` finds that nothing went wrong in the pages, and ends everything.
 export async function begin(scratch, words) {
@@ -186,7 +198,7 @@ export async function begin(scratch, words) {
   const served = start(words, folder);
   const page = await openPage(browser, await (words[1] === 'up' ? served.next(1) : served.line));
   await page.waitForSelector('body[data-state=live]');
-  const picture = (name, of = page) => of.screenshot({ path: join(pictures, `${name}.png`) });
+  const picture = (name, of = page, size = null) => keepPicture(of, join(pictures, `${name}.png`), size);
   const end = async (...others) => {
     for (const { troubles } of [page, ...others]) expect(troubles.length === 0, `nothing went wrong in a page: ${troubles.join('; ')}`);
     expect((await served.end()) === 0, 'it ends in order');

@@ -2,12 +2,14 @@
 // actions typed, the questions, and the robot's service taken and given back.
 
 import { join } from 'node:path';
-import { begin, expect, expectAccessible, here, text } from './browser.mjs';
+import { begin, expect, expectAccessible, here, tall, text } from './browser.mjs';
 import { distance, Driving } from './driving.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const { page, picture, end } = await begin(scratch, [cell, 'console', join(here, 'unattended.scm')]);
 const driving = new Driving(page);
+await page.click('#tab-eyes');
+await page.click('#eyes button:text-is("Connect")');
 await driving.begin();
 const done = async (label, command, what) => {
   const answer = await driving.driven(label, command);
@@ -135,5 +137,7 @@ await done('Home', '(home)', 'and moves');
 
 const log = await text(page, '#drive .log');
 for (const word of ['(release-control)', '(finish stop)', `(speed ${percent})`]) expect(log.includes(word), `the log has ${word}`);
-await picture('drive');
+await page.fill('#variable', 'p1');
+await page.fill('#action', `(move ${target.join(' ')})`);
+await picture('drive', page, tall);
 await end();

@@ -2,7 +2,7 @@
 // look where the image is clicked.
 
 import { join } from 'node:path';
-import { begin, expect, source, text } from './browser.mjs';
+import { begin, expect, source, tall, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const { page, picture, end } = await begin(scratch, [cell, 'console', join(source, 'examples/03-moving-head/cell.scm')]);
@@ -83,7 +83,7 @@ await page.waitForFunction(
   [pan0, tilt0],
 );
 expect(true, 'the head looks where the image is clicked');
-await picture('head');
+await picture('head', page, tall);
 
 for (const [button, command] of [
   ['Reset pan', '(reset-pan)'],

@@ -2,7 +2,7 @@
 // what the method of the thesis says of the running cell.
 
 import { join } from 'node:path';
-import { begin, expect, expectAccessible, source, text } from './browser.mjs';
+import { begin, expect, expectAccessible, source, tall, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const { page, picture, end } = await begin(scratch, [cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console']);
@@ -45,6 +45,6 @@ const wrapped = await page.locator('#wrappers tr:has-text("CRS")').innerText();
 expect(/robot\s+a device\s+\d+\s+.*17\/182 = 0\.093/s.test(wrapped), `Wrap: ${wrapped}`);
 expect((await page.locator('#connections tbody tr').count()) >= 1, `Connect: ${await page.locator('#connections tbody tr >> nth=0').innerText()}`);
 await page.locator('#method').scrollIntoViewIfNeeded();
-await picture('method');
+await picture('method', page, tall);
 await expectAccessible(page, scratch, 'the method');
 await end();

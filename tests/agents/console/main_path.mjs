@@ -2,14 +2,14 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, launch, openPage, ownFolder, start, taught, text } from './browser.mjs';
+import { ask, expect, keepPicture, launch, openPage, ownFolder, start, tall, taught, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
 const folder = ownFolder();
 const pictures = join(scratch, 'console-screenshots');
 mkdirSync(pictures, { recursive: true });
-const picture = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
+const picture = (page, name, size) => keepPicture(page, join(pictures, `${name}.png`), size);
 const served = start([cell, 'console'], folder);
 const address = await served.line;
 
@@ -105,14 +105,13 @@ expect(true, 'a stop is cleared by who has the arm in hand');
 await page.evaluate(() => document.getElementById('cancel').click());
 await page.click('#drive button:text-is("Ready")');
 await page.waitForFunction(() => /\(ready\) true/.test(document.querySelector('#drive .log').textContent));
-await picture(page, 'drive');
 expect(true, 'the arm is driven by who has it in hand');
 await page.click('#take-arm');
 await page.click('#tab-eyes');
 await page.waitForFunction(() => document.querySelectorAll('.objects li').length >= 4);
 await page.click('.objects li:has-text("square") button:text("Find")');
 await page.waitForFunction(() => /FIND "square" (OK|FAIL)/.test(document.querySelector('#eyes .answer').textContent));
-await picture(page, 'eyes');
+await picture(page, 'eyes', tall);
 await page.setViewportSize({ width: 820, height: 1180 });
 await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
 await page.screenshot({ path: join(pictures, 'tablet.png'), fullPage: true });

@@ -29,6 +29,7 @@ expect(
   both.every((fact) => tower.includes(fact)),
   `on top of what is there: ${tower}`,
 );
+await page.click('#tab-eyes');
 await picture('sketch');
 await drag('circle', async () => {
   const box = await page.locator('.towers').boundingBox();

@@ -37,9 +37,9 @@ class View {
     this.scene.background = new Color(0x0e171e);
     this.camera = new PerspectiveCamera(36, 1, 10, 8000);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(1500, -1010, 770);
+    this.camera.position.set(1600, -1090, 880);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.target.set(400, 10, 235);
+    this.controls.target.set(380, 10, 285);
     this.controls.maxDistance = 4000;
     this.controls.minDistance = 200;
     this.controls.addEventListener('change', () => this.ask());

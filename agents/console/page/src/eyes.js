@@ -25,6 +25,9 @@ function reasons(present, held, me) {
   };
 }
 
+// Of `(tracked EYES NAME STATE FRAME CONFIDENCE)`.
+const stateOf = ([, , , state, , confidence]) => (text(state) === 'lost' ? 'lost' : `${text(state)}, ${(confidence * 100).toFixed(0)} %`);
+
 function set(control, reason) {
   control.disabled = reason !== '';
   control.title = reason;
@@ -87,7 +90,7 @@ export function showEyes(connection, images, roles, me) {
   const showStates = () => {
     for (const [name, { state }] of rows) {
       const seen = tracked.get(name);
-      state.textContent = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
+      state.textContent = seen ? stateOf(seen) : 'not tracked';
     }
   };
   const row = (name) => {

@@ -11,6 +11,7 @@ const gutter = 76;
 const laneHeight = 19;
 const axisHeight = 18;
 const narrowest = 5;
+const halfTime = 15; // of the width of what a tick says
 const minute = 60e6;
 const steps = [1, 2, 5, 10, 20, 60, 120].map((minutes) => minutes * minute);
 
@@ -63,7 +64,7 @@ export class WorkPicture {
         drawn('rect', { x: gutter, y: axisHeight + i * laneHeight + 1, width, height: laneHeight - 2, class: 'lane' }),
       ),
       ...ticks.map((moment) => drawn('line', { x1: at(moment), x2: at(moment), y1: axisHeight, y2: bottom, class: 'tick' })),
-      ...ticks.map((moment) => drawn('text', { x: at(moment), y: 12, class: 'tick' }, timeOf(moment))),
+      ...ticks.filter((moment) => at(moment) < gutter + width - halfTime).map((moment) => drawn('text', { x: at(moment), y: 12, class: 'tick' }, timeOf(moment))),
     );
   }
 
