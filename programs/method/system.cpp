@@ -129,7 +129,8 @@ std::set<std::string> names_in(const Datum& contract, std::string_view part) {
 }
 
 bool is_of_every_agent(const std::string& relation) {
-  constexpr std::array names = {"agent", "bound", "context", "contract", "request", "reply", "wired", "holder"};
+  constexpr std::array names = {"agent",  "board-probe", "bound",   "context", "contract",
+                                "holder", "reply",       "request", "wired"};
   return std::ranges::find(names, relation) != names.end();
 }
 

@@ -106,7 +106,8 @@ struct Traffic {
 
 // The names in a contract's part: offers, posts, reads, takes, configures, monitors.
 std::set<std::string> names_in(const Datum& contract, std::string_view part);
-// A relation that every agent tells or watches through the runtime, and that says nothing of the system.
+// A relation that every agent tells or watches through the runtime, or who measures the board: it says nothing of the
+// system.
 bool is_of_every_agent(const std::string& relation);
 // Prompts, tools and tellers of stories: they use the cell and are no part of it.
 bool is_visitor(const std::string& kind);
