@@ -2,7 +2,7 @@
 // views, and now again; an entry of the story shows what was seen; a board without a journal says so.
 
 import { join } from 'node:path';
-import { begin, expect, openPage, ownFolder, source, start, taught, text } from './browser.mjs';
+import { begin, expect, openPage, ownFolder, source, start, tall, taught, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const blocks = join(source, 'examples/01-blocks/cell.scm');
@@ -51,6 +51,8 @@ const entry = page.locator(`#story > .timeline details[data-number="${number}"]`
 await entry.locator('summary').click();
 await entry.locator('.kept canvas:not([hidden])').waitFor();
 expect(/frame \d+, \d\d:/.test(await entry.locator('.kept figcaption').innerText()), 'an entry of the story shows what was seen');
+await page.setViewportSize(tall);
+await entry.evaluate((one) => one.scrollIntoView({ block: 'start' }));
 await picture('story-picture');
 await entry.locator('button:text-is("Show all as it was then")').click();
 await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));

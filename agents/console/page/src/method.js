@@ -1,7 +1,7 @@
 // The method of the thesis on the running cell, as `./pizarra method --live` has it: Divide, Wrap, Connect, and what is
 // wrong.
 
-import { clipped, drawn, element, failureText } from './dom.js';
+import { drawn, element, failureText } from './dom.js';
 import { table } from './tables.js';
 
 const seconds = 10;
@@ -9,6 +9,9 @@ const size = 560;
 const circle = 220;
 const box = { width: 104, height: 26 };
 const patterns = ['QUERY', 'SEND', 'PUSH', 'EVENT', 'STREAM'];
+const longest = 15; // of a name in its box
+
+const shortened = (name) => (name.length > longest ? `${name.slice(0, longest - 1)}…` : name);
 
 // Components on a circle, an arrow for each connection, each pattern in a lane beside the line between the two.
 function graph({ components, connections }) {
@@ -38,7 +41,7 @@ function graph({ components, connections }) {
   );
   const boxes = [...places].flatMap(([name, { x, y }]) => [
     drawn('rect', { x: x - box.width / 2, y: y - box.height / 2, ...box, rx: 5, class: 'component' }),
-    drawn('text', { x, y: y + 4, 'text-anchor': 'middle' }, clipped(name, 14)),
+    drawn('text', { x, y: y + 4, 'text-anchor': 'middle' }, shortened(name)),
   ]);
   return drawn(
     'svg',
