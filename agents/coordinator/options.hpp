@@ -26,6 +26,7 @@ struct GripperGeometry {
   double mark_above_grip_mm = 66;
   double mark_before_grip_mm = 30;  // towards the camera
   double finger_mm = 8;
+  double finger_below_mm = 22;  // the lowest that the grip centre may go for the fingertips to clear the table
   forms::GripperOpenings openings;
   GripperOutline outline;
 };
@@ -37,7 +38,8 @@ struct CoordinatorOptions {
   GripperGeometry gripper;
   ServoLimits servo;
   forms::CubeRow row;             // where cubes are put down
-  std::optional<double> cube_mm;  // none: those that the domain was written for
+  std::optional<double> cube_mm;  // of the largest; none: those that the domain was written for
+  forms::EdgesMm edges_mm;        // of cubes by their names; the others are as large as the largest
   double travel_height_mm = 300;  // of the grip: clears a tower of four
   double release_mm = 1.5;        // above the support, where a held cube is let go
   // The first plan is carried out blindly: nothing is checked or planned again. To compare with; never of use.

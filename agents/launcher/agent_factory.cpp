@@ -100,6 +100,7 @@ coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription
   options.gripper.mark_above_grip_mm = -description.camera.mark_mm[2];
   options.head = has_pan_tilt(description);
   options.cube_mm = description.cube_mm;
+  options.edges_mm = description.edges_mm();
   options.gripper.openings = description.openings;
   options.row = description.row;
   options.open_loop = description.open_loop;
@@ -228,7 +229,7 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   camera.light_gradient = description.noise.gradient;
   for (const forms::CubePlacement& cube : description.cubes) {
     const simulation::Mark mark = simulation::mark_from_name(cube.mark).value_or(simulation::Mark::circle);
-    config.cubes.push_back({cube.name, mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on});
+    config.cubes.push_back({cube.name, mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on, cube.edge_mm});
   }
   const Result<void> sound = simulation::check(config);
   if (!sound) return fail(sound);

@@ -46,9 +46,8 @@ State state_of(const Cell& cell, CubeId cube) {
   if (cell.hand().carried() == cube) return {State::Kind::carried};
   const Pose pose = physics.pose(cube);
   const Vector3d at = pose.translation();
-  const double overlap_mm = physics.cube_mm() / 2 + overhang_mm;
   if (tilt_deg(pose) > upright_deg || physics.velocity_mm_s(cube).norm() > resting_mm_s) return {State::Kind::loose};
-  if (std::abs(at.z() - physics.cube_mm() / 2) < height_slack_mm) return {State::Kind::table};
+  if (std::abs(at.z() - physics.edge_mm(cube) / 2) < height_slack_mm) return {State::Kind::table};
   for (CubeId other = 0; other < physics.cubes(); ++other) {
     if (other == cube || !physics.present(other)) continue;
     const Vector3d from_other = physics.pose(other).inverse() * at;
@@ -60,8 +59,9 @@ State state_of(const Cell& cell, CubeId cube) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       if (axis != upright) aside = std::max(aside, std::abs(from_other[axis]));
     }
-    if (std::abs(apart.z() - physics.cube_mm()) < height_slack_mm && aside < overlap_mm)
-      return {State::Kind::on, other};
+    const double above_mm = (physics.edge_mm(cube) + physics.edge_mm(other)) / 2;
+    const double overlap_mm = physics.edge_mm(other) / 2 + overhang_mm;
+    if (std::abs(apart.z() - above_mm) < height_slack_mm && aside < overlap_mm) return {State::Kind::on, other};
   }
   return {State::Kind::loose};
 }

@@ -49,6 +49,9 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
   const auto named = [&](std::string_view name) {
     return std::ranges::find(earlier, lower(name), [](const CubeConfig& other) { return lower(other.name); });
   };
+  if (!within(config.edge_mm(cube), 10, gripper_opening_mm)) {
+    return bad(fmt::format("no gripper takes a cube of the size of {}", cube.name), cube.name);
+  }
   if (named(cube.name) != earlier.end()) return bad(fmt::format("two cubes are called {}", cube.name), cube.name);
   if (!cube.on.empty()) {
     if (named(cube.on) == earlier.end()) {
@@ -71,7 +74,8 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
     const double dx = std::abs(cube.x_mm - other.x_mm);
     const double dy = std::abs(cube.y_mm - other.y_mm);
     const double apart = square ? std::max(dx, dy) : std::hypot(dx, dy);
-    if (apart < config.cube_mm * (square ? 1 : std::sqrt(2.0))) {
+    const double touching_mm = (config.edge_mm(cube) + config.edge_mm(other)) / 2;
+    if (apart < touching_mm * (square ? 1 : std::sqrt(2.0))) {
       return bad(fmt::format("{} and {} stand in one place", other.name, cube.name), cube.name);
     }
   }

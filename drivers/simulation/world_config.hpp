@@ -40,7 +40,8 @@ struct CubeConfig {
   double x_mm = 450;
   double y_mm = 0;
   double yaw_deg = 0;
-  std::string on = "";  // the cube that it stands on, listed before; empty: the table, at x, y
+  std::string on = "";                 // the cube that it stands on, listed before; empty: the table, at x, y
+  std::optional<double> edge_mm = {};  // none: as large as the cell's cubes are
 };
 
 // A plate with its upper face at z = 0.
@@ -65,8 +66,9 @@ struct WorldConfig {
   std::uint64_t seed = 1;
   TableConfig table;
   CameraConfig camera;
-  double cube_mm = 60;  // the edge of every cube; its marks grow with it
+  double cube_mm = 60;  // the edge of a cube of which nothing else is said; its marks grow with it
   std::vector<CubeConfig> cubes;
+  double edge_mm(const CubeConfig& cube) const { return cube.edge_mm.value_or(cube_mm); }
   arm::ArmModel arm = arm::crs_f3();
   std::optional<arm::ArmModel> second_arm;
   std::optional<arm::Joints> start_joints;  // the arm's ready pose where not given

@@ -231,13 +231,20 @@ const CellSchemeAgent* scheme_agent_called(const CellDescription& cell, std::str
   return found == cell.scheme_agents.end() ? nullptr : &*found;
 }
 
+EdgesMm CellDescription::edges_mm() const {
+  EdgesMm edges;
+  for (const CubePlacement& cube : cubes) edges.emplace(cube.name, cube.edge_mm);
+  return edges;
+}
+
 CubePlacement cube_from_datum(const Datum& normalised) {
   return {std::string(normalised[0].text()),
           std::string(normalised[1].text()),
           normalised[2].number(),
           normalised[3].number(),
           normalised[4].number(),
-          std::string(normalised[5].text())};
+          std::string(normalised[5].text()),
+          normalised[6].number()};
 }
 
 Result<CellDescription> read_cell(std::string_view text, const std::string& file) {

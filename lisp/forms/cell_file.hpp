@@ -5,11 +5,11 @@
 //   (cell blocks
 //     (world
 //       (camera (at 1330 0 200) (pan 0) (tilt 0) (roll 0))     ; base-line centre mm, degrees; looks along -x
-//       (cube-size 60)                                         ; of every cube
+//       (cube-size 60)                                         ; of every cube that does not say otherwise
 //       (openings 76 84 96)                                    ; of the gripper: narrow, normal, wide
 //       (row (x 450) (y -200 200))                             ; where cubes are put down
 //       (cube circle (at 450 -150) (yaw 5))                    ; its mark is the shape of its name
-//       (cube square (at 450 50))
+//       (cube square (at 450 50) (size 40))                    ; smaller than the others
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
@@ -57,6 +57,7 @@
 #include "lisp/forms/camera_pose.hpp"
 #include "lisp/forms/camera_setup.hpp"
 #include "lisp/forms/gripper_setup.hpp"
+#include "lisp/forms/perception.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::forms {
@@ -68,6 +69,7 @@ struct CubePlacement {
   double y_mm = 0;
   double yaw_deg = 0;
   std::string on;  // the cube it stands on, empty: the table
+  double edge_mm = 60;
   bool operator==(const CubePlacement&) const = default;
 };
 
@@ -165,10 +167,11 @@ struct CellDescription {
   std::string camera_pose_file;  // where a measured pose of the camera is kept, empty: nowhere
   std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
   CellNoise noise;
-  double cube_mm = 60;
+  double cube_mm = 60;  // no cube is larger
   GripperOpenings openings;
   CubeRow row;
   std::vector<CubePlacement> cubes;
+  EdgesMm edges_mm() const;          // of its cubes
   std::string arm;                   // its name
   std::string arm_file;              // a path that can be opened
   std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches

@@ -60,6 +60,15 @@ void Perception::set_constant(std::string_view name, double value) {
   keep(Datum::list(std::move(parts)));
 }
 
+void Perception::set_edges(const EdgesMm& edges) {
+  std::vector<Datum> parts(section_.items().begin(), section_.items().end());
+  for (const auto& [name, edge_mm] : edges) {
+    facts_.push_back(list("edge"_sym, Datum::symbol(name), edge_mm));
+    parts.push_back(list("fact"_sym, facts_.back()));
+  }
+  keep(Datum::list(std::move(parts)));
+}
+
 std::optional<double> Perception::constant(std::string_view name) const {
   const auto it = constants_.find(name);
   if (it == constants_.end()) return std::nullopt;

@@ -19,6 +19,9 @@ namespace pizarra::forms {
 // Names with their number of arguments.
 using Arities = std::vector<std::pair<std::string, std::size_t>>;
 
+// Of each cube that is known its edge, by its name.
+using EdgesMm = std::map<std::string, double, std::less<>>;
+
 // ((NAME ARITY) ...), as the Scheme modules take them.
 Datum arities_to_datum(const Arities& arities);
 
@@ -39,6 +42,8 @@ class Perception {
   std::optional<double> constant(std::string_view name) const;
   // In place of what the section says of a constant that it has.
   void set_constant(std::string_view name, double value);
+  // Has the rules know the edge of each of these cubes, (edge NAME MM).
+  void set_edges(const EdgesMm& edges);
   // Facts that always hold, such as (spot place-1 450 -200).
   const std::vector<Datum>& facts() const { return facts_; }
 

@@ -246,7 +246,7 @@ std::vector<Fault> chosen(const ChaosStory& story, const PlayOptions& options) {
 Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, story::Narrator& narrator) {
   const Result<forms::Domain> domain = story::domain_of(story.cell);
   if (!domain) return fail(domain);
-  const Result<story::Judge> judge = story::Judge::make(*domain, story.cell.cube_mm);
+  const Result<story::Judge> judge = story::Judge::make(*domain, story.cell.cube_mm, story.cell.edges_mm());
   if (!judge) return fail(judge);
   const Result<simulation::WorldConfig> config = launcher::world_config(story.cell, story.seed);
   if (!config) return fail(config);

@@ -77,7 +77,7 @@ planner::PlanningOperator planning_operator(const forms::Operator& from) {
 
 }  // namespace
 
-Result<Judge> Judge::make(const forms::Domain& domain, double cube_mm) {
+Result<Judge> Judge::make(const forms::Domain& domain, double cube_mm, const forms::EdgesMm& edges_mm) {
   forms::Arities arities;
   for (const forms::Predicate& predicate : domain.predicates) {
     arities.emplace_back(predicate.name, predicate.arguments.size());
@@ -85,22 +85,32 @@ Result<Judge> Judge::make(const forms::Domain& domain, double cube_mm) {
   Result<forms::Perception> perception = forms::Perception::read(domain.source, arities);
   if (!perception) return fail(perception);
   perception->set_constant("cube", cube_mm);
-  return Judge(domain, std::move(*perception), cube_mm);
+  forms::EdgesMm small;
+  for (const auto& [name, edge_mm] : edges_mm) {
+    small.emplace(in_small_letters(Datum::symbol(name)).text(), edge_mm);
+  }
+  perception->set_edges(small);
+  return Judge(domain, std::move(*perception), cube_mm, std::move(small));
+}
+
+double Judge::edge_mm(const std::string& name) const {
+  const auto known = edges_mm_.find(name);
+  return known == edges_mm_.end() ? cube_mm_ : known->second;
 }
 
 // As the eyes and the gripper would measure it without any error: a mark is on the cube's front face.
 std::vector<Datum> Judge::measured(const WorldState& truth) const {
   std::vector<Datum> out;
-  bool held = false;
+  double opening_mm = open_gripper_mm;
   for (const auto& [name, cube] : truth.cubes) {
     if (cube.gone || !is_firm(truth, cube)) continue;
-    const double mark_x_mm = cube.x_mm + cube_mm_ / 2;
+    const double mark_x_mm = cube.x_mm + edge_mm(name) / 2;
     out.push_back(list("seen"_sym, Datum::symbol(name), mark_x_mm, cube.y_mm, cube.z_mm));
     if (!cube.held) continue;
-    held = true;
+    opening_mm = edge_mm(name);
     out.push_back(list("grip"_sym, mark_x_mm, cube.y_mm, cube.z_mm));
   }
-  out.push_back(list("gripper"_sym, held ? cube_mm_ : open_gripper_mm));
+  out.push_back(list("gripper"_sym, opening_mm));
   return out;
 }
 
@@ -166,12 +176,12 @@ WorldState Judge::squared(WorldState truth) const {
     const std::string support = cube.loose ? support_of(as_it_lies, cube) : cube.on;
     if (support.empty() && !cube.loose) continue;
     if (support.empty()) {
-      cube.z_mm = cube_mm_ / 2;
+      cube.z_mm = edge_mm(name) / 2;
     } else {
       const WorldState::Cube& below = truth.cubes.at(support);
       if (cube.loose) cube.x_mm = below.x_mm;
       if (cube.loose) cube.y_mm = below.y_mm;
-      cube.z_mm = below.z_mm + cube_mm_;
+      cube.z_mm = below.z_mm + (edge_mm(support) + edge_mm(name)) / 2;
     }
     cube.on = support;
     cube.loose = false;

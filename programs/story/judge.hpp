@@ -21,8 +21,9 @@ namespace pizarra::story {
 
 class Judge {
  public:
-  // Of a cell with cubes of that size. Failures: those of the domain's perception section.
-  static Result<Judge> make(const forms::Domain& domain, double cube_mm);
+  // Of a cell with cubes of that size, but for those that have an edge of their own. Failures: those of the domain's
+  // perception section.
+  static Result<Judge> make(const forms::Domain& domain, double cube_mm, const forms::EdgesMm& edges_mm = {});
 
   // The facts that the domain's own perception rules find where everything that stands firmly or is held is seen truly.
   // A cube that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it.
@@ -39,8 +40,12 @@ class Judge {
   Result<bool> plan_exists(const std::vector<Datum>& goal, const WorldState& truth) const;
 
  private:
-  Judge(forms::Domain domain, forms::Perception perception, double cube_mm)
-      : domain_(std::move(domain)), perception_(std::move(perception)), cube_mm_(cube_mm) {}
+  Judge(forms::Domain domain, forms::Perception perception, double cube_mm, forms::EdgesMm edges_mm)
+      : domain_(std::move(domain)),
+        perception_(std::move(perception)),
+        cube_mm_(cube_mm),
+        edges_mm_(std::move(edges_mm)) {}
+  double edge_mm(const std::string& name) const;
   std::vector<Datum> measured(const WorldState& truth) const;
   std::string support_of(const WorldState& truth, const WorldState::Cube& loose) const;
   WorldState squared(WorldState truth) const;
@@ -48,6 +53,7 @@ class Judge {
   forms::Domain domain_;
   forms::Perception perception_;
   double cube_mm_;
+  forms::EdgesMm edges_mm_;  // by names in small letters
 };
 
 }  // namespace pizarra::story

@@ -161,7 +161,7 @@ Result<StoryReport> run_story(const forms::Scenario& scenario, const forms::Cell
   if (!playable) return fail(playable);
   const Result<forms::Domain> domain = domain_of(cell);
   if (!domain) return fail(domain);
-  const Result<Judge> judge = Judge::make(*domain, cell.cube_mm);
+  const Result<Judge> judge = Judge::make(*domain, cell.cube_mm, cell.edges_mm());
   if (!judge) return fail(judge);
   if (options.realtime) {
     RealExecutor executor;

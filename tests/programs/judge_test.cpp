@@ -44,6 +44,16 @@ TEST(Judge, TellsADomainsOwnPredicatesByItsRules) {
   EXPECT_FALSE(story::Judge::holds(goal_of("((at triangle place-3))"), facts));
 }
 
+TEST(Judge, KnowsThatALargerCubeNeverComesOntoASmallerOne) {
+  const Result<forms::Domain> read = forms::read_domain_file(source_dir() + "/domains/sizes.scm");
+  const story::Judge judge = story::Judge::make(read.value(), 60, {{"Circle", 40}, {"square", 60}}).value();
+  const story::WorldState truth =
+      truth_of(R"(((cube circle 450 -150 80 0 0 (on square) 1.0) (cube square 450 -150 30 0 0 table 1.0)))");
+  EXPECT_TRUE(judge.shows(goal_of("((on circle square) (at square place-1))"), truth).value());
+  EXPECT_TRUE(judge.plan_exists(goal_of("((on circle square) (at square place-3))"), truth).value());
+  EXPECT_FALSE(judge.plan_exists(goal_of("((on square circle))"), truth).value());
+}
+
 TEST(Judge, JudgesADomainThatSharesNoPredicateWithTheBlocks) {
   const Result<forms::Domain> domain = forms::read_domain(R"(
     (domain rows

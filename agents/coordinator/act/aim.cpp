@@ -39,20 +39,27 @@ Result<Eigen::Vector3d> Aims::grip() const {
   return fail("unseen", fmt::format("{} is not seen, and the arm does not say where it is", mark), Datum::symbol(mark));
 }
 
-Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
-  const double height = domain_.cube_mm() / 2 + options_.release_mm;
-  const Eigen::Vector3d centre(x_mm, y_mm, height);
-  return Eigen::Vector3d(centre - domain_.cube_mm() / 2 * scene_.view()->away());
+// What is held and not known is as large as the fingers say.
+double Aims::held_edge_mm(std::string_view held) const {
+  const double like_mm = domain_.edge_like(scene_.opening_mm().value_or(0)).value_or(domain_.cube_mm());
+  return scene_.sightings().find(held) ? domain_.edge_mm(held) : like_mm;
+}
+
+Eigen::Vector3d Aims::on_table(double x_mm, double y_mm, double edge_mm) const {
+  const Eigen::Vector3d centre(x_mm, y_mm, edge_mm / 2 + options_.release_mm);
+  return centre - edge_mm / 2 * scene_.view()->away();
 }
 
 // The held object faces the camera, whichever way the one below it is turned: middle goes over middle.
-Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
+Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower, std::string_view held) const {
   const Result<Eigen::Vector3d> mark = seen(lower);
   if (!mark) return mark;
   const std::string name(lower);
+  const double edge = domain_.edge_mm(held);
   const Eigen::Vector3d middle = scene_.centre_mm(name, *scene_.sightings().find(lower));
-  const Eigen::Vector3d front = middle - domain_.cube_mm() / 2 * scene_.view()->away();
-  return Eigen::Vector3d(front + (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d front = middle - edge / 2 * scene_.view()->away();
+  const double above_mm = (domain_.edge_mm(lower) + edge) / 2 + options_.release_mm;
+  return Eigen::Vector3d(front + above_mm * Eigen::Vector3d::UnitZ());
 }
 
 // What is laid down should hide nothing, nor be hidden. Where no such spot is free, one that the camera shows will do.
@@ -65,7 +72,7 @@ std::optional<Eigen::Vector2d> Aims::free_spot_among(const std::vector<Eigen::Ve
   lines.mark_half_mm = options_.gripper.outline.mark_half_mm;
   lines.margin_mm = off_spot_mm;
   const Shown shown = [&](const Eigen::Vector2d& spot) {
-    return scene_.view()->shows(*on_table(spot.x(), spot.y()), lines.mark_half_mm);
+    return scene_.view()->shows(on_table(spot.x(), spot.y(), cube), lines.mark_half_mm);
   };
   const Shown in_sight = [&](const Eigen::Vector2d& spot) {
     const Eigen::Vector3d centre(spot.x(), spot.y(), cube / 2);
@@ -89,7 +96,7 @@ Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
     spot_ = free_spot_among(standing(std::move(centres), grip, domain_.cube_mm()), grip ? grip->y() : 0);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
-  return on_table(spot_->x(), spot_->y());
+  return on_table(spot_->x(), spot_->y(), held_edge_mm(held));
 }
 
 Result<Aim> Aims::at(const Datum& target) {
@@ -100,21 +107,24 @@ Result<Aim> Aims::at(const Datum& target) {
     const Result<Eigen::Vector3d> object = seen(target.text());
     if (!object) return fail(object);
     const Eigen::Vector3d to_mark = -scene_.mark_to_front_mm();
-    return Aim{*grip + to_mark, *object + to_mark, grip->z()};
+    Eigen::Vector3d front = *object - scene_.set_back_mm(target.text());
+    front.z() = std::max(front.z(), options_.gripper.finger_below_mm);
+    return Aim{*grip + to_mark, front + to_mark, grip->z()};
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
   const std::string_view held = target[1].text();
   const bool held_is_seen = !options_.open_loop && scene_.sightings().recent(held, 1);
-  const Eigen::Vector3d followed = held_is_seen ? scene_.sightings().find(held)->place_mm : *grip;
+  const Eigen::Vector3d unseen = *grip + (domain_.cube_mm() - held_edge_mm(held)) / 2 * scene_.view()->away();
+  const Eigen::Vector3d followed = held_is_seen ? scene_.sightings().find(held)->place_mm : unseen;
   Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
   if (target.is_form("on-top") && target.size() == 3) {
-    wanted = on_top_of(target[2].text());
+    wanted = on_top_of(target[2].text(), held);
   } else if (target.is_form("free-spot")) {
     wanted = free_spot_for(held);
   } else if (target.is_form("at-place") && target.size() == 3) {
     const Datum* spot = domain_.spot(target[2].text());
     if (!spot) return fail("unknown-place", "perception has no (spot PLACE X Y) for this place", target[2]);
-    wanted = on_table((*spot)[2].number(), (*spot)[3].number());
+    wanted = on_table((*spot)[2].number(), (*spot)[3].number(), held_edge_mm(held));
   }
   if (!wanted) return fail(wanted);
   return Aim{followed, *wanted, grip->z()};

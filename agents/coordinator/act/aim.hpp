@@ -29,10 +29,11 @@ class Aims {
  private:
   Result<Eigen::Vector3d> seen(std::string_view name) const;
   Result<Eigen::Vector3d> grip() const;
-  Result<Eigen::Vector3d> on_top_of(std::string_view lower) const;
+  double held_edge_mm(std::string_view held) const;
+  Result<Eigen::Vector3d> on_top_of(std::string_view lower, std::string_view held) const;
   Result<Eigen::Vector3d> free_spot_for(std::string_view held);
   std::optional<Eigen::Vector2d> free_spot_among(const std::vector<Eigen::Vector3d>& others, double from_y_mm) const;
-  Result<Eigen::Vector3d> on_table(double x_mm, double y_mm) const;
+  Eigen::Vector3d on_table(double x_mm, double y_mm, double edge_mm) const;
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;

@@ -5,9 +5,7 @@
 
 namespace pizarra::coordinator {
 
-bool Rescues::is_held(double closed_mm) const {
-  return std::abs(closed_mm - domain_.cube_mm()) <= TaskRunner::closed_mm;
-}
+bool Rescues::is_held(double closed_mm) const { return domain_.edge_like(closed_mm).has_value(); }
 
 Task<Result<void>> Rescues::lay_down(std::string object) {
   if (!is_held(scene_.opening_mm().value_or(0))) co_return Result<void>();

@@ -110,7 +110,7 @@ Task<Result<void>> TaskRunner::close() {
   vigil_.commit();
   const Result<double> opening = co_await arm_.grip(0);
   if (!opening) co_return fail(opening);
-  if (std::abs(*opening - domain_.cube_mm()) <= closed_mm) co_return Result<void>();
+  if (domain_.edge_like(*opening)) co_return Result<void>();
   co_return fail("missed", fmt::format("the gripper closed to {:.0f} mm", *opening), to_datum(*opening));
 }
 
@@ -174,7 +174,8 @@ Task<Result<void>> TaskRunner::check_held(std::string object) {
     const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
     const Sighting* seen = surroundings_.scene().sightings().find(object);
     if (!grip || !seen || !surroundings_.scene().sightings().recent(object, 1)) continue;
-    if ((seen->place_mm - *grip).norm() < held_mm) co_return Result<void>();
+    const Eigen::Vector3d wanted = *grip + surroundings_.scene().set_back_mm(object);
+    if ((seen->place_mm - wanted).norm() < held_mm) co_return Result<void>();
   }
   co_return fail("missed", fmt::format("{} is not seen between the fingers", object), Datum::symbol(object));
 }

@@ -20,9 +20,6 @@ namespace pizarra::coordinator {
 
 class TaskRunner {
  public:
-  // How near a closed gripper's opening is to the size of what it holds.
-  static constexpr double closed_mm = 9;
-
   TaskRunner(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
              const runtime::Service& service, Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes,
              Vigil& vigil)

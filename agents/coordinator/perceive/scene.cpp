@@ -137,12 +137,16 @@ std::optional<Eigen::Vector3d> Scene::grip_mm() const {
   return Eigen::Vector3d(mark + mark_to_front_mm());
 }
 
+Eigen::Vector3d Scene::set_back_mm(std::string_view name) const {
+  return (domain_.cube_mm() - domain_.edge_mm(name)) / 2 * view_->away();
+}
+
 // The mark stands before the middle in the direction in which its face looks.
 Eigen::Vector3d Scene::centre_mm(const std::string& name, const Sighting& sighting) const {
   if (!view_) return sighting.place_mm;
   const double yaw = sightings_.yaw_deg(name) * std::numbers::pi / 180;
   const Eigen::Vector3d looks = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * -view_->away();
-  return sighting.place_mm - domain_.cube_mm() / 2 * looks;
+  return sighting.place_mm - domain_.edge_mm(name) / 2 * looks;
 }
 
 std::optional<std::string> Scene::foremost(const std::set<std::string>& but) const {

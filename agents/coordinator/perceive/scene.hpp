@@ -23,11 +23,14 @@ class Scene {
   const std::optional<CameraView>& view() const { return view_; }
   const CameraWatch& camera() const { return camera_; }
   std::optional<double> opening_mm() const { return opening_mm_; }
-  // From the end effector's mark to where the mark of a held object would stand. There is a view.
+  // From the end effector's mark to where the mark of a held object of the largest size would stand. There is a view.
   Eigen::Vector3d mark_to_front_mm() const;
-  // Where the mark of a held object would stand: below the end effector's mark, or, while that is not seen, by the
-  // arm's own word and how far off that was when the two could last be compared.
+  // Where the mark of a held object of that size would stand: below the end effector's mark, or, while that is not
+  // seen, by the arm's own word and how far off that was when the two could last be compared.
   std::optional<Eigen::Vector3d> grip_mm() const;
+  // From there to where the mark of this object would stand: further from the camera, where it is smaller than others.
+  // There is a view.
+  Eigen::Vector3d set_back_mm(std::string_view name) const;
   // The middle of the cube that bears the mark.
   Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
   // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands

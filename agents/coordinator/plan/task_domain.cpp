@@ -1,6 +1,7 @@
 #include "agents/coordinator/plan/task_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -87,9 +88,26 @@ Result<TaskDomain> TaskDomain::read(const std::string& file) {
   return out;
 }
 
-void TaskDomain::use_cubes(double cube_mm) {
+void TaskDomain::use_cubes(double cube_mm, forms::EdgesMm edges_mm) {
   cube_mm_ = cube_mm;
+  edges_mm_ = std::move(edges_mm);
   perception_.set_constant("cube", cube_mm);
+  perception_.set_edges(edges_mm_);
+}
+
+double TaskDomain::edge_mm(std::string_view name) const {
+  const auto known = edges_mm_.find(name);
+  return known == edges_mm_.end() ? cube_mm_ : known->second;
+}
+
+std::optional<double> TaskDomain::edge_like(double opening_mm) const {
+  constexpr double off_mm = 9;
+  double nearest_mm = cube_mm_;
+  for (const auto& [name, edge_mm] : edges_mm_) {
+    if (std::abs(opening_mm - edge_mm) < std::abs(opening_mm - nearest_mm)) nearest_mm = edge_mm;
+  }
+  if (std::abs(opening_mm - nearest_mm) > off_mm) return std::nullopt;
+  return nearest_mm;
 }
 
 std::vector<std::string> TaskDomain::objects_in(const std::vector<Datum>& goal) const {

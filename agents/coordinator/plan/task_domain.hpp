@@ -22,9 +22,13 @@ class TaskDomain {
   const forms::Domain& domain() const { return domain_; }
   const forms::Perception& perception() const { return perception_; }
   const forms::MicroTasks& micro_tasks() const { return micro_tasks_; }
+  // Of the largest cubes, and of one.
   double cube_mm() const { return cube_mm_; }
+  double edge_mm(std::string_view name) const;
+  // The edge of a cube that is about as wide as a closed gripper says; none where no cube is.
+  std::optional<double> edge_like(double opening_mm) const;
   // The cell's cubes, in place of those that the domain was written for.
-  void use_cubes(double cube_mm);
+  void use_cubes(double cube_mm, forms::EdgesMm edges_mm = {});
 
   // The objects that a goal names and the eyes must see: all but the domain's own.
   std::vector<std::string> objects_in(const std::vector<Datum>& goal) const;
@@ -40,6 +44,7 @@ class TaskDomain {
   forms::Perception perception_;
   forms::MicroTasks micro_tasks_;
   double cube_mm_ = 0;
+  forms::EdgesMm edges_mm_;
 };
 
 }  // namespace pizarra::coordinator

@@ -113,7 +113,7 @@ Task<Result<void>> CoordinatorAgent::run() {
   runtime::AgentContext& context = state_->context;
   Result<TaskDomain> domain = TaskDomain::read(state_->options.domain_file);
   if (!domain) co_return fail(domain);
-  if (state_->options.cube_mm) domain->use_cubes(*state_->options.cube_mm);
+  if (state_->options.cube_mm) domain->use_cubes(*state_->options.cube_mm, state_->options.edges_mm);
   const std::string text = coordinator_contract(*domain, state_->options.head);
   Result<runtime::Contract> contract = runtime::contract_from_text(text);
   if (!contract) co_return fail(contract);

@@ -114,8 +114,9 @@ void Gripper::let_pass(CubeId cube) {
 
 void Gripper::part_from_passing(const Pose& tool) {
   if (!passing_) return;
-  const bool near = physics_.present(*passing_) &&
-                    (physics_.pose(*passing_).translation() - tool.translation()).norm() < parted * physics_.cube_mm();
+  const bool near =
+      physics_.present(*passing_) &&
+      (physics_.pose(*passing_).translation() - tool.translation()).norm() < parted * physics_.edge_mm(*passing_);
   if (near) return;
   set_through(*passing_, false);
   passing_.reset();

@@ -48,7 +48,7 @@ bool names_agree(std::string_view a, std::string_view b) {
 
 Cell::Cell(const WorldConfig& config)
     : config_(config),
-      physics_(config.table, config.cube_mm),
+      physics_(config.table),
       arm_(config.arm, config.start_joints.value_or(config.arm.ready)),
       gripper_(physics_),
       fingers_(physics_, gripper_, Random(config.seed).split("fingers")),
@@ -58,13 +58,15 @@ Cell::Cell(const WorldConfig& config)
 
 void Cell::place_cubes() {
   for (const CubeConfig& cube : config_.cubes) {
-    Pose pose = standing(cube.x_mm, cube.y_mm, config_.cube_mm / 2, cube.yaw_deg);
+    const double edge_mm = config_.edge_mm(cube);
+    Pose pose = standing(cube.x_mm, cube.y_mm, edge_mm / 2, cube.yaw_deg);
     if (!cube.on.empty()) {
       const Result<CubeId> below = find(cube.on);
       const Vector3d under = physics_.pose(*below).translation();
-      pose = standing(under.x(), under.y(), under.z() + config_.cube_mm, cube.yaw_deg);
+      const double above_mm = (physics_.edge_mm(*below) + edge_mm) / 2;
+      pose = standing(under.x(), under.y(), under.z() + above_mm, cube.yaw_deg);
     }
-    physics_.add_cube(pose);
+    physics_.add_cube(pose, edge_mm);
     cubes_.push_back({cube.name, cube.mark});
   }
 }
@@ -121,7 +123,7 @@ Snapshot Cell::snapshot() const {
   Snapshot snapshot{
       .cubes = {}, .joints = arm_.joints(), .opening_mm = gripper_.opening_mm(), .fist_mm = hand_.fist_mm()};
   for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
-    snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].mark, physics_.present(cube)});
+    snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].mark, physics_.present(cube), physics_.edge_mm(cube)});
   }
   return snapshot;
 }
@@ -142,7 +144,7 @@ Result<CubeId> Cell::prepare(std::string_view name, Mark mark) {
   if (cubes_.size() == max_cubes) return fail("bad-request", fmt::format("a cell has at most {} cubes", max_cubes));
   if (!valid_name(name)) return fail("bad-request", fmt::format("{} is no name for an object", name));
   cubes_.push_back({std::string(name), mark});
-  const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0));
+  const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0), config_.cube_mm);
   physics_.take_away(cube);
   return cube;
 }

@@ -52,18 +52,15 @@ Eigen::Vector3d table_half(const TableConfig& table) {
 
 }  // namespace
 
-Physics::Physics(const TableConfig& table, double cube_mm)
+Physics::Physics(const TableConfig& table)
     : dispatcher_(&configuration_),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
-      cube_mm_(cube_mm),
-      cube_shape_(to_bullet(Eigen::Vector3d::Constant(cube_mm / 2))),
       table_shape_(to_bullet(table_half(table))) {
   gContactBreakingThreshold = 2 / unit_mm;
   world_.setGravity(btVector3(0, 0, -9810 / unit_mm));
   world_.getSolverInfo().m_numIterations = 20;
   world_.getSolverInfo().m_splitImpulse = 1;
   world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  cube_shape_.setMargin(margin_mm / unit_mm);
   table_shape_.setMargin(margin_mm / unit_mm);
   table_ = make_body(0, table_shape_, cube_friction);
   Pose place = Pose::Identity();
@@ -84,8 +81,11 @@ Physics::~Physics() {
   world_.removeRigidBody(table_.get());
 }
 
-CubeId Physics::add_cube(const Pose& pose) {
-  cubes_.push_back({make_body(cube_mass_kg, cube_shape_, cube_friction), false});
+CubeId Physics::add_cube(const Pose& pose, double edge_mm) {
+  auto shape = std::make_unique<btBoxShape>(to_bullet(Eigen::Vector3d::Constant(edge_mm / 2)));
+  shape->setMargin(margin_mm / unit_mm);
+  std::unique_ptr<btRigidBody> body = make_body(cube_mass_kg, *shape, cube_friction);
+  cubes_.push_back({edge_mm, std::move(shape), std::move(body), false});
   bring(cubes_.size() - 1, pose);
   return cubes_.size() - 1;
 }

@@ -4,8 +4,8 @@
 // fingers, a fist) that are moved from outside and push what they touch. Lengths mm, forces N; Bullet itself works in
 // decimetres, which its tolerances suit best.
 //
-//   Physics physics(table, 60);
-//   const CubeId cube = physics.add_cube(pose);
+//   Physics physics(table);
+//   const CubeId cube = physics.add_cube(pose, 60);
 //   const KinematicId palm = physics.add_kinematic({{.centre_mm = {0, 0, -100}, .half_mm = {20, 62, 20}}}, friction);
 //   physics.move_kinematic(palm, tool);          // where it is at the step's beginning
 //   physics.step();                              // 1/240 s
@@ -36,13 +36,13 @@ class Physics {
     double depth_mm = 0;  // of the deepest point
   };
 
-  Physics(const TableConfig& table, double cube_mm);
-  double cube_mm() const { return cube_mm_; }
+  explicit Physics(const TableConfig& table);
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
 
-  CubeId add_cube(const Pose& pose);
+  CubeId add_cube(const Pose& pose, double edge_mm);
+  double edge_mm(CubeId cube) const { return cubes_[cube].edge_mm; }
   std::size_t cubes() const { return cubes_.size(); }
   // A cube that is away keeps its number; it is brought back at rest.
   bool present(CubeId cube) const { return cubes_[cube].present; }
@@ -73,6 +73,8 @@ class Physics {
 
  private:
   struct Cube {
+    double edge_mm;
+    std::unique_ptr<btBoxShape> shape;
     std::unique_ptr<btRigidBody> body;
     bool present = true;
   };
@@ -89,8 +91,6 @@ class Physics {
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;
-  double cube_mm_;
-  btBoxShape cube_shape_;
   btBoxShape table_shape_;
   std::unique_ptr<btRigidBody> table_;
   std::vector<Cube> cubes_;

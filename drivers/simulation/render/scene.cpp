@@ -48,14 +48,14 @@ Solid table_solid(const TableConfig& table) {
   return solid;
 }
 
-Solid cube_solid(const Snapshot::Cube& cube, std::size_t number, double size_mm) {
-  const double half = size_mm / 2;
+Solid cube_solid(const Snapshot::Cube& cube, std::size_t number) {
+  const double half = cube.edge_mm / 2;
   Solid solid = make_box(cube.pose, Vector3d::Zero(), Vector3d::Constant(half), cube_white);
   for (int side = 0; side < 6; ++side) {
     Face& face = solid.faces[static_cast<std::size_t>(side)];
     const Vector3d centre = cube.pose.translation() + face.normal * half;
     const Vector3d up = side < 4 ? cube.pose.linear().col(2) : Vector3d(-cube.pose.linear().col(0));
-    paint_mark(face, centre, up, cube.mark, size_mm / marked_cube_mm, mark_black, mark_id(number, side));
+    paint_mark(face, centre, up, cube.mark, cube.edge_mm / marked_cube_mm, mark_black, mark_id(number, side));
   }
   return solid;
 }
@@ -128,7 +128,7 @@ Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
   Scene scene;
   for (std::size_t i = 0; i < snapshot.cubes.size(); ++i) {
     if (!snapshot.cubes[i].present) continue;
-    scene.solids.push_back(cube_solid(snapshot.cubes[i], i, config.cube_mm));
+    scene.solids.push_back(cube_solid(snapshot.cubes[i], i));
     add_shadow(scene.shadows, scene.solids.back(), config.table);
   }
   const Eigen::Isometry3d tool = arm::forward(config.arm, snapshot.joints);

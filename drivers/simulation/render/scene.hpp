@@ -15,6 +15,7 @@ struct Snapshot {
     Eigen::Isometry3d pose;
     Mark mark;
     bool present;
+    double edge_mm;
   };
   std::vector<Cube> cubes;
   arm::Joints joints{};

@@ -28,11 +28,16 @@
        (list (complaint '(world (cube circle (at 450 0)) (cube cross (at 450 55))))
              (car (complaint '(world (cube-size 50) (cube circle (at 450 0)) (cube cross (at 450 55))))))
        '((1 overlap (0 2 2)) ok))
+(check "cubes may have sizes of their own, none above the cell's"
+       (list (cubes-in '(cube circle (size 40) (at 450 0)) '(cube square (size 50) (at 450 46)))
+             (complaint '(world (cube-size 50) (cube circle (size 60) (at 450 0))))
+             (complaint '(world (cube circle (size 40) (at 450 0)) (cube square (size 50) (at 450 44)))))
+       '(((circle circle 450 0 0 "" 40) (square square 450 46 0 "" 50)) (1 out-of-range (0 2 2 2 1)) (1 overlap (0 2 2))))
 (check "a mark is the cube's name where it is one" (cubes-in '(cube circle (at 450 0) (yaw 5)))
-       '((circle circle 450 0 5 "")))
+       '((circle circle 450 0 5 "" 60)))
 (check "a stacked cube stands where the lower one does"
        (cubes-in '(cube circle (at 450 0)) '(cube lid (mark cross) (on circle)))
-       '((circle circle 450 0 0 "") (lid cross 450 0 0 circle)))
+       '((circle circle 450 0 0 "" 60) (lid cross 450 0 0 circle 60)))
 (check "a cube needs a place" (complaint '(world (cube circle))) '(1 malformed (0 2 1)))
 (check "a cube cannot stand on a later one" (complaint '(world (cube circle (on cross)) (cube cross (at 450 0))))
        '(1 unknown-object (0 2 1 2)))

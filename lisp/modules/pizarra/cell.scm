@@ -63,12 +63,14 @@
 (define (cube-x cube) (third cube))
 (define (cube-y cube) (fourth cube))
 (define (cube-on cube) (sixth cube))
+(define (cube-edge cube) (seventh cube))
 
 (define (on-table? cube) (string? (cube-on cube)))
 
-(define (overlap? a b size)
+(define (overlap? a b)
   (and (on-table? a) (on-table? b)
-       (< (max (abs (- (cube-x a) (cube-x b))) (abs (- (cube-y a) (cube-y b)))) size)))
+       (< (max (abs (- (cube-x a) (cube-x b))) (abs (- (cube-y a) (cube-y b))))
+          (/ (+ (cube-edge a) (cube-edge b)) 2))))
 
 ;; Where it stands, (X Y ON), on the cube that (on NAME) names.
 (define (place-on node known)
@@ -95,11 +97,11 @@
           ((memq name marks) name)
           (else (complain! node 'malformed "the cube ~a needs a (mark ...)~a" name (suggestion #f marks))))))
 
-(define (refuse-collisions cube node known size)
+(define (refuse-collisions cube node known)
   (for-each (lambda (other)
               (when (same-name? (cube-name cube) (cube-name other))
                 (complain! node 'repeated "there is a cube ~a already" (cube-name other)))
-              (when (overlap? cube other size)
+              (when (overlap? cube other)
                 (complain! node 'overlap "~a and ~a stand in one place" (cube-name cube) (cube-name other))))
             known))
 
@@ -108,13 +110,15 @@
   (let ((name (and (node-form? node 'cube) (plain-name-at node 1 "the cube's name"))))
     (and name
          (let* ((inside (node-within node (string-append "in cube " (symbol->string name))))
-                (found (sections (drop (node-items inside) 2) '(at on yaw mark)))
+                (found (sections (drop (node-items inside) 2) '(at on yaw mark size)))
                 (mark (cube-mark inside found name))
                 (place (cube-place inside found known))
-                (yaw (numbers-in found 'yaw '((-180 180)) '(0))))
+                (yaw (numbers-in found 'yaw '((-180 180)) '(0)))
+                ;; What is laid out for the cell's cubes has room for smaller ones.
+                (edge (numbers-in found 'size (list (list (first cube-sizes-mm) size)) (list size))))
            (and mark place
-                (let ((cube (list name mark (first place) (second place) (first yaw) (third place))))
-                  (refuse-collisions cube node known size)
+                (let ((cube (list name mark (first place) (second place) (first yaw) (third place) (first edge))))
+                  (refuse-collisions cube node known)
                   cube))))))
 
 (define (cubes-of nodes size)

@@ -16,7 +16,7 @@
 (check "patterns of several sections are joined"
        (list-ref (cadr (story '(expect-not (a) (b)) '(expect-not (c)))) 10) '((a) (b) (c)))
 (check "cubes are those of a cell" (list-ref (cadr (story '(cubes (cube circle (at 450 0))))) 3)
-       '(cubes (circle circle 450 0 0 "")))
+       '(cubes (circle circle 450 0 0 "" 50)))
 (check "cubes need the room that those of the cell need"
        (complaint '(cubes (cube circle (at 450 0)) (cube square (at 450 49)))) '(1 overlap (0 4 2)))
 (check "cubes may touch"

@@ -132,7 +132,7 @@ TEST(BlocksDomain, EveryOperationsEffectsFollowFromItsPreconditions) {
 }
 
 TEST(BlocksDomain, SaysHowEveryOperatorIsCarriedOut) {
-  for (const char* file : {"blocks.scm", "numbered-places.scm"}) {
+  for (const char* file : {"blocks.scm", "numbered-places.scm", "sizes.scm"}) {
     const TaskDomain task = domain(file);
     for (const forms::Operator& known : task.domain().operators) {
       std::vector<Datum> operation{Datum::symbol(known.name)};
@@ -162,6 +162,20 @@ TEST(NumberedPlaces, BuildsNothingOnACubeThatLiesAskew) {
       perceived(domain("numbered-places.scm"), "((gripper 84.0) (seen a 480 -170 58) (seen b 480 -205 30))");
   EXPECT_EQ(found,
             facts("((askew a) (at b place-1) (free place-2) (free place-3) (free place-4) (clear b) (arm-empty))"));
+}
+
+TEST(SizesDomain, SeesTowersOfSizesAndWhatFitsOnWhat) {
+  TaskDomain task = domain("sizes.scm");
+  task.use_cubes(60, {{"a", 60}, {"b", 50}, {"c", 40}});
+  EXPECT_EQ(perceived(task, "((gripper 84.0) (seen a 480 -150 30) (seen b 475 -150 85) (seen c 470 -150 130))"),
+            facts("((fits b a) (fits c a) (fits c b) (on b a) (on c b) (at a place-1) (free place-2) (free place-3) "
+                  "(clear c) (arm-empty))"));
+  const Facts held = perceived(task, "((gripper 41.0) (grip 480 0 300) (seen c 470 1 299))");
+  EXPECT_TRUE(held.contains(d("(holding c)")));
+  EXPECT_EQ(task.edge_mm("c"), 40);
+  EXPECT_EQ(task.edge_mm("of-another-cell"), 60);
+  EXPECT_EQ(task.edge_like(46), 50);
+  EXPECT_FALSE(task.edge_like(0));
 }
 
 // The example of a variant as docs/write-a-domain.md shows it.

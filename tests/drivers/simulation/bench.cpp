@@ -103,11 +103,11 @@ double Bench::grip(double opening_mm) {
   return now.opening_mm;
 }
 
-void Bench::pick(double x_mm, double y_mm, double z_mm) {
+void Bench::pick(double x_mm, double y_mm, double z_mm, std::optional<double> edge_mm) {
   grip(gripper_opening_mm);
   EXPECT_TRUE(go(x_mm, y_mm, travel_mm));
   EXPECT_TRUE(go(x_mm, y_mm, z_mm, 0.2));
-  EXPECT_NEAR(grip(0), config.cube_mm, 2);
+  EXPECT_NEAR(grip(0), edge_mm.value_or(config.cube_mm), 2);
   EXPECT_TRUE(go(x_mm, y_mm, travel_mm, 0.2));
 }
 

@@ -53,7 +53,7 @@ class Bench {
   // Moves the fingers and answers the measured opening.
   double grip(double opening_mm);
   // Grasps the cube at x, y with its centre at z, and lifts it to the travel height.
-  void pick(double x_mm, double y_mm, double z_mm);
+  void pick(double x_mm, double y_mm, double z_mm, std::optional<double> edge_mm = {});
   // Puts what is held down with its centre at z and backs off.
   void put(double x_mm, double y_mm, double z_mm);
   void wait(Duration duration) { executor.run_for(duration); }

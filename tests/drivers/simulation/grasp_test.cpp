@@ -15,6 +15,26 @@ TEST(Grasp, LiftsACubeAndReadsItsWidth) {
   EXPECT_EQ(bench.facts().find("(arm-empty)"), std::string::npos);
 }
 
+TEST(Grasp, TakesCubesOfSeveralSizesOffATowerAndReadsTheirWidths) {
+  WorldConfig config;
+  config.cubes = {{.name = "large", .x_mm = 450, .y_mm = 0},
+                  {.name = "middle", .on = "large", .edge_mm = 50},
+                  {.name = "small", .on = "middle", .edge_mm = 40}};
+  Bench bench(config);
+  EXPECT_EQ(bench.truth("middle").state, "(on large)");
+  EXPECT_EQ(bench.truth("small").state, "(on middle)");
+  EXPECT_NEAR(bench.truth("small").z_mm, 130, 1);
+  bench.pick(450, 0, 130, 40);
+  EXPECT_EQ(bench.truth("small").state, "held");
+  EXPECT_NEAR(bench.reading().opening_mm, 40, 1);
+  bench.put(450, 150, 22);
+  EXPECT_EQ(bench.truth("small").state, "table");
+  bench.pick(450, 0, 85, 50);
+  EXPECT_NEAR(bench.reading().opening_mm, 50, 1);
+  bench.put(450, -150, 27);
+  EXPECT_EQ(bench.truth("middle").state, "table");
+}
+
 TEST(Grasp, TurnsATurnedCubeStraight) {
   WorldConfig config;
   config.cubes = {{.name = "circle", .x_mm = 450, .y_mm = 0, .yaw_deg = 14}};

@@ -158,7 +158,7 @@ TEST(Picture, DrawingOnlyWhatChangedGivesTheWholePicture) {
   Snapshot snapshot;
   snapshot.opening_mm = 84;
   for (std::size_t i = 0; i < 4; ++i) {
-    snapshot.cubes.push_back({Eigen::Isometry3d::Identity(), static_cast<Mark>(i), true});
+    snapshot.cubes.push_back({Eigen::Isometry3d::Identity(), static_cast<Mark>(i), true, 60});
   }
   for (std::uint64_t frame = 1; frame <= 12; ++frame) {
     for (Snapshot::Cube& cube : snapshot.cubes) {
