@@ -8,6 +8,7 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr double furthest_mm = 2000;
+constexpr double least_speed_mm_s = 1;
 
 // The numbers from `first` on, all of them lengths that fit a cell.
 Result<std::vector<double>> lengths(const Datum& request, std::size_t first, std::size_t count) {
@@ -55,6 +56,12 @@ Result<void> begin_hand(Cell& cell, const Datum& request) {
     const Result<std::vector<double>> to = lengths(request, 3, 2);
     if (!to) return fail(to);
     return what == "push" ? hand.push(*cube, (*to)[0], (*to)[1]) : hand.place(*cube, (*to)[0], (*to)[1]);
+  }
+  if (what == "slide") {
+    const Result<std::vector<double>> way = lengths(request, 3, 3);
+    if (!way) return fail(way);
+    if ((*way)[2] < least_speed_mm_s) return bad_request(request);
+    return hand.slide(*cube, (*way)[0], (*way)[1], (*way)[2]);
   }
   if (what == "stack" && request.size() == 4) {
     const Result<CubeId> on = cell.find(word(request, 3));

@@ -25,6 +25,7 @@
 //   (head power on|off)               its power switch
 // The hand; each answers when the hand is done (0.5 to 4 s), fails `busy` meanwhile:
 //   (hand push NAME DX DY)            slides it over the table in 0.5 s
+//   (hand slide NAME DX DY SPEED)     the same at SPEED mm/s from beginning to end
 //   (hand place NAME X Y)             lifts it and puts it down there, straight
 //   (hand stack NAME ON)              lifts it and puts it on another cube
 //   (hand steal NAME)                 pulls it away towards the camera, out of the gripper too

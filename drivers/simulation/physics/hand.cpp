@@ -80,6 +80,14 @@ Result<void> Hand::push(CubeId cube, double dx_mm, double dy_mm) {
   return {};
 }
 
+Result<void> Hand::slide(CubeId cube, double dx_mm, double dy_mm, double speed_mm_s) {
+  const Vector3d from = physics_.pose(cube).translation();
+  Result<void> begun = begin(Job::slide, cube, from);
+  if (!begun) return begun;
+  legs_.push_back({from + Vector3d(dx_mm, dy_mm, 0), std::hypot(dx_mm, dy_mm) / speed_mm_s, true});
+  return {};
+}
+
 double Hand::carry_height(CubeId cube) const {
   double highest = 0;
   for (CubeId other = 0; other < physics_.cubes(); ++other) {
@@ -186,7 +194,7 @@ Vector3d Hand::wanted(double seconds_from_now) const {
   const Leg& leg = legs_[leg_];
   const Vector3d from = leg_ == 0 ? from_mm_ : legs_[leg_ - 1].to_mm;
   const double part = std::clamp((leg_time_s_ + seconds_from_now) / leg.seconds, 0.0, 1.0);
-  return from + (leg.to_mm - from) * smooth(part);
+  return from + (leg.to_mm - from) * (leg.even ? part : smooth(part));
 }
 
 void Hand::lead(double seconds) {

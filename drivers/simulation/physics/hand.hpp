@@ -18,6 +18,8 @@ class Hand {
 
   // Each fails with `busy` while the hand does something. Positions are of the cube's centre.
   Result<void> push(CubeId cube, double dx_mm, double dy_mm);
+  // The same at one speed from beginning to end.
+  Result<void> slide(CubeId cube, double dx_mm, double dy_mm, double speed_mm_s);
   Result<void> place(CubeId cube, double x_mm, double y_mm);
   Result<void> stack(CubeId cube, CubeId on);
   Result<void> steal(CubeId cube);
@@ -38,6 +40,7 @@ class Hand {
   struct Leg {
     Eigen::Vector3d to_mm;
     double seconds;
+    bool even = false;  // at one speed, in place of a gentle start and end
   };
 
   Result<void> begin(Job job, std::optional<CubeId> cube, const Eigen::Vector3d& from_mm);

@@ -24,7 +24,8 @@ constexpr std::string_view robot_text = R"(
           (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)))
   (posts (relation gripper ((robot symbol) (opening number)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
-                   (key robot))))
+                   (key robot))
+         (relation arm ((robot symbol) (state symbol) (action string)) (key robot))))
 )";
 constexpr std::string_view vision_text = R"(
 (contract vision
@@ -106,6 +107,7 @@ void FakeCell::start_coordinator() {
   CoordinatorOptions options;
   options.domain_file = source_dir() + "/domains/" + domain_.domain().name + ".scm";
   options.camera = believed;
+  options.travel_height_mm = travel_mm;
   agents_->agent = std::make_unique<CoordinatorAgent>(agents_->coordinator, options);
   agents_->coordinator_job = executor_.spawn(live(*agents_->agent));
   executor_.run_for(3s);
@@ -218,8 +220,8 @@ double FakeCell::close_gripper(double wanted_mm) {
 
 Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   const std::string_view name = operation.head();
-  const Eigen::Vector3d believed = grip + pose_error_mm;
-  if (name == "monitor") co_return list(believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
+  const Eigen::Vector3d said = grip + pose_error_mm;
+  if (name == "monitor") co_return list(said.x(), said.y(), said.z(), 180.0, 0.0, yaw_deg_);
   co_await sleep(executor_, 300ms);
   if (!refusal.empty()) co_return fail(refusal, "the test has the robot refuse", operation);
   const bool positive = operation.size() > 1 && (operation[1].is_symbol("right") || operation[1].is_symbol("up"));
@@ -248,14 +250,24 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
     const Datum move = form(operation[1].text());
     to = {move[1].number(), move[2].number(), move[3].number()};
   }
+  const Datum moving = "moving"_sym;
+  co_await tell_arm(moving);
   move_to(to);
+  co_await sleep(executor_, word_late);
   if (tells_pose) co_await tell_pose();
+  const Datum idle = "idle"_sym;
+  co_await tell_arm(idle);
   co_return list("true"_sym);
 }
 
+Task<void> FakeCell::tell_arm(Datum state) {
+  const Datum arm = list("arm"_sym, "robot"_sym, state, "");
+  co_await agents_->robot_view->tell(arm);
+}
+
 Task<void> FakeCell::tell_pose() {
-  const Eigen::Vector3d believed = grip + pose_error_mm;
-  const Datum pose = list("arm-pose"_sym, "robot"_sym, believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
+  const Eigen::Vector3d said = grip + pose_error_mm;
+  const Datum pose = list("arm-pose"_sym, "robot"_sym, said.x(), said.y(), said.z(), 180.0, 0.0, yaw_deg_);
   co_await agents_->robot_view->tell(pose);
 }
 

@@ -49,6 +49,7 @@ class FakeCell {
   Datum request(const std::string& agent, std::string_view operation);
   // Runs until the query has an answer; false after `patience`.
   bool run_until(std::string_view query, Duration patience);
+  Time now() { return executor_.now(); }
   void run_for(Duration duration) { executor_.run_for(duration); }
   std::vector<Datum> facts(std::string_view pattern);
   // How often a fact that fits has been told, from the journal.
@@ -60,9 +61,11 @@ class FakeCell {
   // Whether something stands before a cube.
   std::function<bool(const std::string& name)> covered = [](const std::string&) { return false; };
   bool tells_pose = true;                  // the robot, as a fact
+  Duration word_late{};                    // how long after a motion it says that it has ended, and where it is
   Eigen::Vector3d pose_error_mm{0, 0, 0};  // of the arm's own word for where it is
   forms::CameraPose camera;                // where it stands; the test may knock against it
   forms::BelievedCamera believed;          // where the coordinator takes it to be, as it starts
+  double travel_mm = 300;                  // the height at which the coordinator travels, as it starts
   Eigen::Vector3d grip{370, 0, 410};       // the grip centre
   double opening_mm = 100;
   std::string held;                // between the fingers
@@ -82,6 +85,7 @@ class FakeCell {
   Task<Result<Datum>> handle_robot(Datum operation);
   Task<Result<Datum>> handle_vision(Datum operation);
   void move_to(const Eigen::Vector3d& place);
+  Task<void> tell_arm(Datum state);
   Task<void> tell_pose();
   Eigen::Vector3d gripper_mark() const;
   double close_gripper(double wanted_mm);

@@ -44,6 +44,12 @@ const std::vector<Row>& table() {
       {"q=0.5", {.misplace = 0.5}, 95, {}, "open loop 41.7, IM 71.7, DoReMi 75.0, CaM 83.3"},
       {"q=0.75", {.misplace = 0.75}, 95, {}, "open loop 15.0, IM 40.0, DoReMi 40.0, CaM 63.3"},
       {"moved", {.moved = true}, 99, {}, "CaM 93 to 97, on a real robot"},
+      {"slid-20", {.slide_mm_s = 20}, 99, {}, "the thesis' Fig. 6.37, without figures; at rest 0.3 s before the grip"},
+      {"slid-50", {.slide_mm_s = 50}, 99, {}, "as above"},
+      {"slid-100", {.slide_mm_s = 100}, 99, {}, "as above"},
+      {"sliding-20", {.slide_mm_s = 20, .at_the_grip = true}, 90, {}, "none; it still moves at the grip"},
+      {"sliding-50", {.slide_mm_s = 50, .at_the_grip = true}, 90, {}, "as above"},
+      {"sliding-100", {.slide_mm_s = 100, .at_the_grip = true}, 90, {}, "as above"},
       {"removed", {.removed = true}, 99, {}, "CaM 90 to 97, on a real robot"},
       {"tower-4", {.slip_chance = 0.15, .cubes = 4}, 98, {}, "not told; p=0.15 with four cubes"},
   };

@@ -1,6 +1,8 @@
 #include "tests/bench/loop/loop_play.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 #include <utility>
 
 #include "lisp/reader.hpp"
@@ -17,6 +19,11 @@ constexpr double within_s = 400;
 // How long a grasp takes from its beginning to the grip, and a carry after it: a hand comes at any instant of it.
 constexpr double grasp_s = 3.5;
 constexpr double carry_s = 2.5;
+// How long a cube slides, and how far at most: its neighbours stand not much further off. Then it rests for a while
+// before the grip, or is still moving.
+constexpr double longest_slide_s = 1;
+constexpr double furthest_slide_mm = 45;
+constexpr double rest_s = 0.3;
 constexpr double off_x_mm = 25;
 constexpr double off_y_mm = 15;
 constexpr double off_yaw_deg = 10;
@@ -32,6 +39,21 @@ Datum symbol(const std::string& name) { return Datum::symbol(name); }
 forms::ScenarioEvent during(Datum operation, double seconds, Datum action, Random& random) {
   const Datum condition = list("operation"_sym, "?"_sym, std::move(operation), "running"_sym);
   return {condition, {list("wait"_sym, random.uniform(0, seconds)), std::move(action)}};
+}
+
+// Aslant, to either side, at that speed.
+forms::ScenarioEvent slide(const Datum& cube, const Disturbance& disturbance, Random& random) {
+  const double speed = disturbance.slide_mm_s;
+  const double way_mm = std::min(speed * longest_slide_s, furthest_slide_mm);
+  const double along_mm = way_mm / std::numbers::sqrt2;
+  const double dx_mm = random.below(2) == 0 ? along_mm : -along_mm;
+  const double dy_mm = random.below(2) == 0 ? along_mm : -along_mm;
+  const Datum action = list("hand"_sym, "slide"_sym, cube, dx_mm, dy_mm, speed);
+  const Datum pick_up = list("PICK-UP"_sym, cube);
+  if (!disturbance.at_the_grip) return during(pick_up, grasp_s - way_mm / speed - rest_s, action, random);
+  const Datum near = list("servo"_sym, 4, cube, "?"_sym, "?"_sym, "?"_sym);
+  const Datum picked_up = list("operation"_sym, "?"_sym, pick_up, "running"_sym);
+  return {list("and"_sym, picked_up, near), {list("wait"_sym, random.uniform(0, rest_s)), action}};
 }
 
 struct Start {
@@ -74,6 +96,7 @@ forms::Scenario scenario_of(const Start& start, const Disturbance& disturbance, 
       const Datum push = list("hand"_sym, "push"_sym, upper, random.uniform(-20, 20), random.uniform(-50, 50));
       scenario.events.push_back(during(list("PICK-UP"_sym, upper), grasp_s, push, random));
     }
+    if (disturbance.slide_mm_s > 0) scenario.events.push_back(slide(upper, disturbance, random));
     if (disturbance.removed) {
       // To where it stood, or near: the room is its own.
       const Datum place = list("hand"_sym, "place"_sym, upper, cube.x_mm + random.uniform(-off_x_mm, off_x_mm),

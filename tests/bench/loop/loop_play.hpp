@@ -18,6 +18,8 @@ struct Disturbance {
   double slip_within_s = 4;  // after the grasp
   double misplace = 0;       // of the edge
   bool moved = false;        // each object, during its grasp
+  double slide_mm_s = 0;     // each object, that fast
+  bool at_the_grip = false;  // it slides when the fingers come around it, and else rests before that
   bool removed = false;      // each object, out of the gripper while it is carried
   int cubes = 3;             // in the tower
 };

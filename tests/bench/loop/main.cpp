@@ -20,8 +20,10 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", bench.jobs, "How many at once; 0: one a core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_option("--only", bench.only, "These rows alone, and p=0, which they are compared with")
-      ->check(CLI::IsMember(disturbance_row_names()))
+  std::vector<std::string> rows = disturbance_row_names();
+  for (const std::string& growth : growth_row_names()) rows.push_back(growth);
+  app.add_option("--only", bench.only, "These rows alone; those with a disturbance are compared with p=0")
+      ->check(CLI::IsMember(rows))
       ->type_name("ROW");
   app.add_flag("--open-loop", bench.open_loop_alone, "Our open loop alone: the first plan is carried out blindly");
   app.add_option("--replay", bench.replay, "Tell the story of this seed, of the rows of --only, and measure nothing")
@@ -44,6 +46,7 @@ int main(int argc, char** argv) {
       "edge in\n"
       "place of cm.\n");
   disturbance_rows(bench);
+  growth_rows(bench);
   fmt::print("goals met {} of {}\n", bench.met, bench.goals);
   return 0;
 }

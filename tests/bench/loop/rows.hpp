@@ -28,5 +28,7 @@ struct LoopBench {
 // The names, for --only.
 std::vector<std::string> disturbance_row_names();
 void disturbance_rows(LoopBench& bench);
+std::vector<std::string> growth_row_names();
+void growth_rows(const LoopBench& bench);
 
 }  // namespace pizarra::bench

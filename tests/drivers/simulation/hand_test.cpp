@@ -17,6 +17,20 @@ TEST(Hand, PushesACubeWhereItIsTold) {
   EXPECT_NEAR(bench.truth("cross").y_mm, -50, 0.1);
 }
 
+TEST(Hand, SlidesACubeAtTheSpeedThatItIsTold) {
+  Bench bench(four_cubes());
+  const double from_mm = bench.truth("circle").x_mm;
+  std::optional<Result<Message>> answer;
+  const Job job = bench.executor.spawn(keep(bench.link.call(*read_one("(hand slide circle -40 0 50)"), 20s), answer));
+  bench.wait(400ms);
+  EXPECT_NEAR(bench.truth("circle").x_mm, from_mm - 20, 2);
+  bench.wait(2s);
+  EXPECT_NEAR(bench.truth("circle").x_mm, from_mm - 40, 2);
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(*answer);
+  EXPECT_EQ(bench.outcome("(hand slide circle 10 0 0)"), "bad-request");
+}
+
 TEST(Hand, APushedCubePushesItsNeighbour) {
   Bench bench(four_cubes());
   bench.ask("(hand push circle 0 90)");
