@@ -57,6 +57,11 @@ void Scene::take_pose(const Eigen::Isometry3d& tool) {
   pose_look_ = sightings_.looks();
 }
 
+void Scene::take_arm(bool moving) {
+  moving_ = moving;
+  pose_look_ = sightings_.looks();
+}
+
 void Scene::take_camera_pose(const forms::CameraPose& measured) {
   camera_.go_on_from(measured);
   turn_view();
@@ -98,7 +103,7 @@ CameraWatch::News Scene::take_look(std::int64_t frame, const forms::PerceivedLoo
 // As far as it says, and its mark is seen.
 bool Scene::arm_rests() const {
   const bool rests = sightings_.looks() >= pose_look_ + looks_till_rest;
-  return tool_ && rests && sightings_.recent(options_.gripper.mark, 1);
+  return tool_ && !moving_ && rests && sightings_.recent(options_.gripper.mark, 1);
 }
 
 // The look was placed by the view that is taken back here.
@@ -107,7 +112,8 @@ CameraWatch::News Scene::watch_camera() {
   if (!still) return CameraWatch::News::nothing;
   const Eigen::Vector3d& placed = sightings_.find(options_.gripper.mark)->place_mm;
   const CameraWatch::News news = camera_.take({*tool_, *head_, seen_mark(*view_, placed)}, *model_);
-  const bool placed_anew = news == CameraWatch::News::corrected || news == CameraWatch::News::moved;
+  using News = CameraWatch::News;
+  const bool placed_anew = news == News::found || news == News::corrected || news == News::moved;
   if (placed_anew) {
     turn_view();
     pose_off_mm_ = Eigen::Vector3d::Zero();
@@ -137,6 +143,11 @@ std::optional<Eigen::Vector3d> Scene::grip_mm() const {
   return Eigen::Vector3d(mark + mark_to_front_mm());
 }
 
+bool Scene::mark_in_view() const {
+  const std::optional<Eigen::Vector3d> grip = grip_by_arm_mm();
+  return !grip || view_->shows(*grip - mark_to_front_mm(), options_.gripper.outline.mark_half_mm);
+}
+
 Eigen::Vector3d Scene::set_back_mm(std::string_view name) const {
   return (domain_.cube_mm() - domain_.edge_mm(name)) / 2 * view_->away();
 }
@@ -164,16 +175,17 @@ std::optional<std::string> Scene::foremost(const std::set<std::string>& but) con
   return foremost;
 }
 
-// A cube that falls off a pile comes to lie within this, in cubes. Behind a cube that stands alone, one that was never
-// seen is not looked for: it is more likely to be away.
-std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but) const {
+// A cube that falls off a pile comes to lie within this, in cubes. Behind a cube that stands alone, one that was not seen
+// in any life is not looked for: it is more likely to be away.
+std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but,
+                                             bool was_here) const {
   constexpr double falls_within = 3;
   const Sighting* last = sightings_.find(missing);
   double least_mm = std::numeric_limits<double>::infinity();
   std::optional<std::string> nearest;
   for (const auto& [name, sighting] : sightings_.all()) {
     const bool other = name != options_.gripper.mark && name != missing && !but.contains(name);
-    if (!other || !sightings_.recent(name, 1) || (!last && top_of_pile(name) == name)) continue;
+    if (!other || !sightings_.recent(name, 1) || (!last && !was_here && top_of_pile(name) == name)) continue;
     const double apart_mm =
         last ? (centre_mm(name, sighting) - centre_mm(missing, *last)).head<2>().norm() : -sighting.place_mm.x();
     const bool too_far = last && apart_mm > falls_within * domain_.cube_mm();
@@ -199,7 +211,8 @@ std::string Scene::top_of_pile(std::string name) const {
   return top;
 }
 
-std::optional<std::string> Scene::may_hide(const std::string& missing, const std::set<std::string>& but) const {
+std::optional<std::string> Scene::may_hide(const std::string& missing, const std::set<std::string>& but,
+                                           bool was_here) const {
   const Sighting* last = sightings_.find(missing);
   std::optional<std::string> hides;
   if (last && view_) {
@@ -216,7 +229,7 @@ std::optional<std::string> Scene::may_hide(const std::string& missing, const std
     }
   }
   if (!hides) hides = foremost(but);
-  if (!hides) hides = nearest_to(missing, but);
+  if (!hides) hides = nearest_to(missing, but, was_here);
   return hides ? std::optional(top_of_pile(*hides)) : std::nullopt;
 }
 

@@ -28,6 +28,8 @@ class Scene {
   // Where the mark of a held object of that size would stand: below the end effector's mark, or, while that is not
   // seen, by the arm's own word and how far off that was when the two could last be compared.
   std::optional<Eigen::Vector3d> grip_mm() const;
+  // Whether the camera should show the end effector's mark: also where the arm does not say where it is.
+  bool mark_in_view() const;
   // From there to where the mark of this object would stand: further from the camera, where it is smaller than others.
   // There is a view.
   Eigen::Vector3d set_back_mm(std::string_view name) const;
@@ -35,8 +37,9 @@ class Scene {
   Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
   // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands
   // nearest the camera, well before the row of spots, else what stands nearest that place: it may have fallen behind.
-  // Of a pile, its top. None of `but`.
-  std::optional<std::string> may_hide(const std::string& missing, const std::set<std::string>& but) const;
+  // Of a pile, its top. None of `but`. `was_here`: it was seen in an earlier life, so that it is not simply away.
+  std::optional<std::string> may_hide(const std::string& missing, const std::set<std::string>& but,
+                                      bool was_here) const;
   // The seen cube that it stands on.
   std::optional<std::string> under(const std::string& name) const;
   // Whether nothing moves that was seen lately and is not in the gripper.
@@ -52,6 +55,9 @@ class Scene {
   void take_head(std::optional<HeadTurn> turn);
   void take_opening(double mm) { opening_mm_ = mm; }
   void take_pose(const Eigen::Isometry3d& tool);
+  // While it moves its word for where it is may be old.
+  void take_arm(bool moving);
+  void doubt_camera() { camera_.doubt(); }
   void take_camera_pose(const forms::CameraPose& measured);
 
   // Whether the next look can be placed: the camera's model and its head are known, and the head stands long enough for
@@ -69,7 +75,8 @@ class Scene {
   void compare_pose();
   CameraWatch::News watch_camera();
   std::optional<std::string> foremost(const std::set<std::string>& but) const;
-  std::optional<std::string> nearest_to(const std::string& missing, const std::set<std::string>& but) const;
+  std::optional<std::string> nearest_to(const std::string& missing, const std::set<std::string>& but,
+                                        bool was_here) const;
   std::string top_of_pile(std::string name) const;
 
   const CoordinatorOptions& options_;
@@ -82,7 +89,8 @@ class Scene {
   std::optional<CameraView> view_;
   std::optional<double> opening_mm_;
   std::optional<Eigen::Isometry3d> tool_;                  // by the arm's word
-  std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose
+  bool moving_ = false;                                    // by the arm's word, as the pose is
+  std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose, or came to rest
   Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen
 };
 

@@ -103,7 +103,9 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 // reason to give up looking; one that somebody's stop kept from being made is to be made yet.
 Task<Result<bool>> Pursuit::clear_view(std::string missing, SetAside& set_aside) {
   Result<void> done = co_await rescues_.lay_down(missing);
-  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done);
+  // A plan was made when all of the goal's objects had been found.
+  const bool was_here = current_ && planned_for_ == current_->number;
+  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done, was_here);
   const bool may_hide = done && before && *before != missing;
   if (may_hide) {
     ++set_aside_;

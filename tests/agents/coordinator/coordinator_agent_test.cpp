@@ -443,6 +443,23 @@ TEST(CrowdedCell, LaysWhatItSetsAsideWhereItHidesTheMissingCubeNoMore) {
   EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
 }
 
+// A coordinator that was killed has seen nothing of it, and its plan tells that it was there.
+TEST(CrowdedCell, LooksAfterARestartBehindACubeThatStandsAlone) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {450, 160, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation 0 ? running)", 30s));
+  cell.stop_coordinator();
+  cell.cubes["circle"] = {380, 140, 30};
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& square = cell.cubes["square"];
+    return name == "circle" && square.z() < 60 && std::abs(square.y() - 160) < 40;
+  };
+  cell.start_coordinator();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
+}
+
 // The plan stacks triangle on square, where it hides circle, and grasps circle next.
 TEST(CrowdedCell, SetsAsideTooWhatTheHidingCubeIsStackedOnAgain) {
   FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {480, -100, 30}}});
