@@ -22,7 +22,8 @@ struct CameraPose {
 // Where the agents take the camera to be, how sure that is (one standard deviation), and where the gripper's mark is in
 // the tool's frame (drivers/arm/kinematics.hpp).
 struct BelievedCamera {
-  CameraPose pose;
+  CameraPose pose;       // means nothing where it is unknown
+  bool unknown = false;  // nobody has measured it
   double sure_mm = 1;
   double sure_deg = 0.1;
   std::array<double, 3> mark_mm{30, 0, -66};

@@ -160,7 +160,9 @@ CameraPose camera_pose_from_datum(const Datum& datum) {
 }
 
 BelievedCamera believed_camera_from_datum(const Datum& datum) {
-  return {.pose = camera_pose_from_datum(datum[0]),
+  const bool unknown = datum[0].items().empty();
+  return {.pose = unknown ? CameraPose() : camera_pose_from_datum(datum[0]),
+          .unknown = unknown,
           .sure_mm = datum[1][0].number(),
           .sure_deg = datum[1][1].number(),
           .mark_mm = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()}};

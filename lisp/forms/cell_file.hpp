@@ -27,6 +27,7 @@
 //                                                              ; the cell file; left out: on the board alone
 //     (camera-pose (at 1350 0 190) (pan 2) (sure 20 2))        ; where the agents take the camera to be, and how sure
 //                                                              ; that is, mm and degrees; left out: as in the world;
+//                                                              ; (camera-pose unknown): nobody has measured it;
 //                                                              ; (mark 30 0 -66) is the gripper's in the tool's frame;
 //                                                              ; with (file "camera-pose.scm") that counts once it is
 //                                                              ; there (`calibrate hand-eye` writes it)

@@ -30,11 +30,19 @@ class CameraSurvey {
   Task<Result<void>> run();
 
  private:
+  // By pixel errors alone, until the looks tell at all where the camera stands; or until they are too few for that.
+  Task<Result<void>> find_by_pixels();
+  // To where the mark is seen at that pixel, or as near as the arm may go.
+  Task<Result<void>> align_pixels(Eigen::Vector2d wanted_px);
+  Eigen::Vector3d within_room(const Eigen::Vector3d& grip_mm) const;
   // Of the grip, so that the mark is at all corners of the room above the row.
   std::vector<Eigen::Vector3d> places() const;
   double lowest_mm() const;
+  // The object in the gripper; empty where there is none.
+  std::string held() const;
   // Whether the mark was seen there.
   Task<Result<bool>> look_from(Eigen::Vector3d grip_mm);
+  Task<Result<void>> look_around(std::vector<Eigen::Vector3d> ways_mm);
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;

@@ -17,8 +17,7 @@ double tenths(double value) { return std::round(value * 10) / 10; }
 
 }  // namespace
 
-Task<Result<Revision>> TaskRunner::tell_servo(int state, const Datum& target, const Aim& aim) {
-  const ServoPixels errors = servo_pixels(aim, *surroundings_.scene().view());
+Task<Result<Revision>> TaskRunner::tell_servo(int state, const Datum& target, ServoPixels errors) {
   Transaction transaction;
   transaction.tell(
       list("servo"_sym, state, target_name(target), tenths(errors.x_px), tenths(errors.y_px), tenths(errors.depth_mm)),
@@ -46,7 +45,8 @@ Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
     const ServoErrors errors = servo_errors(*aim, *surroundings_.scene().view(), options_.gripper.mark_before_grip_mm,
                                             options_.travel_height_mm);
     const ServoCommand command = servo_command(errors, options_.servo, descend);
-    co_await tell_servo(command.state, target, *aim);
+    const ServoPixels told = servo_pixels(*aim, *surroundings_.scene().view());
+    co_await tell_servo(command.state, target, told);
     if (command.state < 3 && state_before >= 3) {
       const std::string sentence = fmt::format("{} was moved during the approach: following it", write(target));
       co_await story_.tell("servo", sentence, target_name(target));

@@ -158,12 +158,16 @@ Task<Result<void>> TaskRunner::raise() {
     }
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
-    if (surroundings_.scene().sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
+    const Scene& scene = surroundings_.scene();
+    if (scene.sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
+    // A camera that was knocked against may not show it as high up: the arm's word will do.
+    if (!scene.mark_in_view()) co_return Result<void>();
     // Out of the camera's view, as after home: the ready pose is before it.
     const Datum ready = list("ready"_sym);
     const Result<Datum> readied = co_await arm_.ask(ready);
     if (!readied) co_return fail(readied);
   }
+  surroundings_.doubt_camera();
   co_return fail("lost-sight", "the end effector's mark is not seen", Datum::symbol(options_.gripper.mark));
 }
 

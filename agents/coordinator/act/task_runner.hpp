@@ -39,6 +39,8 @@ class TaskRunner {
   Task<Result<void>> improvise(std::vector<Datum> steps);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
   Task<Result<void>> raise();
+  // What the servo makes up for: (servo STATE TARGET ERR-X ERR-Y ERR-D).
+  Task<Result<Revision>> tell_servo(int state, const Datum& target, ServoPixels errors);
 
  private:
   // By as much, inwards where the arm does not reach as high.
@@ -57,7 +59,6 @@ class TaskRunner {
   std::optional<Push> push_for(std::string_view object) const;
   Task<Result<void>> check_held(std::string object);
   Task<Result<void>> await_effects(GroundOperation operation);
-  Task<Result<Revision>> tell_servo(int state, const Datum& target, const Aim& aim);
   Task<Result<Revision>> tell(const Datum& fact);
   Result<void> check() const;
 

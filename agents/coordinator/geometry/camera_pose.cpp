@@ -132,6 +132,56 @@ MountFit fit_mount(const MountedCamera& guess, const Sureness& sure, std::span<c
           .error_px = std::sqrt(normal.squares_px / coordinates)};
 }
 
+namespace {
+
+// Before the camera: across, down and ahead of its base line's centre.
+Eigen::Vector3d before_camera(const SeenMark& seen, const CameraModel& model) {
+  const double base_line_mm = std::max(model.base_line_mm, least_base_line_mm);
+  const double depth = model.focal_px * base_line_mm / seen.z();
+  return {(seen.x() - model.centre_x_px) * depth / model.focal_px - model.base_line_mm / 2,
+          (seen.y() - model.centre_y_px) * depth / model.focal_px, depth};
+}
+
+// Of a camera whose images' axes these are, in the base frame.
+forms::CameraPose pose_of_axes(const Eigen::Vector3d& at, const Eigen::Matrix3d& axes, HeadTurn head) {
+  constexpr double degree = std::numbers::pi / 180;
+  const Eigen::Vector3d across = axes.col(0);
+  const Eigen::Vector3d forward = axes.col(2);
+  const double pan = std::remainder(180 - std::atan2(forward.y(), forward.x()) / degree, 360);
+  const double tilt = std::asin(std::clamp(forward.z(), -1.0, 1.0)) / degree;
+  const Eigen::Vector3d level = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const double roll = std::atan2(across.dot(forward.cross(level)), across.dot(level)) / degree;
+  return {.at_mm = {at.x(), at.y(), at.z()},
+          .pan_deg = pan - head.pan_deg,
+          .tilt_deg = tilt - head.tilt_deg,
+          .roll_deg = roll};
+}
+
+}  // namespace
+
+// Horn's absolute orientation, as Eigen has it, of the marks as the camera sees them and as the arm says where they
+// are.
+std::optional<forms::CameraPose> pose_from_pairs(const Eigen::Vector3d& mark_mm, std::span<const MarkPair> pairs,
+                                                 const CameraModel& model) {
+  constexpr std::size_t least_pairs = 4;
+  constexpr double least_way_mm = 40;  // along the second longest direction in which they lie apart
+  if (pairs.size() < least_pairs) return std::nullopt;
+  Eigen::Matrix3Xd seen(3, pairs.size());
+  Eigen::Matrix3Xd said(3, pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const bool turned =
+        pairs[i].head.pan_deg != pairs[0].head.pan_deg || pairs[i].head.tilt_deg != pairs[0].head.tilt_deg;
+    if (turned || pairs[i].seen.z() <= 0) return std::nullopt;
+    seen.col(static_cast<Eigen::Index>(i)) = before_camera(pairs[i].seen, model);
+    said.col(static_cast<Eigen::Index>(i)) = pairs[i].tool * mark_mm;
+  }
+  const Eigen::Matrix3Xd apart = said.colwise() - said.rowwise().mean();
+  const Eigen::Vector3d ways = apart.jacobiSvd().singularValues() / std::sqrt(static_cast<double>(pairs.size()));
+  if (ways[1] < least_way_mm) return std::nullopt;
+  const Eigen::Matrix4d pose = Eigen::umeyama(seen, said, false);
+  return pose_of_axes(pose.topRightCorner<3, 1>(), pose.topLeftCorner<3, 3>(), pairs[0].head);
+}
+
 double MountFit::spread_mm(const Eigen::Vector3d& point_mm) const {
   const Eigen::Vector3d seen = CameraView(camera.pose, {}).to_camera(point_mm);
   const auto slope = slopes(numbers_of(camera), [&](const Numbers& numbers) -> Eigen::Vector3d {

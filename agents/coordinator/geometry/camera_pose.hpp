@@ -11,6 +11,7 @@
 //   fit.spread_mm({450, 0, 30});         // of a point there, as the camera places it
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,11 @@ struct MountFit {
 
 MountFit fit_mount(const MountedCamera& guess, const Sureness& sure, std::span<const MarkPair> pairs,
                    const CameraModel& model);
+
+// Where the camera stands by the pairs alone, without a guess. None where they do not tell: they are fewer than four,
+// were seen with the head turned otherwise, or lie too close together or along a line.
+std::optional<forms::CameraPose> pose_from_pairs(const Eigen::Vector3d& mark_mm, std::span<const MarkPair> pairs,
+                                                 const CameraModel& model);
 
 // How far from the expected place the mark was seen, px, and what that may be at most if the pair agrees with the fit.
 struct Surprise {

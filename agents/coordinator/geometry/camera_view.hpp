@@ -65,6 +65,7 @@ class CameraView {
   // Horizontal unit vectors: to the right in the image, and away from the camera, while its head is in the middle.
   const Eigen::Vector3d& right() const { return right_; }
   const Eigen::Vector3d& away() const { return away_; }
+  const CameraModel& model() const { return model_; }
   double focal_px() const { return model_.focal_px; }
   double base_line_mm() const { return model_.base_line_mm; }
 

@@ -62,10 +62,12 @@ CameraWatch::CameraWatch(const forms::BelievedCamera& guess, const forms::CubeRo
     for (const double z : {low_mm, high_mm}) row_.emplace_back(row.x_mm, y, z);
   }
   begin_anew({guess.sure_mm, guess.sure_deg, mark_sure_mm}, {}, {});
+  unknown_ = guess.unknown;
 }
 
 void CameraWatch::go_on_from(const forms::CameraPose& measured) {
   pose_ = measured;
+  unknown_ = false;
   begin_anew(as_measured, {}, {});
 }
 
@@ -85,7 +87,19 @@ void CameraWatch::place_by(const forms::CameraPose& pose) {
 }
 
 CameraWatch::News CameraWatch::take(const MarkPair& pair, const CameraModel& model) {
+  if (unknown_) return take_first(pair, model);
   return surprise(fit_, pair, model).is_one() ? take_strange(pair, model) : take_agreeing(pair, model);
+}
+
+CameraWatch::News CameraWatch::take_first(const MarkPair& pair, const CameraModel& model) {
+  if (!add(pairs_, pair, most_pairs)) return News::nothing;
+  const std::optional<forms::CameraPose> found = pose_from_pairs(guess_.mark_mm, pairs_, model);
+  if (!found) return News::nothing;
+  unknown_ = false;
+  pose_ = *found;
+  begin_anew(after_a_move, pairs_, model);
+  place_by(fit_.camera.pose);
+  return News::found;
 }
 
 CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraModel& model) {

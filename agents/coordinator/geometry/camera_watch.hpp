@@ -19,7 +19,7 @@ namespace pizarra::coordinator {
 
 class CameraWatch {
  public:
-  enum class News { nothing, corrected, doubtful, moved };
+  enum class News { nothing, found, corrected, doubtful, moved };
 
   // `row`: where the arm works, and things must be placed well.
   CameraWatch(const forms::BelievedCamera& guess, const forms::CubeRow& row);
@@ -27,10 +27,16 @@ class CameraWatch {
   void go_on_from(const forms::CameraPose& measured);
 
   News take(const MarkPair& pair, const CameraModel& model);
+  // The mark is not seen where it should be in view. Looks that agree end the doubt.
+  void doubt() { doubtful_ = true; }
 
   const forms::CameraPose& pose() const { return pose_; }
+  // Nothing at all is known of it yet: what is seen has pixels, and no place.
+  bool unknown() const { return unknown_; }
   bool doubtful() const { return doubtful_; }
-  bool known() const { return !doubtful_ && spread_mm_ <= most_spread_mm; }
+  bool known() const { return !unknown_ && !doubtful_ && spread_mm_ <= most_spread_mm; }
+  // Looks at the mark that agree, one a place of the tool.
+  const std::vector<MarkPair>& pairs() const { return pairs_; }
   // How far things in the row may be placed off.
   double spread_mm() const { return spread_mm_; }
   // How far the last correction or move took what stands in the row.
@@ -39,6 +45,7 @@ class CameraWatch {
  private:
   static constexpr double most_spread_mm = 5;
 
+  News take_first(const MarkPair& pair, const CameraModel& model);
   News take_agreeing(const MarkPair& pair, const CameraModel& model);
   News take_strange(const MarkPair& pair, const CameraModel& model);
   bool tell_of_one_pose(const MountFit& moved) const;
@@ -56,6 +63,7 @@ class CameraWatch {
   forms::CameraPose pose_;
   double spread_mm_ = 0;
   double shift_mm_ = 0;
+  bool unknown_ = false;
   bool doubtful_ = false;
 };
 

@@ -21,10 +21,12 @@ std::vector<Datum> numbers_of(const forms::CameraPose& pose) {
 }
 
 std::string state_of(const CameraWatch& camera) {
+  if (camera.unknown()) return "unknown";
   return camera.doubtful() ? "doubtful" : camera.known() ? "measured" : "guessed";
 }
 
 std::string sentence_of(const CameraWatch& camera, News news) {
+  if (news == News::found) return "the gripper's mark shows where the camera stands";
   if (news == News::corrected) {
     return fmt::format(
         "the gripper's mark shows where the camera stands: things are placed {:.1f} mm from where they were",
@@ -45,7 +47,7 @@ Task<std::optional<forms::CameraPose>> CameraNews::told_before() {
   const std::vector<Fact> told = co_await facts_now(context_.board, context_.executor, pattern);
   if (told.empty()) co_return std::nullopt;
   const Datum& fact = told.back().datum;
-  if (fact[7].is_symbol("guessed")) co_return std::nullopt;
+  if (fact[7].is_symbol("guessed") || fact[7].is_symbol("unknown")) co_return std::nullopt;
   told_ = fact[7].text();
   co_return forms::CameraPose{.at_mm = {fact[1].number(), fact[2].number(), fact[3].number()},
                               .pan_deg = fact[4].number(),

@@ -59,6 +59,7 @@ void Surroundings::follow_robot(const std::string& agent) {
   robot_.clear();
   robot_.push_back(followed(pattern_of("gripper"_sym, robot, 2), &Surroundings::take_gripper));
   robot_.push_back(followed(pattern_of("arm-pose"_sym, robot, 7), &Surroundings::take_pose));
+  robot_.push_back(followed(pattern_of("arm"_sym, robot, 3), &Surroundings::take_arm));
 }
 
 Task<void> Surroundings::take_model(Change change) {
@@ -89,6 +90,12 @@ Task<void> Surroundings::take_pose(Change change) {
   scene_.take_pose(tool_pose(at, pose[5].number(), pose[6].number(), pose[7].number()));
 }
 
+Task<void> Surroundings::take_arm(Change change) {
+  const bool moving = !change.added.empty() && change.added.back().facts.front().datum[2].is_symbol("moving");
+  scene_.take_arm(moving);
+  co_return;
+}
+
 Task<void> Surroundings::take_look(Change change) {
   // A fact that stands already when the watch begins may be old.
   if (change.resynchronised || change.added.empty() || !scene_.places_next_look()) co_return;
@@ -103,14 +110,16 @@ Task<void> Surroundings::take_look(Change change) {
   }
   const CameraWatch::News news = scene_.take_look(frame, *perceived);
   Beliefs::Change changed;
-  if (perceived->facts) {
+  // Without a place nothing is believed of what is seen.
+  const bool placed = !scene_.camera().unknown();
+  if (placed && perceived->facts) {
     Facts facts;
     for (const Datum& fact : *perceived->facts) {
       if (domain_.domain().find_predicate(fact.head())) facts.insert(fact);
     }
     changed = beliefs_.perceive(facts, {frame, look.id});
   }
-  co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
+  if (placed) co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
   if (!perceived->facts) co_await tell_failure(perceived->facts.error());
   co_await camera_news_.tell(scene_.camera(), news);
   looked_.wake_all();

@@ -41,6 +41,9 @@ class Surroundings {
     return beliefs_.settled() && scene_.calm() && scene_.still(objects);
   }
 
+  // The gripper's mark is not seen where it should be in view: the camera may have been moved.
+  void doubt_camera() { scene_.doubt_camera(); }
+
   // True once more than `look` looks were made, false at the deadline.
   Task<bool> look_after(std::uint64_t look, Time deadline);
 
@@ -51,6 +54,7 @@ class Surroundings {
   Task<void> take_head(Change change);
   Task<void> take_gripper(Change change);
   Task<void> take_pose(Change change);
+  Task<void> take_arm(Change change);
   Task<void> take_look(Change change);
   Task<void> tell_failure(Failure why);
 

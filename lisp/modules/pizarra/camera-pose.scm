@@ -3,7 +3,7 @@
 ;;
 ;; (camera-pose-of-section NODE), NODE the section (camera-pose PART ...) of a cell file, answers
 ;;   ((X Y Z PAN TILT ROLL) (SURE-MM SURE-DEGREES) (MARK-X MARK-Y MARK-Z) FILE)
-;; FILE being the empty string where no file is to be preferred.
+;; FILE being the empty string where no file is to be preferred, and the pose () in (camera-pose unknown PART ...).
 ;; (interpret DATA), the data of such a file, answers (ok (the same)) or (errors ...).
 
 (define-module (pizarra camera-pose)
@@ -29,10 +29,14 @@
   (list pose as-in-the-world usual-mark ""))
 
 (define (camera-pose-of-section node known)
-  (let ((parts (sections (node-rest (node-within node "in the camera's pose")) known)))
-    (unless (section-in parts 'at)
-      (complain-missing! node '(at) "the camera's pose needs its place: (at X Y Z)"))
-    (list (pose-of parts)
+  (let* ((nodes (node-rest (node-within node "in the camera's pose")))
+         (unknown? (and (pair? nodes) (eq? (node-datum (car nodes)) 'unknown)))
+         (parts (if unknown?
+                    (sections (cdr nodes) (lset-intersection eq? known '(mark file)))
+                    (sections nodes known))))
+    (unless (or unknown? (section-in parts 'at))
+      (complain-missing! node '(at) "the camera's pose needs its place: (at X Y Z); or it is unknown"))
+    (list (if unknown? '() (pose-of parts))
           (numbers-in parts 'sure '((0.01 200) (0.001 20)) measured-by-hand)
           (numbers-in parts 'mark '((-300 300) (-300 300) (-300 300)) usual-mark)
           (text-of-section parts 'file "the file of the pose" ""))))

@@ -45,6 +45,18 @@ TEST_F(CameraMoved, AGuessIsFoundOutBeforeTheGoalIsPursued) {
   EXPECT_EQ(cell.times_told("(operation ? ? failed)"), 0);
 }
 
+TEST_F(CameraMoved, OneOfWhichNothingIsKnownIsFoundByPixelErrorsAlone) {
+  cell.believed.unknown = true;
+  cell.camera = {.at_mm = {1250, 220, 300}, .pan_deg = -14, .tilt_deg = -8, .roll_deg = 5};
+  begin();
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  expect_on("circle", "triangle");
+  expect_found();
+  EXPECT_GT(cell.times_told("(servo 1 end-effector ? ? ?)"), 0);
+  EXPECT_EQ(cell.times_told("(operation ? ? failed)"), 0);
+}
+
 TEST_F(CameraMoved, ABumpInTheMiddleOfAGoalIsNoticedToldAndCorrected) {
   begin();
   want("(goal (on circle triangle) (on triangle square))");
@@ -82,6 +94,27 @@ TEST_F(CameraMoved, AMotionThatEndsEarlyWhileItIsFoundOutIsMadeAgain) {
   EXPECT_TRUE(cell.facts("(goal-state 1 refused ?)").empty()) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
   cell.refusal.clear();
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+}
+
+TEST_F(CameraMoved, ABumpAfterWhichTheMarkIsOutOfViewHighUpIsFoundOutFurtherDown) {
+  begin();
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK circle triangle) running)", 60s));
+  cell.camera.at_mm[2] -= 20;
+  cell.camera.tilt_deg -= 4;
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 240s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  expect_on("circle", "triangle");
+  EXPECT_GT(cell.times_told("(camera-pose ? ? ? ? ? ? doubtful ? ?)"), 0);
+  expect_found();
+}
+
+TEST_F(CameraMoved, AnArmWhoseWordComesLateIsNoReasonToDoubtTheCamera) {
+  begin();
+  cell.word_late = 1500ms;
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 240s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(camera-pose ? ? ? ? ? ? doubtful ? ?)"), 0);
 }
 
 TEST_F(CameraMoved, AMarkThatIsNeverSeenIsRefusedWithWhatToDo) {

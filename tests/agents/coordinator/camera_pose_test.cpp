@@ -61,6 +61,26 @@ TEST(MountFit, FindsACameraThatStandsElsewhereWithinAMillimetreWithoutNoise) {
   }
 }
 
+TEST(PoseFromPairs, NeedsNoGuess) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const forms::CameraPose truth = off_by({}, 200, 25, random);
+    const std::vector<MarkPair> pairs = looks(truth, 12, 0, random);
+    const std::optional<forms::CameraPose> found = pose_from_pairs(usual_mark, pairs, model);
+    ASSERT_TRUE(found);
+    EXPECT_LT(worst_mm(truth, *found), 0.01);
+  }
+}
+
+TEST(PoseFromPairs, IsNotToldByPlacesAlongALine) {
+  Random random(1);
+  std::vector<MarkPair> pairs;
+  for (int i = 0; i < 6; ++i) pairs.push_back(look({}, tool_pose({450, -100 + 40.0 * i, 300}, 180, 0, 0), 0, random));
+  EXPECT_FALSE(pose_from_pairs(usual_mark, pairs, model));
+  EXPECT_FALSE(pose_from_pairs(usual_mark, looks({}, 3, 0, random), model));
+}
+
 TEST(MountFit, SaysHowFarItMayBeOff) {
   int beyond = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {

@@ -1,0 +1,12 @@
+; Four cubes, seen by a camera that somebody has put aslant beside the row. Nobody has measured where it stands.
+(cell unknown-camera
+  (world
+    (camera (at 1260 150 250) (pan -8) (tilt -4) (roll 3))
+    (cube circle   (at 450 -165))
+    (cube triangle (at 450 -55))
+    (cube square   (at 450 55))
+    (cube cross    (at 450 165)))
+  (camera-pose unknown)
+  (arm crs-f3)
+  (domain "../../../domains/blocks.scm")
+  (host "localhost" (agents robot vision planner coordinator person)))
