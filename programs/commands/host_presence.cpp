@@ -14,17 +14,23 @@ constexpr Duration lease_length = 4s;
 
 Datum yes_or_no(bool whether) { return whether ? "yes"_sym : "no"_sym; }
 
+// The lease that is held, renewed, or else a new one.
+Task<Result<LeaseId>> lasting(client::RemoteBoard& board, LeaseId held) {
+  if (held != 0) {
+    const Result<void> renewed = co_await board.renew(held);
+    if (renewed) co_return held;
+  }
+  co_return co_await board.lease(lease_length);
+}
+
 // Nothing before the board has said what its clock shows.
 Task<Result<void>> tell_once(client::RemoteBoard& board, std::string host, LeaseId* lease) {
   const std::vector<Relation> relations = {host_relation()};
   const Result<void> declared = co_await board.declare(relations);
   if (!declared) co_return fail(declared);
-  const Result<void> renewed = co_await board.renew(*lease);
-  if (!renewed) {
-    const Result<LeaseId> fresh = co_await board.lease(lease_length);
-    if (!fresh) co_return fail(fresh);
-    *lease = *fresh;
-  }
+  const Result<LeaseId> lasts = co_await lasting(board, *lease);
+  if (!lasts) co_return fail(lasts);
+  *lease = *lasts;
   const std::optional<Time> there = board.board_time();
   if (!there) co_return Result<void>();
   const std::int64_t offset_ms = (RealExecutor::wall_clock() - *there) / 1ms;

@@ -73,6 +73,7 @@ class UpTest : public testing::Test {
 
 TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
   ASSERT_TRUE(wait_for("ask '(person done ?what)'", "?what = ")) << log();
+  EXPECT_EQ(run("ask '(board-refusal \"narrator\" ?symbol ? ?)'").text, "no\n");
   const std::string picture = folder_ + "eyes.png";
   const Said looked = run("look colour --frames 3 --png " + picture);
   EXPECT_EQ(looked.status, 0) << looked.text;

@@ -18,9 +18,10 @@ std::optional<PixelMap> PixelMap::from(std::span<const MarkPair> pairs) {
   }
   places.rowwise() -= places.colwise().mean().eval();
   pixels.rowwise() -= pixels.colwise().mean().eval();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> apart(places, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (apart.singularValues()[2] < least_way_mm) return std::nullopt;
-  const Eigen::Matrix<double, 3, 2> slopes = apart.solve(pixels);
+  const Eigen::Matrix3d scatter = places.transpose() * places;
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  if (least < least_way_mm * least_way_mm) return std::nullopt;
+  const Eigen::Matrix<double, 3, 2> slopes = scatter.ldlt().solve(places.transpose() * pixels);
   return PixelMap(slopes.transpose());
 }
 

@@ -5,8 +5,7 @@
 // place.
 //
 //   const std::optional<PixelMap> map = PixelMap::from(watch.pairs());
-//   place += map->way_for(wanted_px - seen_px);       // Err_X and Err_Y, made up for by moving along the base's y and
-//   z
+//   place += map->way_for(wanted_px - seen_px);       // Err_X and Err_Y; the tool moves along the base's y and z
 
 #include <optional>
 #include <span>

@@ -272,9 +272,9 @@ TEST_F(Vision, SaysThatWhatIsLikeItIsOfAnotherSizeThanIsLookedFor) {
     EXPECT_EQ(call("(find \"circle\")"), R"x((FIND "circle" FAIL))x");
     return facts("(vision-failed vision ? ? ? ?)");
   };
-  const std::string large = find_at(1.9);
+  const std::string large = find_at(3.0);
   EXPECT_NE(large.find("too-large"), std::string::npos) << large;
-  EXPECT_NE(large.find("1.9 times as high as it was learned"), std::string::npos) << large;
+  EXPECT_NE(large.find("3.0 times as high as it was learned"), std::string::npos) << large;
   const std::string small = find_at(0.34);
   EXPECT_NE(small.find("too-small"), std::string::npos) << small;
   camera.scene.faces.clear();
