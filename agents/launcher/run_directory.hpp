@@ -32,7 +32,7 @@ struct RunState {
   int supervisor_pid = 0;
   std::string board_address;
   std::string world_address;
-  std::string key;  // the file of the secret key with which one comes to the board; empty: none is needed
+  std::string key;        // the file of the secret key with which one comes to the board; empty: none is needed
   std::string cell_file;  // its whole path
   std::vector<RunProcess> processes;
 };

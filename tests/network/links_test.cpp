@@ -43,8 +43,8 @@ def serve(c):
 while True:
     c,_=s.accept(); threading.Thread(target=serve,args=(c,),daemon=True).start()
 )";
-// Where packets are lost, TCP asks again after 1, 2, 4 ... s: of a line that loses a fifth each way, one connection in a
-// thousand takes a minute.
+// Where packets are lost, TCP asks again after 1, 2, 4 ... s: of a line that loses a fifth each way, one connection in
+// a thousand takes a minute.
 constexpr const char* round_trip_ms = R"(
 import socket,sys,time
 c=socket.create_connection((sys.argv[1],7843),timeout=120); c.setsockopt(socket.IPPROTO_TCP,socket.TCP_NODELAY,1)
