@@ -76,7 +76,7 @@ Task<Result<LiveLook::SoFar>> LiveLook::so_far(method::Traffic* with_readers) {
     counts.told[relation] = counts_in(fact.datum[its_tellers]);
     if (with_readers == nullptr) continue;
     for (const auto& [watcher, patterns] : counts_in(fact.datum[its_watchers])) {
-      if (!watcher.starts_with(name_)) with_readers->flows[relation].watchers.insert(watcher);
+      if (!watcher.starts_with(names_begin)) with_readers->flows[relation].watchers.insert(watcher);
     }
   }
   for (const Fact& fact : readers.value_or(std::vector<Fact>())) {
@@ -84,7 +84,7 @@ Task<Result<LiveLook::SoFar>> LiveLook::so_far(method::Traffic* with_readers) {
     counts.taken[relation] = counts_in(fact.datum[its_takers]);
     if (with_readers == nullptr) continue;
     for (const auto& [asker, questions] : counts_in(fact.datum[its_askers])) {
-      if (!asker.starts_with(name_)) with_readers->flows[relation].askers.insert(asker);
+      if (!asker.starts_with(names_begin)) with_readers->flows[relation].askers.insert(asker);
     }
   }
   co_return counts;

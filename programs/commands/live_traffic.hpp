@@ -25,6 +25,8 @@ class LiveLook {
   using Connect = std::function<Result<std::unique_ptr<Board>>(const std::string& name)>;
   // Of requests and replies; what comes after these is not counted, and `cut` says so.
   static constexpr std::size_t most_facts = 200'000;
+  // The names of all looks begin so. They ask of everything, and are readers of nothing.
+  static constexpr std::string_view names_begin = "method-";
 
   LiveLook(Executor& executor, Board& board, std::string name, Connect connect)
       : executor_(executor), board_(board), name_(std::move(name)), connect_(std::move(connect)) {}

@@ -115,7 +115,7 @@ Task<void> look_at(LiveLook& look, Duration duration, Result<method::Traffic>& t
 Result<method::Traffic> traffic_of_board(const Destination& to, const std::optional<wire::ClientKeys>& keys,
                                          Duration duration) {
   RealExecutor executor;
-  const std::string name = fmt::format("method-{}", getpid());
+  const std::string name = fmt::format("{}{}", LiveLook::names_begin, getpid());
   const auto connect = [&](const std::string& as) -> Result<std::unique_ptr<Board>> {
     auto board = client::RemoteBoard::connect(executor, to.address, as, client::RemoteBoard::default_timeout, keys);
     if (!board) return fail(board);

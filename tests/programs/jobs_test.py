@@ -26,13 +26,13 @@ class Jobs(CellTest):
         with Board(address, "test") as board:
             board.declare("(relation job ((number integer) (goal list)) (key number) (durable))",
                           "(relation job-ended ((number integer) (state symbol)) (key number) (durable))")
-            first = self.start(self.example("14-jobs/jobs.py", address))
+            first = self.start(self.example("17-jobs/jobs.py", address))
             board.tell("(job 1 (holding circle))")
             board.await_answer("(goal-state ?n running ?)", PATIENCE_S)
             self.assertEqual(len(board.ask("(job ?n ?goal)")), 0, "it has been taken")
             first.kill()
             board.await_answer("(job 1 ?goal)", PATIENCE_S)
-            self.start(self.example("14-jobs/jobs.py", address))
+            self.start(self.example("17-jobs/jobs.py", address))
             board.tell("(job 2 (levitating circle))")
             board.await_answer("(job-ended 2 ?state)", PATIENCE_S)
             states = {answer.bindings["?n"]: answer.bindings["?s"] for answer in board.ask("(job-ended ?n ?s)")}

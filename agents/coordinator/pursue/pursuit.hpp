@@ -103,6 +103,7 @@ class Pursuit {
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(GroundOperation operation, Failure why);
   Task<Result<void>> look_for(std::vector<std::string> objects);
+  bool stands_low() const;
   Task<Result<void>> look_once_for(std::string object, Time deadline);
   // Whether it was tried to set something aside that may hide the missing object. The second time that the same thing
   // hides it, what that stood on goes too: there the plan would put it again.

@@ -59,6 +59,11 @@ Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
   co_return fail(why);
 }
 
+bool Pursuit::stands_low() const {
+  const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
+  return grip && grip->z() < options_.travel_height_mm - 10;
+}
+
 // Where it does not show by itself, what may hide it is set aside, one thing after another.
 Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
@@ -72,9 +77,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
     if (!found) co_return fail(found);
     if (surroundings_.scene().sightings().recent(object, lately)) co_return Result<void>();
     // The arm itself may hide it, if it stands low before it.
-    const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
-    const bool low = grip && grip->z() < options_.travel_height_mm - 10;
-    if (!*found && low && !out_of_the_way) {
+    if (!*found && stands_low() && !out_of_the_way) {
       out_of_the_way = true;
       const Result<void> raised = co_await runner_.raise();
       if (!raised) co_return raised;
@@ -161,6 +164,11 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     Result<void> laid;
     if (may_hold) laid = co_await rescues_.lay_down(objects.front());
     if (!laid && ends_search(laid.error())) co_return fail(laid);
+    // What the gripper hides is taken to be where it was, and may have fallen: the second proof is made on what is
+    // seen.
+    Result<void> raised;
+    if (proved && stands_low()) raised = co_await runner_.raise();
+    if (!raised && ends_search(raised.error())) co_return fail(raised);
     if (!proved) ++failed;
     if (failed == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;

@@ -1,7 +1,7 @@
 """Jobs for a cell: each (job NUMBER GOAL) that anybody tells is pursued once, one after the other.
 
     ./pizarra up examples/01-blocks/cell.scm                                  prints the board's address
-    PYTHONPATH=blackboard/python python3 examples/14-jobs/jobs.py BOARD-ADDRESS
+    PYTHONPATH=blackboard/python python3 examples/17-jobs/jobs.py BOARD-ADDRESS
     ./pizarra tell '(job 1 (on circle triangle))'
     ./pizarra watch '(job-ended ?number ?state)'
 
@@ -13,7 +13,7 @@ import argparse
 
 from pizarra import Board, Contract, Failure, Presence, Symbol, settle, tell
 
-CONTRACT = Contract("jobs", takes=["job"], reads=["goal-state"], monitors=["job-ended"],
+CONTRACT = Contract("jobs", takes=["job"], reads=["event", "goal-state"], monitors=["job-ended"],
                     posts=["(relation job ((number integer) (goal list)) (key number) (durable))",
                            "(relation job-ended ((number integer) (state symbol)) (key number) (durable))"])
 LONGEST_S = 600  # that a goal is waited for
@@ -46,7 +46,8 @@ def main():
             except Failure as failure:
                 state = Symbol(failure.symbol)
             board.transact([settle(job.id), tell([Symbol("job-ended"), number, state])])
-            print(f"job {number} is {state}", flush=True)
+            newest = board.pull("(event ?number ?kind ?sentence ?detail)")
+            print(f"job {number} is {state}: {newest.datum[3] if newest else 'nothing was told'}", flush=True)
 
 
 if __name__ == "__main__":
