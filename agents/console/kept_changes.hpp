@@ -1,7 +1,7 @@
 #pragma once
 
-// What the servo did and what came into sight since the console began, whether a page is open or not, so that a page
-// that is opened later shows hours of work: the board holds only what is so at this moment.
+// The servo's states and the objects that came into sight since the console began. A page that is opened later shows
+// hours of work by them: the board holds only the state of this moment.
 //
 //   KeptChanges kept(executor, std::move(board));
 //   kept.servo();        // a state and its object, from when it was told until when

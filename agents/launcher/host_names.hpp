@@ -18,7 +18,7 @@
 
 namespace pizarra::launcher {
 
-// What a board does not let this client bind stays unbound. What stands already is told for nothing.
+// A name that this client may not bind stays unbound. What stands already is told for nothing.
 Task<void> bind_processes(Board& board, std::string host, std::vector<Supervisor::Process> processes, LeaseId lease);
 
 }  // namespace pizarra::launcher

@@ -38,7 +38,7 @@ std::uintmax_t bytes_of(const std::string& path) {
   return unknown ? 0 : bytes;
 }
 
-// What stays has the space that a living board sets aside back.
+// The files that stay have the space that a living board sets aside back.
 void let_go_of_the_oldest(std::vector<std::string>& paths, const journal::History& history) {
   std::uintmax_t bytes = 0;
   for (const std::string& path : paths) {

@@ -8,8 +8,8 @@
 //   board.set_journal([&](std::string_view line) { (*past)->add(line); });
 //   options.past = &(*past)->writer();         // where questions about the past are answered
 //
-// A moment at which this board did not lead is answered from the shared log, and what is not durable then with the
-// failure `gap`, which says between which revisions this board knows nothing of it. A disk that takes too little keeps
+// A moment at which this board did not lead is answered from the shared log. A question about other facts then fails
+// with `gap`, which says between which revisions this board does not know them. A disk that takes too little keeps
 // nobody waiting: the rest of this term is such a gap.
 
 #include <functional>

@@ -50,7 +50,7 @@ class Statistics {
   static constexpr std::size_t names_bytes = 128 << 10;  // of all
 
   void committed(const store::Commit& commit);
-  // A question that was answered. Who replays or counts has no name, and is no asker.
+  // A question that was answered. A replay and a count have no name, and are no askers.
   void asked(std::string_view asker, const Query& query, Revision revision);
   // Under a lease or for good.
   void taken(std::string_view taker, const Datum& fact, Revision revision);

@@ -7,8 +7,8 @@
 //   Result<method::Traffic> traffic = co_await look.at(60s);
 //
 // It watches requests and replies, and reads the board's statistics before and after. Then it takes the images of each
-// stream for a second, and tells a fact of its own to 1, 2, 4, 8 and 16 subscribers, where it may, and measures how
-// long the last one waits.
+// stream for a second. Where it may, it tells a fact of its own to 1, 2, 4, 8 and 16 subscribers, and measures how long
+// the last one waits.
 
 #include <functional>
 #include <memory>

@@ -39,7 +39,7 @@ Result<Eigen::Vector3d> Aims::grip() const {
   return fail("unseen", fmt::format("{} is not seen, and the arm does not say where it is", mark), Datum::symbol(mark));
 }
 
-// What is held and not known is as large as the fingers say.
+// A held object that is not known is as large as the fingers say.
 double Aims::held_edge_mm(std::string_view held) const {
   const double like_mm = domain_.edge_like(scene_.opening_mm().value_or(0)).value_or(domain_.cube_mm());
   return scene_.sightings().find(held) ? domain_.edge_mm(held) : like_mm;
@@ -62,7 +62,8 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower, std::string_view
   return Eigen::Vector3d(front + above_mm * Eigen::Vector3d::UnitZ());
 }
 
-// What is laid down should hide nothing, nor be hidden. Where no such spot is free, one that the camera shows will do.
+// An object is laid down where it hides nothing and is not hidden. Where no such spot is free, one that the camera
+// shows will do.
 std::optional<Eigen::Vector2d> Aims::free_spot_among(const std::vector<Eigen::Vector3d>& others,
                                                      double from_y_mm) const {
   const double cube = domain_.cube_mm();

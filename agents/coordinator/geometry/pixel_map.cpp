@@ -25,7 +25,7 @@ std::optional<PixelMap> PixelMap::from(std::span<const MarkPair> pairs) {
   return PixelMap(slopes.transpose());
 }
 
-// What lies across the image is made up for by y and z alone, so that the depth stays.
+// The tool moves along y and z alone, so that the depth stays.
 Eigen::Vector3d PixelMap::way_for(const Eigen::Vector2d& error_px) const {
   const Eigen::Vector2d across = px_per_mm_.rightCols<2>().completeOrthogonalDecomposition().solve(error_px);
   return {0, across.x(), across.y()};

@@ -57,7 +57,7 @@ Task<std::optional<forms::CameraPose>> CameraNews::told_before() {
 
 Task<void> CameraNews::tell(const CameraWatch& camera, News news) {
   const std::string state = state_of(camera);
-  // What the cell file says of the pose needs no telling, but that it says nothing.
+  // The pose of the cell file is known to all; that it has none is told.
   if (told_.empty() && !camera.unknown()) told_ = state;
   if (news == News::nothing && told_ == state) co_return;
   std::vector<Datum> fact = numbers_of(camera.pose());

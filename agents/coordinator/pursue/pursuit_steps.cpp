@@ -164,8 +164,8 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     Result<void> laid;
     if (may_hold) laid = co_await rescues_.lay_down(objects.front());
     if (!laid && ends_search(laid.error())) co_return fail(laid);
-    // What the gripper hides is taken to be where it was, and may have fallen: the second proof is made on what is
-    // seen.
+    // An object that the gripper hides is believed to be where it was, and may have fallen. The second proof is made
+    // on what is seen with the arm raised.
     Result<void> raised;
     if (proved && stands_low()) raised = co_await runner_.raise();
     if (!raised && ends_search(raised.error())) co_return fail(raised);

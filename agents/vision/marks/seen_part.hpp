@@ -1,6 +1,6 @@
 #pragma once
 
-// What an image says of each place of an outline that was registered with it: it shows the mark's border there, it
+// Judges each place of an outline that was registered with an image: the image shows the mark's border there, it
 // shows that there is none, or something hides it.
 //
 //   const SeenPart part = judge_part(cut, outline, fit, MarkTone::dark);

@@ -31,7 +31,7 @@ constexpr double if_no_plane = 0.85;
 constexpr double least_of_slimness = 0.72;
 constexpr double if_slim = 0.87;
 
-// What is seen in part may be a part of something unlearned.
+// A mark that is seen in part may be a part of something unlearned.
 constexpr double if_part = 0.5;
 
 void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {

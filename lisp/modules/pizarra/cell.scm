@@ -114,7 +114,7 @@
                 (mark (cube-mark inside found name))
                 (place (cube-place inside found known))
                 (yaw (numbers-in found 'yaw '((-180 180)) '(0)))
-                ;; What is laid out for the cell's cubes has room for smaller ones.
+                ;; A place for the cell's cubes has room for smaller ones.
                 (edge (numbers-in found 'size (list (list (first cube-sizes-mm) size)) (list size))))
            (and mark place
                 (let ((cube (list name mark (first place) (second place) (first yaw) (third place) (first edge))))

@@ -1,4 +1,4 @@
-// What `up` binds of the processes that it keeps running.
+// `up` binds the processes that it keeps running.
 
 #include "agents/launcher/host_names.hpp"
 

@@ -29,7 +29,7 @@ class Boards : public testing::Test {
       addresses_.push_back("tcp://127.0.0.1:" + std::to_string(port));
     }
     for (const std::size_t number : {0, 1}) {
-      // What an earlier test left is the past of another log.
+      // The files of an earlier test are the past of another log.
       std::filesystem::remove_all(past_of(number));
       start(number);
     }

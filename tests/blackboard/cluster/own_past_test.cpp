@@ -1,4 +1,4 @@
-// What a board of a cluster can say of the past: everything of the times that it led, and what is durable of the
+// A board of a cluster answers about the past: everything of the times that it led, and what is durable of the
 // others.
 
 #include "blackboard/cluster/own_past.hpp"
