@@ -1,62 +1,74 @@
-// node measure.mjs SCRATCH FOLDER JOG-SECONDS: what an operator's browser takes of a console whose addresses come into
-// FOLDER/addresses, and whose eyes have the camera of camera.mjs: a line `NAME VALUE` a figure, milliseconds where it
-// says no other.
+// node measure.mjs SCRATCH ADDRESSES JOG-SECONDS [--crowd]: what an operator's browser takes of a console whose addresses
+// come into the file ADDRESSES: a line `NAME VALUE` a figure, milliseconds where it says no other.
 
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { existsSync, readFileSync } from 'node:fs';
 import { launch, openPage } from '../../agents/console/browser.mjs';
-import { numbers, readable } from './coded.mjs';
-import { addressOf, mean, p99, pause, say } from './figures.mjs';
 
-const [scratch, folder, jogSeconds] = process.argv.slice(2);
-const addresses = join(folder, 'addresses');
+const [scratch, addresses, jogSeconds, ...options] = process.argv.slice(2);
+const say = (name, value) => console.log(`${name} ${value}`);
+const mean = (values) => values.reduce((a, b) => a + b, 0) / values.length;
+const p99 = (values) => values.toSorted((a, b) => a - b)[Math.min(values.length - 1, Math.floor(values.length * 0.99))];
+const pause = (ms) => new Promise((later) => setTimeout(later, ms));
+
+// The n-th that the console said, as soon as it has.
+async function addressOf(n) {
+  while (true) {
+    const lines = existsSync(addresses) ? readFileSync(addresses, 'utf8').split('\n') : [];
+    if (lines.length > n) return lines[n - 1];
+    await pause(50);
+  }
+}
 
 const browser = await launch(scratch);
-const page = await openPage(browser, await addressOf(addresses, 1));
+const address = await addressOf(1);
+const begun = Date.now();
+const page = await openPage(browser, address);
 const alive = (one) =>
   one.waitForFunction(
-    () => document.body.dataset.state === 'live' && /mm/.test(document.getElementById('readings').textContent),
+    () =>
+      document.body.dataset.state === 'live' &&
+      /mm/.test(document.getElementById('readings').textContent) &&
+      document.querySelector('figure canvas')?.dataset.frame,
     null,
     { timeout: 60_000, polling: 'raf' },
   );
 await alive(page);
-await page.click('#tab-eyes');
-await page.click('#eyes button:text-is("Connect")');
-await page.waitForFunction(() => document.querySelector('figure canvas').dataset.frame);
+say('alive', Date.now() - begun);
 
-// In each animation frame the number is read back from the pixels: when each picture was seen first.
+// Until every object is taught the arm is the person's.
+await page.click('#tab-facts');
+await page.fill('#query', '(person done ?objects)');
+await page.press('#query', 'Enter');
+await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
+  timeout: 180_000,
+});
+
+// Images: when each was drawn, and how old it was then.
 const images = (seconds) =>
   page.evaluate(
-    ([ms, read]) =>
+    (ms) =>
       new Promise((done) => {
-        const numberIn = new Function(`return ${read}`)();
         const canvas = document.querySelector('figure canvas');
         const seen = [];
-        const until = performance.now() + ms;
-        const look = () => {
-          const number = numberIn(canvas);
-          if (number !== null && number !== seen.at(-1)?.number) seen.push({ number, at: Date.now() });
-          if (performance.now() < until) requestAnimationFrame(look);
-          else done(seen);
-        };
-        look();
+        const watcher = new MutationObserver(() =>
+          seen.push([performance.now(), Date.now() - Number(canvas.dataset.captured) / 1000]),
+        );
+        watcher.observe(canvas, { attributes: true, attributeFilter: ['data-frame'] });
+        setTimeout(() => {
+          watcher.disconnect();
+          done(seen);
+        }, ms);
       }),
-    [seconds * 1000, readable.read.toString()],
+    seconds * 1000,
   );
-const intervals = (seen) => seen.slice(1).map(({ at }, i) => at - seen[i].at);
-// The camera says when each left it; its numbers come round again.
-const ages = (seen) => {
-  const sent = readFileSync(join(folder, 'sent'), 'utf8').trim().split('\n').map((line) => line.split(' ').map(Number));
-  return seen.map(({ number, at }) => at - sent.findLast(([sentNumber, when]) => sentNumber === number && when <= at)[1]);
-};
+const intervals = (seen) => seen.slice(1).map(([at], i) => at - seen[i][0]);
 const hideScene = (hidden) => page.evaluate((to) => (document.getElementById('scene-card').hidden = to), hidden);
-// More are read than come round again.
-const watched = await images(Math.min(40, numbers / 10));
+const watched = await images(20);
 say('interval-mean', mean(intervals(watched)));
 say('interval-p99', p99(intervals(watched)));
-say('photon-shown-p99', p99(ages(watched)));
+say('photon-shown-p99', p99(watched.map(([, age]) => age)));
 await hideScene(true);
-say('photon-hidden-p99', p99(ages(await images(40))));
+say('photon-hidden-p99', p99((await images(15)).map(([, age]) => age)));
 await hideScene(false);
 
 // A socket of the bench's own, in the page: what the arm did, by the board's clock, which is this machine's.
@@ -114,7 +126,7 @@ say('jogged-s', held);
 
 // A page that falls silent in mid-jog, seen by another one.
 const other = await browser.newContext();
-const witness = await openPage(other, await addressOf(addresses, 2));
+const witness = await openPage(other, await addressOf(2));
 await alive(witness);
 await witness.evaluate(() => {
   window.seen = [];
@@ -160,5 +172,72 @@ if (distances.length > 0) {
   say('stop-after-deadline-max', Math.max(...delays));
 }
 
+// Ten watchers, three of which take nothing in, and what a question to the arm, and one to the board, takes meanwhile.
+if (options.includes('--crowd')) {
+  const asked = (whom, crowd) =>
+    page.evaluate(
+      ([whom, [watchers, stalled]]) =>
+        new Promise((done) => {
+          const sockets = [];
+          for (let i = 0; i < watchers; ++i) {
+            const socket = new WebSocket(`ws://${location.host}/socket`);
+            socket.binaryType = 'arraybuffer';
+            sockets.push(socket);
+            socket.onmessage = ({ data }) => {
+              const takes = i >= stalled;
+              if (typeof data !== 'string') {
+                const name = new TextDecoder().decode(new Uint8Array(data, 0, 60)).split(' ')[1];
+                return takes && socket.send(`(drawn ${name})`);
+              }
+              const message = JSON.parse(data);
+              if (message.hello) {
+                for (const say of [
+                  '(look vision-colour)',
+                  '(look vision-annotated)',
+                  '(follow 1 (arm-pose ?robot ?x ?y ?z ?rx ?ry ?rz))',
+                  '(follow 2 (look ?eyes ?frame ?text ?of))',
+                  '(follow 3 (place ?name ?x ?y ?z ?frame))',
+                ])
+                  socket.send(say);
+              }
+              if (message.pulse && takes) socket.send(`(stamp ${message.pulse})`);
+              if ((message.watch || message.arm) && takes) socket.send('(heard 1)');
+            };
+          }
+          const socket = new WebSocket(`ws://${location.host}/socket`);
+          const took = [];
+          let sent = 0;
+          const ask = () => {
+            sent = performance.now();
+            const number = took.length + 1;
+            socket.send(whom === 'arm' ? `(request ${number} robot (get-status))` : `(watch ${number} "(agent ?name ?kind ?host)")`);
+          };
+          socket.onmessage = ({ data }) => {
+            const message = JSON.parse(data);
+            if (message.hello) setTimeout(ask, 2000);
+            if (message.pulse) socket.send(`(stamp ${message.pulse})`);
+            if (message.arm) socket.send('(heard 1)');
+            if (message.watch) {
+              socket.send('(heard 1)');
+              socket.send(`(unwatch ${message.watch})`);
+            }
+            if ((message.reply ?? message.watch) !== took.length + 1) return;
+            took.push(performance.now() - sent);
+            if (took.length < 300) return setTimeout(ask, 10);
+            for (const each of [...sockets, socket]) each.close();
+            done(took);
+          };
+        }),
+      [whom, crowd],
+    );
+  for (const whom of ['arm', 'board']) {
+    const alone = p99(await asked(whom, [0, 0]));
+    await pause(1500);
+    const among = p99(await asked(whom, [10, 3]));
+    await pause(1500);
+    say(`${whom}-alone-p99`, alone);
+    say(`${whom}-crowd-ratio`, among / alone);
+  }
+}
 await browser.close();
 process.exit(0);
