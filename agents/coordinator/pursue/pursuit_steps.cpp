@@ -166,8 +166,9 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     if (!laid && ends_search(laid.error())) co_return fail(laid);
     // An object that the gripper hides is believed to be where it was, and may have fallen. The second proof is made
     // on what is seen with the arm raised.
+    const bool may_hide = proved && stands_low();
     Result<void> raised;
-    if (proved && stands_low()) raised = co_await runner_.raise();
+    if (may_hide) raised = co_await runner_.raise();
     if (!raised && ends_search(raised.error())) co_return fail(raised);
     if (!proved) ++failed;
     if (failed == planner_tries) co_return fail(plan);
