@@ -1,6 +1,6 @@
 #pragma once
 
-// What the console reads for its pages, as a part of its contract.
+// The relations that the console and its pages read, as a part of their contracts.
 
 namespace pizarra::console {
 

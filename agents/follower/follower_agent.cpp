@@ -4,7 +4,7 @@
 #include <array>
 #include <fmt/format.h>
 
-#include "agents/runtime/declared.hpp"
+#include "agents/runtime/follow.hpp"
 
 namespace pizarra::follower {
 
@@ -66,19 +66,15 @@ Task<Result<void>> FollowerAgent::run() {
   co_return co_await service_.serve(std::move(handler));
 }
 
-// Relations are declared by the agents that tell them, so a watch may have to wait for its relation.
 Task<void> FollowerAgent::watch(Datum pattern, See see) {
-  const Query query = query_for(pattern);
-  while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query);
-    while (watch) {
-      const Result<Change> change = co_await (*watch)->next();
-      if (!change) break;
-      (this->*see)(*change);
-      changed_.wake_all();
-    }
-    co_await sleep(context_.executor, retry_pause);
-  }
+  return runtime::follow(context_, std::move(pattern),
+                         [this, see](Change change) { return take(see, std::move(change)); });
+}
+
+Task<void> FollowerAgent::take(See see, Change change) {
+  (this->*see)(change);
+  changed_.wake_all();
+  co_return;
 }
 
 Task<void> FollowerAgent::watch_roles() {

@@ -42,6 +42,7 @@ class FollowerAgent : public runtime::Agent {
   using See = void (FollowerAgent::*)(const Change&);
 
   Task<void> watch(Datum pattern, See see);
+  Task<void> take(See see, Change change);
   Task<void> watch_roles();
   void see_role(const std::string& role, const std::string& taken);
   void see_pose(const Change& change);

@@ -7,6 +7,7 @@
 #include "agents/pan_tilt/head_control.hpp"
 #include "agents/pan_tilt/pan_tilt_contract.hpp"
 #include "agents/runtime/declared.hpp"
+#include "agents/runtime/follow.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/away.hpp"
 
@@ -56,6 +57,7 @@ struct PanTiltAgent::State {
   Task<Result<Datum>> monitor();
   Task<Result<void>> aim(std::array<double, 3> point_mm, double tolerance_deg);
   Task<void> follow(std::string name);
+  Task<void> aim_anew(Change change);
   Task<void> stop_following();
 };
 
@@ -204,23 +206,18 @@ Task<Result<void>> PanTiltAgent::State::aim(std::array<double, 3> point_mm, doub
   co_return moving;
 }
 
-// An aim that fails, the unit being away, is taken again with the next place.
 Task<void> PanTiltAgent::State::follow(std::string name) {
-  const Query query = query_for(places_of(name));
-  while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context.board, query);
-    while (watch) {
-      const Result<Change> change = co_await (*watch)->next();
-      if (!change) break;
-      if (change->added.empty()) continue;
-      const Time settled_by = context.executor.now() + settling_time;
-      co_await head.until_still(settled_by);
-      const std::array<double, 3> point_mm = point_of(change->added.back().facts.front().datum);
-      const Result<void> aimed = co_await aim(point_mm, in_view_deg);
-      static_cast<void>(aimed);
-    }
-    co_await sleep(context.executor, retry_pause);
-  }
+  return runtime::follow(context, places_of(name), [this](Change change) { return aim_anew(std::move(change)); });
+}
+
+// An aim that fails, the unit being away, is taken again with the next place.
+Task<void> PanTiltAgent::State::aim_anew(Change change) {
+  if (change.added.empty()) co_return;
+  const Time settled_by = context.executor.now() + settling_time;
+  co_await head.until_still(settled_by);
+  const std::array<double, 3> point_mm = point_of(change.added.back().facts.front().datum);
+  const Result<void> aimed = co_await aim(point_mm, in_view_deg);
+  static_cast<void>(aimed);
 }
 
 Task<void> PanTiltAgent::State::stop_following() {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The first questions to an arm's controller, and to one that was away: is it the controller of this arm, and does the
-// arm move although no client asked for it? At most controllers a motion goes on when the client that began it is gone.
+// The first questions to an arm's controller, and to one that was away: is it the controller of this arm? Does the arm
+// move although no client asked for it? At most controllers a motion goes on when the client that began it is gone.
 // Such a motion is stopped here, for every driver alike. An arm whose controller does not say whether it moves is
 // stopped as well. An arm that somebody moves by the pendant is left alone.
 //

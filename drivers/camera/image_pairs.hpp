@@ -1,13 +1,13 @@
 #pragma once
 
 // Pairs the files of two image sequences that belong together, by the first of these rules that fits:
-//   - the same name, where most names of the shorter side are on the other side too
-//   - equal numbers in the names, where most numbers of the shorter side are on the other side too. Numbers that are
-//   the
-//     same all over a side do not count; where several change, as dates and times, all of them must be equal.
-//   - numbers equally far apart, where none is on both sides and both have as many files
-//   - the order of the names, where no number tells them apart and both have as many files
-// Files without a partner are left out. Pairs come in the order of the left side's names.
+//   - Files of the same name are a pair. The rule fits where most names of the shorter side are on the other side too.
+//   - Files with equal numbers in their names are a pair. The rule fits where most numbers of the shorter side are on
+//     the other side too. Numbers that never change on a side do not count. Where several change, all must be equal.
+//   - Files with numbers equally far apart are a pair. The rule fits where no number is on both sides.
+//   - The files are paired in the order of their names. The rule fits where no number tells them apart.
+// The last two rules need as many files on one side as on the other. Files without a partner are left out. Pairs come
+// in the order of the left side's names.
 //
 //   Result<ImagePairs> pairs = pair_files({"l/1-a.png", "l/2-a.png"}, {"r/2-b.png"});   // the two 2s, 1 is alone
 

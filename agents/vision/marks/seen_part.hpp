@@ -6,9 +6,9 @@
 //   const SeenPart part = judge_part(cut, outline, fit, MarkTone::dark);
 //   part.supported, part.contradicted, part.hidden       // they add up to 1
 //
-// A border of the mark is one from its ink to its ground, each as light as most of it, and ink goes on inside. Ground
-// on either side of the outline, or the border somewhere else, contradicts it. What is neither hides it. So a shadow's
-// edge across a mark hides a part as well.
+// A place supports the mark where ink goes over into ground, each as light as most of it. It contradicts the mark where
+// both sides are ground, or the border lies elsewhere. Everywhere else the mark is hidden, also by the edge of a
+// shadow.
 
 #include "agents/vision/marks/plane_fit.hpp"
 
