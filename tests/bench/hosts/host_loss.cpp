@@ -19,7 +19,8 @@ Datum form(const char* text) { return read_one(text).value(); }
 
 }  // namespace
 
-HostLoss::HostLoss(std::uint64_t seed) : random_(seed), cell_(network::CellOnHosts::Boards::that_take_over) {
+HostLoss::HostLoss(std::uint64_t seed, std::function<bool()> is_stopped)
+    : is_stopped_(std::move(is_stopped)), random_(seed), cell_(network::CellOnHosts::Boards::that_take_over) {
   cell_.network().enter("world-pc");
   cell_.up("world-pc");
   for (const std::string& host : network::CellOnHosts::hosts) cell_.up(host);
@@ -84,7 +85,8 @@ Task<void> HostLoss::watch_operations() {
 void HostLoss::pass(Duration time) {
   bool over = false;
   executor_.call_at(executor_.now() + time, [&] { over = true; });
-  executor_.run_until([&] { return over; });
+  executor_.run_until([&] { return over || is_stopped_(); });
+  if (is_stopped_()) throw std::runtime_error("stopped by a signal, without a verdict");
 }
 
 Duration HostLoss::between(int least_ms, int most_ms) {

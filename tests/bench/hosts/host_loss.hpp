@@ -3,10 +3,11 @@
 // A cell whose boards take over from each other, on three hosts, and what is lost when the host of the board that leads
 // loses its power while a goal is pursued.
 //
-//   HostLoss cell(seed);                        // throws where it cannot be had
+//   HostLoss cell(seed, is_stopped);            // throws where it cannot be had
 //   for (int round = 0; round < 20; ++round) cell.round();
 //   cell.tally()
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -32,7 +33,8 @@ class HostLoss {
     int done_twice = 0;    // an operation that was done, and done again with none between
   };
 
-  explicit HostLoss(std::uint64_t seed);
+  // A round throws when it is stopped.
+  HostLoss(std::uint64_t seed, std::function<bool()> is_stopped);
   HostLoss(const HostLoss&) = delete;
   HostLoss& operator=(const HostLoss&) = delete;
   ~HostLoss();
@@ -52,6 +54,7 @@ class HostLoss {
   story::WorldState truth();
   Duration between(int least_ms, int most_ms);
 
+  const std::function<bool()> is_stopped_;
   Random random_;
   network::CellOnHosts cell_;
   RealExecutor executor_;

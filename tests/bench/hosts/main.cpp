@@ -1,6 +1,7 @@
 // pizarra-bench-hosts: a whole cell on three hosts, whose boards take over from each other, while the host of the board
 // that leads loses its power in the middle of a goal.
 
+#include <csignal>
 #include <fmt/format.h>
 
 #include "programs/command_line/command_tools.hpp"
@@ -11,6 +12,10 @@
 namespace pizarra::bench {
 namespace {
 
+volatile std::sig_atomic_t stopped_by = 0;
+
+bool is_stopped() { return stopped_by != 0; }
+
 std::string why_unavailable() {
   return find_program("etcd") ? network::Network::unavailable() : "etcd is not installed: etcd-server";
 }
@@ -20,7 +25,7 @@ int run_all(int rounds, std::uint64_t seed) {
     fmt::print("skipped: {}\n", why);
     return 0;
   }
-  HostLoss cell(seed);
+  HostLoss cell(seed, is_stopped);
   for (int round = 1; round <= rounds; ++round) {
     cell.round();
     fmt::print("round {}, lost {}\n", round, cell.last());
@@ -48,6 +53,10 @@ int main(int argc, char** argv) {
   app.footer(
       "As root; elsewhere it says why it is skipped. Status 0 when every goal was reached, as the world shows, or\n"
       "refused because in the world a cube of it is gone, no acknowledged durable fact was lost, and no operation was\n"
-      "done twice; 1 otherwise; 2 for wrong arguments.");
+      "done twice; 1 otherwise, also when it was stopped; 2 for wrong arguments.");
+  // So that the hosts are taken down.
+  for (const int stopping : {SIGINT, SIGTERM}) {
+    std::signal(stopping, [](int signal) { pizarra::bench::stopped_by = signal; });
+  }
   return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run_all(rounds, seed); });
 }
