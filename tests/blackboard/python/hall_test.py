@@ -53,8 +53,10 @@ class AHall(BoardTest):
         server = self.start_board(address)
         self.start("-c", COORDINATOR, address, ends_with)
         self.hall.tell(f'(context-board {name} "{address}")')
-        self.cells[name] = Board(address, "looker", timeout=PATIENCE)
-        self.addCleanup(self.cells[name].close)
+        cell = self.cells[name] = Board(address, "looker", timeout=PATIENCE)
+        self.addCleanup(cell.close)
+        # A cell without a coordinator counts as one that had the job in vain.
+        self.until(lambda: cell.ask("(relation-stats agent ? ? ? ? ? ?)") and cell.ask("(agent coordinator ? ?)"))
         return server
 
     def states(self):
