@@ -7,14 +7,15 @@ The hall's board names the cells, as `pizarra contexts --add` has it, and somebo
     (job N (FORM ...))                   a goal for any cell; durable
     (job-state N STATE CELL DETAIL)      STATE given, reached or failed; durable
 
-A job goes to a cell that has none in hand. Where the cell refuses it, fails or is away, it goes to the next one. A job
-that every cell has had in vain is failed, and its DETAIL says why the last one failed. Of a job that is given it is the
-number of the goal that the cell had before. So a dispatcher that is started again knows the goal that the one before it
-gave, and gives none twice.
+A job goes to a cell that has none in hand and whose coordinator is there. Where the cell refuses it or fails, it goes
+to the next one. Half a minute is waited for cells that are away. A job that every cell has had in vain is failed, and
+its DETAIL says why the last one failed. Of a job that is given, DETAIL is the number of the goal that the cell had
+before. So a dispatcher that is started again knows the goal that the one before it gave, and gives none twice.
 """
 
 import argparse
 import asyncio
+import time
 
 from pizarra import AsyncBoard, Failure, Symbol
 
@@ -33,6 +34,14 @@ class Cell:
     def __init__(self, name, address, key):
         self.name, self.address, self._key = name, address, key
         self.is_busy = False
+
+    async def is_there(self):
+        try:
+            async with AsyncBoard(self.address, "dispatcher", self._key) as board:
+                await board.server("coordinator")
+                return True
+        except Failure:
+            return False
 
     async def newest(self):
         """The number of the cell's newest goal: those after it are ours, where they have our forms."""
@@ -62,7 +71,8 @@ class Cell:
 
 
 class Dispatcher:
-    LOOK = 0.5  # seconds
+    LOOK = 0.5    # seconds
+    AWAY = 30.0   # so long a job waits for cells that are away
 
     def __init__(self, hall, key):
         self._hall, self._key = hall, key
@@ -101,9 +111,8 @@ class Dispatcher:
         given = await self._hall.ask(f"(job-state {number} given ?cell ?since)")
         before = given[0].bindings if given else {}
         while len(tried) < len(self._cells):
-            cell = await self._free_cell(tried, before.get("?cell"))
+            cell = await self._take_free_cell(tried, before.get("?cell"))
             tried.add(cell.name)
-            cell.is_busy = True
             try:
                 was_given = before.get("?cell") == cell.name
                 since = before["?since"] if was_given else await cell.newest()
@@ -118,12 +127,18 @@ class Dispatcher:
                 return await self._say(number, "reached", cell.name)
         await self._say(number, "failed", WORD["none"], why)
 
-    async def _free_cell(self, tried, given_to):
+    async def _take_free_cell(self, tried, given_to):
+        until = time.monotonic() + self.AWAY
         while True:
             names = [given_to] if given_to in self._cells else [name for name in self._cells if name not in tried]
             for name in names:
-                if not self._cells[name].is_busy:
-                    return self._cells[name]
+                cell = self._cells[name]
+                if cell.is_busy:
+                    continue
+                cell.is_busy = True
+                if time.monotonic() > until or await cell.is_there():
+                    return cell
+                cell.is_busy = False
             await asyncio.sleep(self.LOOK)
 
     async def _say(self, number, state, cell, detail=()):
