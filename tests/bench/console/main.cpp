@@ -27,36 +27,43 @@ struct Choices {
 
 std::string script(const std::string& name) { return source_dir() + "/tests/bench/console/" + name; }
 
-std::vector<std::string> console_command(const std::string& addresses, int port) {
-  return {PIZARRA_CELL, "console", "--port", std::to_string(port), "--addresses", addresses};
+// Of the cell that is in `folder`; its addresses go there, too.
+std::vector<std::string> console_command(const std::string& folder, int port) {
+  return {PIZARRA_CELL,         "console",     folder + "/cell.scm", "--port",
+          std::to_string(port), "--addresses", folder + "/addresses"};
 }
 
-std::vector<std::string> measure_command(const Choices& choices, const std::string& folder,
-                                         const std::string& addresses) {
-  return {"node", script("measure.mjs"), folder, addresses, std::to_string(choices.jog_seconds)};
+std::vector<std::string> measure_command(const Choices& choices, const std::string& folder) {
+  return {"node", script("measure.mjs"), folder, folder, std::to_string(choices.jog_seconds)};
+}
+
+// The cell that is measured, in `folder`.
+Measured write_cell(const std::string& folder) { return measure({"node", script("pictures.mjs"), folder, folder}); }
+
+Measured in_a_crowd() {
+  const TemporaryFolder scratch;
+  return measure({"node", script("crowd.mjs"), PIZARRA_CELL, scratch.path()});
 }
 
 Measured over_loopback(const Choices& choices) {
   const TemporaryFolder folder;
   setenv("XDG_RUNTIME_DIR", folder.path().c_str(), 1);
-  const std::string addresses = folder.path() + "/addresses";
-  const Child console = Child::program(console_command(addresses, 0));
-  std::vector<std::string> command = measure_command(choices, folder.path(), addresses);
-  command.push_back("--crowd");
-  return measure(command);
+  if (const Measured written = write_cell(folder.path()); !written.trouble.empty()) return written;
+  const Child console = Child::program(console_command(folder.path(), 0));
+  return measure(measure_command(choices, folder.path()));
 }
 
 // As `ssh -L` brings a console to another machine: its own loopback there, and one connection over the line.
 Measured over_the_line(const Choices& choices) {
   if (const std::string why = network::Network::unavailable(); !why.empty()) return {.values = {}, .trouble = why};
   const TemporaryFolder folder;
-  const std::string addresses = folder.path() + "/addresses";
   constexpr int port = 7801;
   constexpr const char* relayed_port = "7802";
   network::Network network("console", {"cell", "desk"}, network::Network::Wires::forwarded);
   const std::string cell = network.address("cell");
   const std::string own_port = std::to_string(port);
-  const Child console = Child::program(network.on("cell", console_command(addresses, port)));
+  if (const Measured written = write_cell(folder.path()); !written.trouble.empty()) return written;
+  const Child console = Child::program(network.on("cell", console_command(folder.path(), port)));
   Child far =
       Child::program(network.on("cell", {"node", script("relay.mjs"), cell, relayed_port, "127.0.0.1", own_port}));
   Child near =
@@ -64,23 +71,37 @@ Measured over_the_line(const Choices& choices) {
   far.pipe().hear_line();
   near.pipe().hear_line();
   network.link("desk", "both delay 80 loss 1 rate 2000");
-  return measure(network.on("desk", measure_command(choices, folder.path(), addresses)));
+  return measure(network.on("desk", measure_command(choices, folder.path())));
+}
+
+// A figure, and the scale it is told in.
+void say_row(Figures& figures, const std::string& name, std::optional<double> value, const std::string& unit,
+             const Goal& goal, double scale = 1, const std::string& note = "") {
+  if (value) *value *= scale;
+  figures.say({name, value, unit, goal, {}, note});
+}
+
+void say_crowd(Figures& figures, const Measured& measured) {
+  say_row(figures, "page alive", measured.value("alive"), "ms", at_most(2000));
+  for (const std::string whom : {"arm", "board"}) {
+    const double alone_ms = measured.value(whom + "-alone-p99").value_or(0);
+    say_row(figures, "p99 of a question to the " + whom + ", ten pages, three stalled",
+            measured.value(whom + "-crowd-ratio"), "x alone", at_most(1.2), 1,
+            fmt::format("alone {:.1f} ms", alone_ms));
+  }
 }
 
 // The rows and goals for an operator over a line that takes `line_ms` one way.
 void say_rows(Figures& figures, const std::string& where, const Measured& measured, double line_ms) {
   const auto say = [&](const std::string& name, const std::string& key, const std::string& unit, const Goal& goal,
                        double scale = 1, const std::string& note = "") {
-    std::optional<double> value = measured.value(key);
-    if (value) *value *= scale;
-    figures.say({where + ": " + name, value, unit, goal, {}, note});
+    say_row(figures, where + ": " + name, measured.value(key), unit, goal, scale, note);
   };
   const bool near = line_ms == 0;
-  say("page alive", "alive", "ms", near ? at_most(2000) : Goal{});
   say("image interval, mean", "interval-mean", "s", at_most(near ? 0.105 : 0.2), 1e-3);
   say("image interval, p99", "interval-p99", "s", near ? Goal{} : at_most(0.8), 1e-3);
   say("frame to photon, p99, 3D hidden", "photon-hidden-p99", "ms", at_most(60 + line_ms), 1,
-      "from the camera to the animation frame that draws it");
+      "from the frame's stamp to the animation frame that reads its number in its pixels");
   say("frame to photon, p99, 3D shown", "photon-shown-p99", "ms", at_most(120 + line_ms));
   say("click to motion, p99", "click-to-motion-p99", "ms", at_most(60 + line_ms));
   const double jogged_s = measured.value("jogged-s").value_or(ten_minutes_s);
@@ -88,12 +109,10 @@ void say_rows(Figures& figures, const std::string& where, const Measured& measur
       fmt::format("held for {:.0f} s", jogged_s));
   say("way from the last hold to standing, most", "stop-distance-max", "mm", at_most(10));
   say("standing after the deadline, most", "stop-after-deadline-max", "ms", at_most(50));
-  if (!near) return;
-  for (const std::string whom : {"arm", "board"}) {
-    const double alone_ms = measured.value(whom + "-alone-p99").value_or(0);
-    say("p99 of a question to the " + whom + ", ten pages, three stalled", whom + "-crowd-ratio", "x alone",
-        at_most(1.2), 1, fmt::format("alone {:.1f} ms", alone_ms));
-  }
+}
+
+void say_trouble(const std::string& part, const Measured& measured) {
+  if (!measured.trouble.empty()) fmt::print(stderr, "pizarra bench console: {}: {}\n", part, measured.trouble);
 }
 
 int run(const Choices& choices) {
@@ -101,11 +120,16 @@ int run(const Choices& choices) {
   const auto wanted = [&](const std::string& part) {
     return choices.only.empty() || std::ranges::find(choices.only, part) != choices.only.end();
   };
+  if (wanted("crowd")) {
+    const Measured measured = in_a_crowd();
+    say_trouble("crowd", measured);
+    say_crowd(figures, measured);
+  }
   for (const std::string& part : {std::string("loopback"), std::string("line")}) {
     if (!wanted(part)) continue;
     const bool near = part == "loopback";
     const Measured measured = near ? over_loopback(choices) : over_the_line(choices);
-    if (!measured.trouble.empty()) fmt::print(stderr, "pizarra bench console: {}: {}\n", part, measured.trouble);
+    say_trouble(part, measured);
     constexpr double one_way_ms = 80;
     say_rows(figures, near ? "loopback" : "long line", measured, near ? 0 : one_way_ms);
   }
@@ -119,8 +143,8 @@ int main(int argc, char** argv) {
   CLI::App app("What an operator has of the console in chromium, over loopback and over a long line.",
                "pizarra bench console");
   pizarra::bench::Choices choices;
-  app.add_option("--only", choices.only, "loopback or line; both otherwise")
-      ->check(CLI::IsMember({"loopback", "line"}));
+  app.add_option("--only", choices.only, "crowd, loopback or line; all otherwise")
+      ->check(CLI::IsMember({"crowd", "loopback", "line"}));
   app.add_option("--jog", choices.jog_seconds, "how many seconds a jog is held, to count false stops")
       ->check(CLI::Range(1, 3600))
       ->capture_default_str();

@@ -1,74 +1,59 @@
-// node measure.mjs SCRATCH ADDRESSES JOG-SECONDS [--crowd]: what an operator's browser takes of a console whose addresses
-// come into the file ADDRESSES: a line `NAME VALUE` a figure, milliseconds where it says no other.
+// node measure.mjs SCRATCH FOLDER JOG-SECONDS: what an operator's browser takes of a console whose addresses come into
+// FOLDER/addresses, and whose eyes have the camera of pictures.mjs: a line `NAME VALUE` a figure, milliseconds where it
+// says no other.
 
-import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { launch, openPage } from '../../agents/console/browser.mjs';
+import { read } from './coded.mjs';
+import { addressOf, mean, p99, pause, say } from './figures.mjs';
 
-const [scratch, addresses, jogSeconds, ...options] = process.argv.slice(2);
-const say = (name, value) => console.log(`${name} ${value}`);
-const mean = (values) => values.reduce((a, b) => a + b, 0) / values.length;
-const p99 = (values) => values.toSorted((a, b) => a - b)[Math.min(values.length - 1, Math.floor(values.length * 0.99))];
-const pause = (ms) => new Promise((later) => setTimeout(later, ms));
-
-// The n-th that the console said, as soon as it has.
-async function addressOf(n) {
-  while (true) {
-    const lines = existsSync(addresses) ? readFileSync(addresses, 'utf8').split('\n') : [];
-    if (lines.length > n) return lines[n - 1];
-    await pause(50);
-  }
-}
+const [scratch, folder, jogSeconds] = process.argv.slice(2);
+const addresses = join(folder, 'addresses');
 
 const browser = await launch(scratch);
-const address = await addressOf(1);
-const begun = Date.now();
-const page = await openPage(browser, address);
+const page = await openPage(browser, await addressOf(addresses, 1));
 const alive = (one) =>
   one.waitForFunction(
-    () =>
-      document.body.dataset.state === 'live' &&
-      /mm/.test(document.getElementById('readings').textContent) &&
-      document.querySelector('figure canvas')?.dataset.frame,
+    () => document.body.dataset.state === 'live' && /mm/.test(document.getElementById('readings').textContent),
     null,
     { timeout: 60_000, polling: 'raf' },
   );
 await alive(page);
-say('alive', Date.now() - begun);
+await page.click('#tab-eyes');
+await page.click('#eyes button:text-is("Connect")');
+await page.waitForFunction(() => document.querySelector('figure canvas').dataset.frame);
 
-// Until every object is taught the arm is the person's.
-await page.click('#tab-facts');
-await page.fill('#query', '(person done ?objects)');
-await page.press('#query', 'Enter');
-await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
-  timeout: 180_000,
-});
-
-// Images: when each was drawn, and how old it was then.
+// In each animation frame the number is read back from the pixels: when each picture was seen first, and how long after
+// its stamp.
 const images = (seconds) =>
   page.evaluate(
-    (ms) =>
+    ([ms, reading]) =>
       new Promise((done) => {
+        const numberIn = new Function(`return ${reading}`)();
         const canvas = document.querySelector('figure canvas');
         const seen = [];
-        const watcher = new MutationObserver(() =>
-          seen.push([performance.now(), Date.now() - Number(canvas.dataset.captured) / 1000]),
-        );
-        watcher.observe(canvas, { attributes: true, attributeFilter: ['data-frame'] });
-        setTimeout(() => {
-          watcher.disconnect();
-          done(seen);
-        }, ms);
+        const until = performance.now() + ms;
+        const look = () => {
+          const number = numberIn(canvas);
+          const at = Date.now();
+          if (number !== null && number !== seen.at(-1)?.number)
+            seen.push({ number, at, age: at - Number(canvas.dataset.captured) / 1000 });
+          if (performance.now() < until) requestAnimationFrame(look);
+          else done(seen);
+        };
+        look();
       }),
-    seconds * 1000,
+    [seconds * 1000, read.toString()],
   );
-const intervals = (seen) => seen.slice(1).map(([at], i) => at - seen[i][0]);
+const intervals = (seen) => seen.slice(1).map(({ at }, i) => at - seen[i].at);
+const ages = (seen) => seen.map(({ age }) => age);
 const hideScene = (hidden) => page.evaluate((to) => (document.getElementById('scene-card').hidden = to), hidden);
 const watched = await images(20);
 say('interval-mean', mean(intervals(watched)));
 say('interval-p99', p99(intervals(watched)));
-say('photon-shown-p99', p99(watched.map(([, age]) => age)));
+say('photon-shown-p99', p99(ages(watched)));
 await hideScene(true);
-say('photon-hidden-p99', p99((await images(15)).map(([, age]) => age)));
+say('photon-hidden-p99', p99(ages(await images(20))));
 await hideScene(false);
 
 // A socket of the bench's own, in the page: what the arm did, by the board's clock, which is this machine's.
@@ -126,7 +111,7 @@ say('jogged-s', held);
 
 // A page that falls silent in mid-jog, seen by another one.
 const other = await browser.newContext();
-const witness = await openPage(other, await addressOf(2));
+const witness = await openPage(other, await addressOf(addresses, 2));
 await alive(witness);
 await witness.evaluate(() => {
   window.seen = [];
@@ -172,72 +157,5 @@ if (distances.length > 0) {
   say('stop-after-deadline-max', Math.max(...delays));
 }
 
-// Ten watchers, three of which take nothing in, and what a question to the arm, and one to the board, takes meanwhile.
-if (options.includes('--crowd')) {
-  const asked = (whom, crowd) =>
-    page.evaluate(
-      ([whom, [watchers, stalled]]) =>
-        new Promise((done) => {
-          const sockets = [];
-          for (let i = 0; i < watchers; ++i) {
-            const socket = new WebSocket(`ws://${location.host}/socket`);
-            socket.binaryType = 'arraybuffer';
-            sockets.push(socket);
-            socket.onmessage = ({ data }) => {
-              const takes = i >= stalled;
-              if (typeof data !== 'string') {
-                const name = new TextDecoder().decode(new Uint8Array(data, 0, 60)).split(' ')[1];
-                return takes && socket.send(`(drawn ${name})`);
-              }
-              const message = JSON.parse(data);
-              if (message.hello) {
-                for (const say of [
-                  '(look vision-colour)',
-                  '(look vision-annotated)',
-                  '(follow 1 (arm-pose ?robot ?x ?y ?z ?rx ?ry ?rz))',
-                  '(follow 2 (look ?eyes ?frame ?text ?of))',
-                  '(follow 3 (place ?name ?x ?y ?z ?frame))',
-                ])
-                  socket.send(say);
-              }
-              if (message.pulse && takes) socket.send(`(stamp ${message.pulse})`);
-              if ((message.watch || message.arm) && takes) socket.send('(heard 1)');
-            };
-          }
-          const socket = new WebSocket(`ws://${location.host}/socket`);
-          const took = [];
-          let sent = 0;
-          const ask = () => {
-            sent = performance.now();
-            const number = took.length + 1;
-            socket.send(whom === 'arm' ? `(request ${number} robot (get-status))` : `(watch ${number} "(agent ?name ?kind ?host)")`);
-          };
-          socket.onmessage = ({ data }) => {
-            const message = JSON.parse(data);
-            if (message.hello) setTimeout(ask, 2000);
-            if (message.pulse) socket.send(`(stamp ${message.pulse})`);
-            if (message.arm) socket.send('(heard 1)');
-            if (message.watch) {
-              socket.send('(heard 1)');
-              socket.send(`(unwatch ${message.watch})`);
-            }
-            if ((message.reply ?? message.watch) !== took.length + 1) return;
-            took.push(performance.now() - sent);
-            if (took.length < 300) return setTimeout(ask, 10);
-            for (const each of [...sockets, socket]) each.close();
-            done(took);
-          };
-        }),
-      [whom, crowd],
-    );
-  for (const whom of ['arm', 'board']) {
-    const alone = p99(await asked(whom, [0, 0]));
-    await pause(1500);
-    const among = p99(await asked(whom, [10, 3]));
-    await pause(1500);
-    say(`${whom}-alone-p99`, alone);
-    say(`${whom}-crowd-ratio`, among / alone);
-  }
-}
 await browser.close();
 process.exit(0);
