@@ -91,7 +91,7 @@ Result<journal::PlayedBack> read_log(KeyValues& key_values, const LogKeys& keys,
   while (true) {
     const Result<std::size_t> came = copy.follow();
     if (!came) return fail(came);
-    if (*came == 0) return journal::check_reached(journal::PlayedBack{copy.end(), copy.later()}, until);
+    if (*came == 0) return journal::PlayedBack{copy.end(), copy.later()};
   }
 }
 

@@ -57,7 +57,7 @@ class Log {
   // How many bytes of groups went from the log; 0 when there are none to go.
   virtual Result<std::size_t> compact(Time now) = 0;
   // As it was at a moment, into an empty store. Failure `forgotten` when compaction has let that moment go, `not-yet`
-  // when there is no such revision.
+  // when there is no such revision, unless the log lacks what is not durable and cannot know.
   virtual Result<PlayedBack> read(store::Store& store, const Moment& until) const = 0;
   // The bytes after which a group should end and the next one begin.
   virtual std::size_t group_bytes() const { return 1 << 20; }

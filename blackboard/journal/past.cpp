@@ -32,8 +32,12 @@ Result<Answers> answer_from(const Log& log, Query query) {
 
 }  // namespace
 
-Past::Past(Executor& executor, JournalWriter& journal)
-    : executor_(executor), journal_(journal), asked_(executor), job_(executor.spawn(answer_all())) {}
+Past::Past(Executor& executor, JournalWriter& journal, std::function<Revision()> newest)
+    : executor_(executor),
+      journal_(journal),
+      newest_(std::move(newest)),
+      asked_(executor),
+      job_(executor.spawn(answer_all())) {}
 
 void Past::ask(const std::string& client, Query query, Done done) {
   auto asking = std::ranges::find(clients_, client, &Client::name);
@@ -74,6 +78,9 @@ Task<Result<Answers>> Past::answer(Query query) {
     co_return fail("not-yet", "this is later than the board's clock",
                    to_datum(query.at->time.time_since_epoch().count()));
   }
+  // A log of durable facts alone may end before the board's newest revision.
+  const Result<PlayedBack> reached = check_reached(PlayedBack{{newest_(), executor_.now()}, ""}, *query.at);
+  if (!reached) co_return fail(reached);
   // Everything told before the question must be in the file.
   const JournalWriter::Position last = journal_.position();
   journal_.keep();

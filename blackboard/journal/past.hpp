@@ -3,7 +3,7 @@
 // Answers what was, from a board's journal, while the board goes on: one question after another, each from a board of
 // its own that is played back to the moment asked about. The clients that wait are served in turn, a question each.
 //
-//   Past past(executor, writer);
+//   Past past(executor, writer, [&] { return board.store().revision(); });
 //   past.ask("alice", query, [&](const Result<Answers>& answers) { ... });       // a query with `at`
 //
 // Failures: too-many when too many questions wait, the client's or all; forgotten, not-yet, gap (it asks about what is
@@ -22,7 +22,8 @@ class Past {
   static constexpr std::size_t max_waiting = 64;
   static constexpr std::size_t max_waiting_of_a_client = 8;
 
-  Past(Executor& executor, JournalWriter& journal);
+  // `newest` says at which revision the board stands.
+  Past(Executor& executor, JournalWriter& journal, std::function<Revision()> newest);
   void ask(const std::string& client, Query query, Done done);
 
  private:
@@ -40,6 +41,7 @@ class Past {
 
   Executor& executor_;
   JournalWriter& journal_;
+  const std::function<Revision()> newest_;
   std::deque<Client> clients_;  // whose turn it is first; each has a question that waits
   std::size_t waiting_ = 0;     // of all of them
   Event asked_;

@@ -51,7 +51,7 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
   board_.statistics().requests().set_limit(options.requests);
   board_.store().index_maker().on_wanted = [this] { schedule_look(); };
   journal::JournalWriter* const past = options.past != nullptr ? options.past : options.journal;
-  if (past != nullptr) past_.emplace(executor, *past);
+  if (past != nullptr) past_.emplace(executor, *past, [this] { return board_.store().revision(); });
   restore(options.remembered);
   if (keys_) ask_for_keys();
   forget_the_gone();

@@ -17,7 +17,7 @@ Result<journal::PlayedBack> read(const KeptJournal& journal, store::Store& store
   const Result<std::optional<std::string>> head = cluster::get(*log->key_values, log->keys.head());
   if (!head) return fail(head);
   if (!*head) return fail("bad-journal", "the cluster has no log of this cell: " + journal.where);
-  return cluster::read_log(*log->key_values, log->keys, store, until);
+  return journal::check_reached(cluster::read_log(*log->key_values, log->keys, store, until), until);
 }
 
 }  // namespace

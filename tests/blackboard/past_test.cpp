@@ -20,7 +20,7 @@ class PastTest : public JournalFileTest {
   }
 
   Life life_{path_};
-  journal::Past past_{life_.executor, *life_.writer};
+  journal::Past past_{life_.executor, *life_.writer, [this] { return life_.board->store().revision(); }};
   std::vector<std::string> answered_;
 };
 

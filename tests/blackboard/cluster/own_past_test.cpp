@@ -49,7 +49,8 @@ class OwnPasts : public testing::Test {
       all = [this](std::string_view line) { past_->add(line); };
     }
     board_->lead(std::move(store), epoch_ << 40, {}, log, std::move(all));
-    answers_ = std::make_unique<journal::Past>(executor_, past_ ? past_->writer() : *board_->journal());
+    answers_ = std::make_unique<journal::Past>(executor_, past_ ? past_->writer() : *board_->journal(),
+                                               [this] { return board_->board().store().revision(); });
   }
   void end() {
     answers_.reset();
@@ -148,6 +149,10 @@ TEST_F(OwnPasts, AreAGapWhereABoardKeepsNone) {
   EXPECT_EQ(goals(goal), "1 ");
   EXPECT_EQ(seen(goal),
             "the log of boards that take over has only what is durable, and this board keeps no past of its own");
+  const Revision behind = tell("(seen 2)");
+  EXPECT_EQ(goals(behind), "1 ") << "it stood, though the log ends before";
+  EXPECT_EQ(seen(behind), seen(goal));
+  EXPECT_TRUE(goals(behind + 1).starts_with("there is no revision")) << goals(behind + 1);
 }
 
 TEST_F(OwnPasts, EndWhereMoreWaitsForTheDiskThanMayAndKeepNobodyWaiting) {
@@ -162,6 +167,9 @@ TEST_F(OwnPasts, EndWhereMoreWaitsForTheDiskThanMayAndKeepNobodyWaiting) {
   for (int i = 0; i < 17 && reason.empty(); ++i) past_->add(long_line);
   EXPECT_EQ(reason, "journal-full");
   const Revision lost = tell("(seen 2)");
+  EXPECT_TRUE(seen(lost).contains("has nothing of what was not durable after revision")) << seen(lost);
+  EXPECT_EQ(goals(lost), "");
+  EXPECT_TRUE(seen(lost + 1).starts_with("there is no revision")) << seen(lost + 1);
   tell("(goal 1)");
   executor_.run_for(1s);
   EXPECT_TRUE(seen(lost).contains("has nothing of what was not durable after revision")) << seen(lost);
