@@ -95,7 +95,7 @@ Task<void> Session::pursue(Number number, std::string text) {
     co_return;
   }
   const runtime::Role role = runtime::coordinator_role();
-  const Result<runtime::Holder> coordinator = co_await runtime::holder_of(context_.board, Wiring::client, role);
+  const Result<runtime::Holder> coordinator = co_await runtime::present_holder_of(context_, Wiring::client, role);
   if (!coordinator || !coordinator->is_present()) {
     refuse(number, "absent", "no coordinator is present, so nobody would pursue a goal");
     co_return;

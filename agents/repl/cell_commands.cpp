@@ -28,13 +28,8 @@ Datum why_not_of(const Datum& form) {
 
 Task<Evaluation> Interpreter::goal(Datum form) {
   if (form.size() < 2) co_return usage("goal");
-  const std::string coordinator = co_await serving(runtime::coordinator_role());
-  const bool pursued = co_await is_agent(coordinator);
-  if (!pursued) {
-    const Failure alone{
-        "absent", "no coordinator is present, so nobody would pursue a goal; (agents) shows who is", {}, {}};
-    co_return show(alone);
-  }
+  const Result<std::string> coordinator = co_await present_coordinator("would pursue a goal");
+  if (!coordinator) co_return show(coordinator.error());
   const bool early = co_await being_taught();
   if (early) {
     const Failure early_goal{
@@ -43,7 +38,7 @@ Task<Evaluation> Interpreter::goal(Datum form) {
   }
   // A fact of the board, as a request is one, holds no variables.
   const Datum wanted = forms::without_variables(form);
-  const Result<Datum> accepted = co_await caller_.call(coordinator, wanted, accept_timeout);
+  const Result<Datum> accepted = co_await caller_.call(*coordinator, wanted, accept_timeout);
   if (!accepted) {
     const bool text = !accepted.error().place.empty();
     co_return show(accepted.error(), text ? Evaluation::malformed : Evaluation::failed);
@@ -122,15 +117,11 @@ Task<Evaluation> Interpreter::why(Datum form) {
     const Evaluation shown = co_await why_fact(form[1]);
     co_return shown;
   }
-  const std::string coordinator = co_await serving(runtime::coordinator_role());
-  const bool known = co_await is_agent(coordinator);
-  if (!known) {
-    const Failure alone{"absent", "no coordinator is present, so nobody knows why; (agents) shows who is", {}, {}};
-    co_return show(alone);
-  }
+  const Result<std::string> coordinator = co_await present_coordinator("knows why");
+  if (!coordinator) co_return show(coordinator.error());
   const bool of_a_goal = form.size() > 2;
   const Datum asked = of_a_goal ? why_not_of(form) : form;
-  const Evaluation outcome = co_await request(coordinator, asked);
+  const Evaluation outcome = co_await request(*coordinator, asked);
   co_return outcome;
 }
 

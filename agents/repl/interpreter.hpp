@@ -84,6 +84,8 @@ class Interpreter {
   Task<Result<std::string>> remark_on_server(Datum server, Datum present);
   // The agent that plays this role for the prompt.
   Task<std::string> serving(runtime::Role role);
+  // The same where it must be present: failure absent, which says what it is needed for.
+  Task<Result<std::string>> present_coordinator(std::string needed_for);
   Task<Evaluation> request(std::string agent, Datum operation);
   // Sentences that an answer of the eyes has no room for: why it is FAIL, and what the learned object looks like.
   Task<std::vector<Datum>> remarks_on(std::string agent, Datum operation, Datum answer);

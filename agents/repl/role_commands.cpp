@@ -34,6 +34,14 @@ Task<std::string> Interpreter::serving(runtime::Role role) {
   co_return holder ? holder->server : usual;
 }
 
+Task<Result<std::string>> Interpreter::present_coordinator(std::string needed_for) {
+  runtime::Role role = runtime::coordinator_role();
+  const Result<runtime::Holder> holder = co_await runtime::present_holder_of(context_, every_prompt, std::move(role));
+  if (!holder) co_return fail(holder);
+  if (holder->is_present()) co_return holder->server;
+  co_return fail("absent", fmt::format("no coordinator is present, so nobody {}; (agents) shows who is", needed_for));
+}
+
 Task<Evaluation> Interpreter::wire(Datum form) {
   if (form.size() == 1) {
     const Evaluation listed = co_await list_wiring();

@@ -235,4 +235,14 @@ Task<Result<Holder>> holder_of(Board& board, std::string client, Role role) {
   co_return choose_holder(role, server, kinds, names);
 }
 
+Task<Result<Holder>> present_holder_of(AgentContext& context, std::string client, Role role) {
+  const Time deadline = context.executor.now() + Service::presence_lease;
+  while (true) {
+    const Result<Holder> holder = co_await holder_of(context.board, client, role);
+    const bool settled = !holder || holder->is_present() || context.executor.now() >= deadline;
+    if (settled) co_return holder;
+    co_await sleep(context.executor, Service::presence_renewal / 5);
+  }
+}
+
 }  // namespace pizarra::runtime

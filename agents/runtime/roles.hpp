@@ -97,5 +97,8 @@ class Roles {
 
 // The holder of a client's role at this moment.
 Task<Result<Holder>> holder_of(Board& board, std::string client, Role role);
+// The same, once it is present: for as long as a presence lasts it may be that this board is yet to be told of it. A
+// board that took over from another begins without presences.
+Task<Result<Holder>> present_holder_of(AgentContext& context, std::string client, Role role);
 
 }  // namespace pizarra::runtime

@@ -97,6 +97,21 @@ TEST_F(InDoubtTest, AClientWaitsForAQuorumAndLearnsThatNothingWasDone) {
   EXPECT_EQ(notes(), 3u);
 }
 
+// Else a jog would be held again whose owner let go, or died, meanwhile.
+TEST_F(InDoubtTest, LeasesLapseAtTheirTimeAndTheirOwnersLearnIt) {
+  const auto alice = remote(10s);
+  const LeaseId lease = run(executor, alice->lease(300ms)).value();
+  ASSERT_TRUE(run(executor, alice->transact(Transaction().tell(read("(note 2 held)"), {}, lease))).has_value());
+  leads = false;
+  pass(executor, 400ms);
+  EXPECT_EQ(run(executor, alice->recall(query("(note ?n ?text)")))->answers.answers.size(), 1u);
+  leads = true;
+  const Result<void> renewed = run(executor, alice->renew(lease));
+  ASSERT_FALSE(renewed.has_value());
+  EXPECT_EQ(renewed.error().symbol, "unknown-lease");
+  EXPECT_EQ(notes(), 1u);
+}
+
 TEST_F(InDoubtTest, AClientThatDoesNotWaitIsRefusedAtOnce) {
   const auto alice = remote(10s);
   alice->refuse_without_quorum();

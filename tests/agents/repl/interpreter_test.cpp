@@ -290,17 +290,29 @@ TEST_F(Repl, NobodyKnowsWhyWithoutACoordinator) {
 
 Task<Result<Datum>> repeat(Datum operation) { co_return list(write(operation)); }
 
-TEST_F(Repl, WhyNotAsksTheCoordinatorAboutAGoal) {
-  const std::unique_ptr<Board> its_view = board.view("coordinator");
-  runtime::AgentContext its_context{"coordinator", "localhost", executor, *its_view, Random(1)};
-  constexpr std::string_view contract = "(contract coordinator (offers (why-not (fact list) ...)))";
-  runtime::Service coordinator(its_context, runtime::contract_from_text(contract).value());
-  const Job answering = executor.spawn([](runtime::Service& served) -> Task<void> {
-    const Result<void> started = co_await served.start();
+// Says every question back.
+class ReplOfACoordinator : public Repl {
+ protected:
+  Task<void> serve_after(Duration time) {
+    co_await sleep(executor, time);
+    const Result<void> started = co_await coordinator.start();
     EXPECT_TRUE(started.has_value());
-    const Result<void> ended = co_await served.serve(repeat);
-  }(coordinator));
-  executor.run_for(1s);
+    const Result<void> ended = co_await coordinator.serve(repeat);
+  }
+
+  std::unique_ptr<Board> its_view = board.view("coordinator");
+  runtime::AgentContext its_context{"coordinator", "localhost", executor, *its_view, Random(1)};
+  runtime::Service coordinator{
+      its_context, runtime::contract_from_text("(contract coordinator (offers (why-not (fact list) ...)))").value()};
+};
+
+TEST_F(ReplOfACoordinator, IsAskedWhenItsPresenceIsToldAnew) {
+  const Job answering = executor.spawn(serve_after(1500ms));
+  EXPECT_EQ(type("(why not (on a b))"), Evaluation::done) << shown;
+}
+
+TEST_F(ReplOfACoordinator, WhyNotAsksItAboutAGoal) {
+  const Job answering = executor.spawn(serve_after(0s));
   EXPECT_EQ(type("(why not (on a b) (exists (?x OBJECT) (on ?x b)))"), Evaluation::done);
   EXPECT_EQ(shown, "(why-not (on a b) (exists (<x> OBJECT) (on <x> b)))\n");
   EXPECT_EQ(type("(why so (on a b))"), Evaluation::malformed);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr Duration between_notes = 100ms;
 constexpr std::chrono::seconds goal_patience{180};
+constexpr const char* coordinator_host = "board-pc";
 
 Datum form(const char* text) { return read_one(text).value(); }
 
@@ -126,14 +127,15 @@ void HostLoss::round() {
     status = asking.end(std::chrono::seconds(0));
   }
   tells_ = false;
-  judge(upper, status.value_or(-1));
   std::string said = asking.said();
   while (said.ends_with('\n')) said.pop_back();
+  // A goal that came while the coordinator's host had no power was not taken, which is said.
+  judge(upper, status.value_or(-1), last_ == coordinator_host && said.contains("nobody would pursue a goal"));
   last_ += ": " + goal + " " + said.substr(said.rfind('\n') + 1);
 }
 
 // By the world alone.
-void HostLoss::judge(const std::string& upper, int status) {
+void HostLoss::judge(const std::string& upper, int status, bool nobody_pursues) {
   constexpr int reached = 0;
   constexpr int refused = 3;
   pass(2s);
@@ -143,7 +145,7 @@ void HostLoss::judge(const std::string& upper, int status) {
   const std::string lower = upper == "circle" ? "triangle" : "circle";
   if (status == reached && cube.on == lower && !cube.held) {
     ++tally_.reached;
-  } else if (status == refused && gone) {
+  } else if ((status == refused && gone) || nobody_pursues) {
     ++tally_.refused_correctly;
   } else {
     ++tally_.failed;

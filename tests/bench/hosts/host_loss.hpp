@@ -27,7 +27,7 @@ class HostLoss {
   struct Tally {
     int rounds = 0;
     int reached = 0;            // and the world shows it
-    int refused_correctly = 0;  // and in the world a cube of the goal is gone
+    int refused_correctly = 0;  // and in the world a cube of the goal is gone, or its pursuer's host is
     int failed = 0;
     int durable_lost = 0;  // acknowledged facts that are missing, and retracted ones that stand
     int done_twice = 0;    // an operation that was done, and done again with none between
@@ -49,7 +49,7 @@ class HostLoss {
   Task<void> watch_operations();
   void pass(Duration time);
   void lose_the_leading_host();
-  void judge(const std::string& upper, int status);
+  void judge(const std::string& upper, int status, bool nobody_pursues);
   int lost_notes();
   story::WorldState truth();
   Duration between(int least_ms, int most_ms);
