@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <microhttpd.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <optional>
 
 #include "lisp/outside_text.hpp"
@@ -27,6 +28,15 @@ std::string value_of(MHD_Connection* connection, MHD_ValueKind kind, const char*
 
 std::string header_of(MHD_Connection* connection, const char* name) {
   return value_of(connection, MHD_HEADER_KIND, name);
+}
+
+// What is small goes at once. Where the kernel has BBR, a lost packet does not slow down what follows it; the kernel's
+// own way of keeping to the line's rate serves otherwise.
+void hasten(int file) {
+  constexpr int on = 1;
+  constexpr std::string_view steady = "bbr";
+  setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  setsockopt(file, IPPROTO_TCP, TCP_CONGESTION, steady.data(), steady.size());
 }
 
 bool has_body(MHD_Connection* connection) {
@@ -90,8 +100,10 @@ struct HttpServer::Callbacks {
     return queued;
   }
 
-  static void upgrade(void*, MHD_Connection*, void* exchange, const char* first, std::size_t size, MHD_socket file,
-                      MHD_UpgradeResponseHandle* handle) {
+  static void upgrade(void*, MHD_Connection* connection, void* exchange, const char* first, std::size_t size,
+                      MHD_socket file, MHD_UpgradeResponseHandle* handle) {
+    // With TLS `file` is a pipe to the library, which has the connection.
+    hasten(MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd);
     static_cast<Exchange*>(exchange)->upgraded(UpgradedSocket(handle, file, std::string(first, size)));
   }
 

@@ -38,9 +38,10 @@ struct WebSocket::Callbacks {
     return -1;
   }
 
-  static ssize_t send(wslay_event_context* context, const std::uint8_t* from, std::size_t size, int, void* user) {
+  static ssize_t send(wslay_event_context* context, const std::uint8_t* from, std::size_t size, int flags, void* user) {
     WebSocket& self = of(user);
-    const ssize_t sent = ::send(self.socket_.file(), from, size, MSG_NOSIGNAL);
+    const int more = (flags & WSLAY_MSG_MORE) != 0 ? MSG_MORE : 0;
+    const ssize_t sent = ::send(self.socket_.file(), from, size, MSG_NOSIGNAL | more);
     if (sent >= 0) {
       self.progress_ = self.executor_.now();
       return sent;

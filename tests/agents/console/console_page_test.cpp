@@ -1,5 +1,7 @@
 // The rights and limits of a page that was let in.
 
+#include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 
 #include "lisp/reader.hpp"
@@ -22,6 +24,20 @@ TEST_F(ConsoleTest, TellsWhatHoldsAndEveryChange) {
   const auto gone = serve([&] { return client->read_frame(); });
   ASSERT_TRUE(gone);
   EXPECT_TRUE(has(gone->payload, "\"added\":[]"));
+}
+
+// A client's kernel acknowledges what it has nothing to answer to after 40 ms.
+TEST_F(ConsoleTest, SendsAnAnswerWithoutWaitingForAnAcknowledgement) {
+  declare(number_relation);
+  const auto client = page(cookie());
+  std::vector<std::chrono::duration<double, std::milli>> took;
+  for (int i = 0; i < 41; ++i) {
+    const auto asked = std::chrono::steady_clock::now();
+    ASSERT_TRUE(begins(said(*client, fmt::format("(ask {} (number ?n ?text))", i)), "{\"watch\":"));
+    took.push_back(std::chrono::steady_clock::now() - asked);
+  }
+  std::ranges::nth_element(took, took.begin() + 20);
+  EXPECT_LT(took[20].count(), 30);
 }
 
 TEST_F(ConsoleTest, SaysOfATypedQuestionWhatIsWrongWithItAndWhere) {

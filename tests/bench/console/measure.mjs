@@ -23,8 +23,8 @@ await page.click('#tab-eyes');
 await page.click('#eyes button:text-is("Connect")');
 await page.waitForFunction(() => document.querySelector('figure canvas').dataset.frame);
 
-// In each animation frame the number is read back from the pixels: when each picture was seen first, and how long after
-// its stamp.
+// In the animation frame that draws a picture its number is read back from the pixels: when each was seen first, and how
+// long after its stamp.
 const images = (seconds) =>
   page.evaluate(
     ([ms, reading]) =>
@@ -32,16 +32,18 @@ const images = (seconds) =>
         const numberIn = new Function(`return ${reading}`)();
         const canvas = document.querySelector('figure canvas');
         const seen = [];
-        const until = performance.now() + ms;
         const look = () => {
           const number = numberIn(canvas);
           const at = Date.now();
-          if (number !== null && number !== seen.at(-1)?.number)
-            seen.push({ number, at, age: at - Number(canvas.dataset.captured) / 1000 });
-          if (performance.now() < until) requestAnimationFrame(look);
-          else done(seen);
+          if (number === null || number === seen.at(-1)?.number) return;
+          seen.push({ number, at, age: at - Number(canvas.dataset.captured) / 1000 });
         };
-        look();
+        const drawn = new MutationObserver(look);
+        drawn.observe(canvas, { attributes: true, attributeFilter: ['data-frame'] });
+        setTimeout(() => {
+          drawn.disconnect();
+          done(seen);
+        }, ms);
       }),
     [seconds * 1000, read.toString()],
   );
