@@ -19,6 +19,7 @@ void add_check_command(CLI::App& app, int& status);
 void add_up_command(CLI::App& app, int& status);
 void add_hosts_command(CLI::App& app, int& status);
 void add_contexts_command(CLI::App& app, int& status);
+void add_cells_command(CLI::App& app, int& status);
 void add_host_command(CLI::App& app, int& status);
 void add_ps_command(CLI::App& app, int& status);
 void add_down_command(CLI::App& app, int& status);

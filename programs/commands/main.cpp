@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   pizarra::programs::add_up_command(app, status);
   pizarra::programs::add_hosts_command(app, status);
   pizarra::programs::add_contexts_command(app, status);
+  pizarra::programs::add_cells_command(app, status);
   pizarra::programs::add_host_command(app, status);
   pizarra::programs::add_ps_command(app, status);
   pizarra::programs::add_down_command(app, status);
