@@ -268,6 +268,28 @@ TEST_F(RobotBeforeSilence, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond)
   EXPECT_EQ(arm.at(), stood) << "nothing goes on before it is asked for";
 }
 
+TEST_F(RobotBeforeSilence, AJogThatItStoppedDoesNotGoOnThoughTheHandNeverLetGo) {
+  int count = 0;
+  const auto hold_for = [&](Duration time) {
+    for (Duration held{}; held < time; held += 50ms) {
+      tell("user", fmt::format("(hold robot user {})", ++count));
+      executor.run_for(50ms);
+    }
+  };
+  hold_for(50ms);
+  const std::string id = ask("(jog right 600)");
+  hold_for(200ms);
+  EXPECT_TRUE(arm.moving());
+  muted = true;
+  hold_for(150ms);
+  EXPECT_FALSE(arm.moving());
+  const arm::Joints stood = arm.at();
+  muted = false;
+  hold_for(1s);
+  EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
+  EXPECT_EQ(arm.at(), stood);
+}
+
 // Between a request and its first motion lie the board's round trips.
 TEST_F(RobotBeforeSilence, WhoComesToCommandBeforeTheMotionBeginsKeepsItFromBeginning) {
   muted = true;

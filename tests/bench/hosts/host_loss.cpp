@@ -1,6 +1,8 @@
 #include "tests/bench/hosts/host_loss.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <span>
 #include <stdexcept>
 
 #include "blackboard/wire/keys.hpp"
@@ -61,9 +63,9 @@ Task<void> HostLoss::tell_notes() {
 }
 
 Task<void> HostLoss::watch_operations() {
-  Query done = query_for(form("(operation ?index ?what done)"));
+  Query operations = query_for(form("(operation ?index ?what ?state)"));
   while (true) {
-    const Result<std::unique_ptr<Watch>> watch = co_await board_->watch(done);
+    const Result<std::unique_ptr<Watch>> watch = co_await board_->watch(operations);
     if (!watch) {
       co_await sleep(executor_, between_notes);
       continue;
@@ -76,8 +78,12 @@ Task<void> HostLoss::watch_operations() {
         // One that stands is shown again when the watch is resynchronised.
         if (seen_last_ == fact.id) continue;
         seen_last_ = fact.id;
-        if (fact.datum[2] == done_last_) ++tally_.done_twice;
-        done_last_ = fact.datum[2];
+        const Datum& what = fact.datum[2];
+        const bool is_done = fact.datum[3].is_symbol("done");
+        if (is_done && what == done_last_) ++tally_.done_twice;
+        if (is_done) done_last_ = what;
+        // What another one failed with may have had to be laid down, and is picked up again.
+        if (what != done_last_) done_last_ = Datum();
       }
     }
   }
@@ -132,6 +138,19 @@ void HostLoss::round() {
   // A goal that came while the coordinator's host had no power was not taken, which is said.
   judge(upper, status.value_or(-1), last_ == coordinator_host && said.contains("nobody would pursue a goal"));
   last_ += ": " + goal + " " + said.substr(said.rfind('\n') + 1);
+  if (!tally_.is_well()) last_ += newest_events();
+}
+
+std::string HostLoss::newest_events() {
+  constexpr std::size_t most = 60;
+  Result<std::vector<Fact>> events = run(executor_, board_->facts(form("(event ? ? ? ?)")));
+  if (!events) return "\n  " + describe(events.error());
+  std::ranges::sort(*events, {}, [](const Fact& fact) { return fact.datum[1].integer(); });
+  std::string text;
+  for (const Fact& event : std::span(*events).last(std::min(most, events->size()))) {
+    text += fmt::format("\n  {} {}", event.datum[1].integer(), event.datum[3].text());
+  }
+  return text;
 }
 
 // By the world alone.

@@ -30,7 +30,8 @@ class HostLoss {
     int refused_correctly = 0;  // and in the world a cube of the goal is gone, or its pursuer's host is
     int failed = 0;
     int durable_lost = 0;  // acknowledged facts that are missing, and retracted ones that stand
-    int done_twice = 0;    // an operation that was done, and done again with none between
+    int done_twice = 0;    // an operation that was done, and done again with no other one begun between
+    bool is_well() const { return failed + durable_lost + done_twice == 0; }
   };
 
   // A round throws when it is stopped.
@@ -40,7 +41,7 @@ class HostLoss {
   ~HostLoss();
   void round();
   const Tally& tally() const { return tally_; }
-  // Of the last round: the host that was lost, and how it ended.
+  // Of the last round: the host that was lost, and how it ended; where it did not end well, what the cell says of it.
   const std::string& last() const { return last_; }
 
  private:
@@ -51,6 +52,8 @@ class HostLoss {
   void lose_the_leading_host();
   void judge(const std::string& upper, int status, bool nobody_pursues);
   int lost_notes();
+  // The coordinator's newest events, a line each.
+  std::string newest_events();
   story::WorldState truth();
   Duration between(int least_ms, int most_ms);
 

@@ -34,7 +34,7 @@ int run_all(int rounds, std::uint64_t seed) {
   const HostLoss::Tally& tally = cell.tally();
   fmt::print("rounds {}, reached {}, refused correctly {}, failed {}, durable lost {}, done twice {}\n", tally.rounds,
              tally.reached, tally.refused_correctly, tally.failed, tally.durable_lost, tally.done_twice);
-  return tally.failed == 0 && tally.durable_lost == 0 && tally.done_twice == 0 ? 0 : 1;
+  return tally.is_well() ? 0 : 1;
 }
 
 }  // namespace
