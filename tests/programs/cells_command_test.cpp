@@ -14,9 +14,7 @@ using std::chrono::seconds;
 class CellsOfAHall : public testing::Test {
  protected:
   static std::string address(const std::string& board) { return "ipc://" + scratch_folder() + board + ".ipc"; }
-  static std::vector<std::string> board(const std::string& name) {
-    return {PIZARRA_BOARD, "--listen", address(name)};
-  }
+  static std::vector<std::string> board(const std::string& name) { return {PIZARRA_BOARD, "--listen", address(name)}; }
   static Said run(const std::string& words, const std::string& board) {
     return shell(std::string(PIZARRA_CELL) + " " + words + " --board " + address(board) + " 2>&1");
   }
