@@ -248,10 +248,9 @@ void Session::drawn(const Datum& form) {
 }
 
 std::size_t Session::images_at_once() const {
-  constexpr Duration for_each = 50ms;
-  const std::optional<Duration> line = pulse_.line();
-  if (!line) return 2;
-  return std::min<std::size_t>(max_images_under_way, 2 + static_cast<std::size_t>(*line / for_each));
+  constexpr Duration usual_period = 100ms;
+  const Duration line = pulse_.line().value_or(Duration(0));
+  return std::min<std::size_t>(max_images_under_way, 2 + static_cast<std::size_t>(line / usual_period));
 }
 
 // Light pictures where images wait for the line, and full ones again where they would hardly wait.

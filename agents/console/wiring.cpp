@@ -1,16 +1,15 @@
 #include "agents/console/wiring.hpp"
 
-#include "agents/console/console_contract.hpp"
-
 namespace pizarra::console {
 
 namespace {
 
 runtime::Contract contract_of_console() {
-  constexpr std::string_view posts = R"((contract console
+  constexpr std::string_view contract = R"((contract console
   (posts (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
-         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role))) )";
-  return runtime::contract_from_text(std::string(posts) + reads_of_pages + ")").value();
+         (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
+  (reads agent bound wired)))";
+  return runtime::contract_from_text(contract).value();
 }
 
 }  // namespace

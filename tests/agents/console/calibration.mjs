@@ -4,7 +4,7 @@
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
-import { expect, expectAccessible, launch, openPage, ownFolder, start, text } from './browser.mjs';
+import { expect, expectAccessible, launch, openPage, ownFolder, start, tall, text } from './browser.mjs';
 
 const [cell, board, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -50,7 +50,7 @@ writeFileSync(
 const at = `ipc://${folder}/board`;
 const kept = start([board, '--listen', at], folder);
 const served = start([cell, 'console', '--board', at], folder);
-const page = await openPage(browser, await served.line);
+const page = await openPage(browser, await served.line, tall);
 await page.waitForSelector('body[data-state=live]');
 await page.click('#tab-eyes');
 expect(await page.isHidden('#calibration'), 'without a calibration there is nothing of one');
@@ -76,7 +76,7 @@ for (const [i, [x, y]] of places.entries()) {
     expect(/to the bottom right of the image/.test(await lacks()), 'and brought to where none was');
     expect(!/to the top left of the image/.test(await lacks()), 'but not to where one was');
   }
-  if (i === 4) await page.screenshot({ path: join(pictures, 'calibration.png') });
+  if (i === 4) await page.locator('#calibration').screenshot({ path: join(pictures, 'calibration.png') });
   if (i === 4) await expectAccessible(page, scratch, 'a calibration');
 }
 await shows('calibration-state', 'done');

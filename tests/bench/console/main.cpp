@@ -70,8 +70,13 @@ Measured over_the_line(const Choices& choices) {
       Child::program(network.on("desk", {"node", script("relay.mjs"), "127.0.0.1", own_port, cell, relayed_port}));
   far.pipe().hear_line();
   near.pipe().hear_line();
-  network.link("desk", "both delay 80 loss 1 rate 2000");
-  return measure(network.on("desk", measure_command(choices, folder.path())));
+  const std::string long_line = "both delay 80 loss 1 rate 2000";
+  network.link("desk", long_line);
+  std::vector<std::string> command = measure_command(choices, folder.path());
+  command.push_back("--cut");
+  return measure(network.on("desk", command), [&](const std::string& order) {
+    network.link("desk", order == "cut" ? std::string("both cut") : long_line);
+  });
 }
 
 // A figure, and the scale it is told in.

@@ -1,13 +1,15 @@
-// node measure.mjs SCRATCH FOLDER JOG-SECONDS: what an operator's browser takes of a console whose addresses come into
+// node measure.mjs SCRATCH FOLDER JOG-SECONDS [--cut]: what an operator's browser takes of a console whose addresses come into
 // FOLDER/addresses, and whose eyes have the camera of pictures.mjs: a line `NAME VALUE` a figure, milliseconds where it
-// says no other.
+// says no other. With --cut the line is lost in mid-jog, when a line says `cut`, until one says `whole`; else the page
+// falls silent.
 
+import { writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { launch, openPage } from '../../agents/console/browser.mjs';
 import { read } from './coded.mjs';
 import { addressOf, mean, p99, pause, say } from './figures.mjs';
 
-const [scratch, folder, jogSeconds] = process.argv.slice(2);
+const [scratch, folder, jogSeconds, ...options] = process.argv.slice(2);
 const addresses = join(folder, 'addresses');
 
 const browser = await launch(scratch);
@@ -111,10 +113,13 @@ for (let i = 0; held < Number(jogSeconds); ++i) {
 say('false-stops', stops);
 say('jogged-s', held);
 
-// A page that falls silent in mid-jog, seen by another one.
+// The arm when its page falls silent in mid-jog, seen by another one, which shows nothing, so that the first has the
+// machine.
 const other = await browser.newContext();
-const witness = await openPage(other, await addressOf(addresses, 2));
+const shown = await addressOf(addresses, 2);
+const witness = await openPage(other, shown);
 await alive(witness);
+await witness.goto(new URL('/icon.svg', shown).href);
 await witness.evaluate(() => {
   window.seen = [];
   const socket = new WebSocket(`ws://${location.host}/socket`);
@@ -129,30 +134,46 @@ await witness.evaluate(() => {
     socket.send('(heard 1)');
   };
 });
+const jogging = (way) =>
+  page.evaluate(async (direction) => {
+    window.held = document.querySelector(`.jog[data-jog=${direction}]`);
+    window.held.dispatchEvent(new PointerEvent('pointerdown', { button: 0, pointerId: 1 }));
+    await new Promise((later) => setTimeout(later, 1500));
+  }, way);
+const lettingGo = () => page.evaluate(() => window.held.dispatchEvent(new PointerEvent('pointerup', { pointerId: 1 })));
+// Each answers when the silence began.
+const busy = () =>
+  page.evaluate(() => {
+    const at = Date.now();
+    while (Date.now() < at + 1500);
+    return at;
+  });
+const withoutLine = async () => {
+  const at = Date.now();
+  writeSync(1, 'cut\n');
+  await pause(1500);
+  writeSync(1, 'whole\n');
+  await pause(3000);
+  return at;
+};
 const distances = [];
 const delays = [];
 for (let i = 0; i < 5; ++i) {
   await page.bringToFront();
-  const silence = await page.evaluate(async (way) => {
-    const button = document.querySelector(`.jog[data-jog=${way}]`);
-    button.dispatchEvent(new PointerEvent('pointerdown', { button: 0, pointerId: 1 }));
-    await new Promise((later) => setTimeout(later, 1500));
-    const deadline = Number(document.getElementById('jog-note').textContent.match(/silence of (\d+)/)?.[1] ?? 600);
-    const at = Date.now();
-    while (Date.now() < at + 1500);
-    button.dispatchEvent(new PointerEvent('pointerup', { pointerId: 1 }));
-    return { at, deadline };
-  }, i % 2 ? 'left' : 'right');
+  await jogging(i % 2 ? 'left' : 'right');
+  const silentSince = await (options.includes('--cut') ? withoutLine() : busy());
+  await lettingGo();
   await pause(1500);
   const seen = await witness.evaluate(() => window.seen.splice(0));
   const poses = seen.filter(({ text }) => text.startsWith('(arm-pose '));
-  const stood = seen.find(({ text, when }) => / stopped /.test(text) && when / 1000 > silence.at);
+  const stood = seen.find(({ text, when }) => / stopped /.test(text) && when / 1000 > silentSince);
   const place = ({ text }) => text.slice(10).split(' ').slice(1, 4).map(Number);
-  const before = poses.filter(({ when }) => when / 1000 <= silence.at).at(-1);
+  const before = poses.filter(({ when }) => when / 1000 <= silentSince).at(-1);
   if (!stood || !before) continue;
   const [a, b] = [place(before), place(poses.at(-1))];
   distances.push(Math.hypot(...a.map((value, axis) => value - b[axis])));
-  delays.push(stood.when / 1000 - silence.at - silence.deadline);
+  const [, deadline] = stood.text.match(/\(jog \S+ ([\d.]+)\)/);
+  delays.push(stood.when / 1000 - silentSince - Number(deadline));
 }
 if (distances.length > 0) {
   say('stop-distance-max', Math.max(...distances));

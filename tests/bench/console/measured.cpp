@@ -24,7 +24,7 @@ std::optional<double> Measured::value(const std::string& name) const {
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-Measured measure(const std::vector<std::string>& command) {
+Measured measure(const std::vector<std::string>& command, const std::function<void(const std::string&)>& obey) {
   std::string line;
   for (const std::string& word : command) line += quoted(word) + " ";
   Measured out;
@@ -37,6 +37,8 @@ Measured measure(const std::vector<std::string>& command) {
     double value = 0;
     if (words >> name >> value) {
       out.values[name] = value;
+    } else if (obey && words.eof()) {
+      obey(name);
     } else {
       out.trouble = buffer.data();
     }

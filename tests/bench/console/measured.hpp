@@ -5,6 +5,7 @@
 //   const Measured loopback = measure({node, script, "--cell", PIZARRA_CELL, ...});
 //   loopback.value("interval-mean");                    // nothing: it could not be measured
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct Measured {
   std::optional<double> value(const std::string& name) const;
 };
 
-// Runs it to its end.
-Measured measure(const std::vector<std::string>& command);
+// Runs it to its end. A line that is one word is an order, for who obeys them.
+Measured measure(const std::vector<std::string>& command, const std::function<void(const std::string&)>& obey = {});
 
 }  // namespace pizarra::bench

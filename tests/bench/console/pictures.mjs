@@ -9,14 +9,14 @@ import { draw, numbers } from './coded.mjs';
 const [scratch, folder] = process.argv.slice(2);
 const browser = await launch(scratch);
 const studio = await browser.newPage();
-// Sharp edges at low contrast: about as many bytes as a camera's picture, and nothing to be taken for a mark.
+// Sharp edges at low contrast: as many bytes as the simulated camera gives, and nothing to be taken for a mark.
 const pictures = await studio.evaluate(
   ([count, drawing]) => {
     const canvas = document.createElement('canvas');
     Object.assign(canvas, { width: 320, height: 240 });
     const pen = canvas.getContext('2d');
     const code = new Function(`return ${drawing}`)();
-    for (let i = 0; i < 400; ++i) {
+    for (let i = 0; i < 60; ++i) {
       pen.fillStyle = `hsl(${(i * 47) % 360} 30% ${55 + ((i * 31) % 12)}%)`;
       pen.fillRect((i * 73) % 320, (i * 41) % 240, 30, 22);
     }

@@ -55,7 +55,7 @@ export function showHead(connection, images, me) {
   const panel = find('head');
   const log = new CommandLog(connection, () => 'pan-tilt', me, 'Commands that the head received, newest first');
   const send = (form) => log.send(form);
-  const light = element('span', { id: 'head-light', class: 'chip' }, 'no head');
+  const light = element('span', { id: 'head-light', class: 'chip' }, 'no head is present');
   const where = element('output', { 'aria-label': 'Where the head looks' }, '');
   const parts = axes.map((axis) => axisControls(axis, send));
   const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
@@ -94,7 +94,7 @@ export function showHead(connection, images, me) {
     model = told && [...told];
   });
   const show = (told) => {
-    const state = told ? text(told[1]) : 'no head';
+    const state = told ? text(told[1]) : 'no head is present';
     light.textContent = told && text(told[2]) ? `${state}: ${text(told[2])}` : state;
     light.className = `chip ${state === 'ready' ? 'good' : 'bad'}`;
     for (const control of controls) {

@@ -16,7 +16,7 @@ const wanted = [
 
 function makeView(title) {
   const canvas = element('canvas', { width: 640, height: 480, role: 'img', 'aria-label': title });
-  const note = element('span', { class: 'quiet' }, 'no image yet');
+  const note = element('span', { class: 'quiet' }, 'no eyes are present');
   const card = element(
     'figure',
     { class: 'card' },
@@ -103,9 +103,9 @@ export function showImages(connection, roles) {
     const told = answers.map(fact);
     const [, , state, trouble] = told.find((one) => text(one[1]) === roles.server('eyes')) ?? told[0] ?? [];
     const why = state === undefined ? 'no eyes are present' : closed[text(state)];
-    if (!why || moment !== null) return;
+    if (moment !== null) return;
     const said = clipped([why, text(trouble ?? '')].filter(Boolean).join(': '), 120);
-    for (const view of views) view.note.textContent = said;
+    for (const view of views) if (why || !view.shown) view.note.textContent = why ? said : 'no image yet';
   });
   const takers = [];
   const [plain] = views;
