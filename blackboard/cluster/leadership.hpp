@@ -12,7 +12,7 @@
 // A board leads by its epoch: a key that every transaction of its log compares. Taking the lead replaces the epoch
 // where the leader has not confirmed it since it was seen. The old one's appends fail from then on; its answers end by
 // themselves `answers_for` after the last confirmation that went through was sent, and the new one serves
-// `serves_after` its epoch stands. The clocks of both only need to run at about the same speed.
+// `serves_after` it saw that one. The clocks of both only need to run at about the same speed.
 
 #include <optional>
 

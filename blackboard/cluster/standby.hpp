@@ -8,6 +8,7 @@
 //
 // A nonce is another one for every life of a board.
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -35,8 +36,11 @@ class Standby {
 
   LogCopy& copy() { return *copy_; }
   Leadership take_leadership() { return std::move(*won_); }
-  // Whether nobody led, or who did said that it answers no more: then there is nothing to wait for.
-  bool was_vacant() const { return vacant_; }
+  // How long whoever led before may still answer. Its last confirmation was sent before it was seen here, and taking
+  // the lead compared it. Nothing where nobody led, or who did said that it answers no more.
+  Duration must_wait(Time now) const {
+    return vacant_ ? Duration::zero() : std::max(seen_at_ + serves_after - now, Duration::zero());
+  }
 
  private:
   KeyValues& key_values_;

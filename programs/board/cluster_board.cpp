@@ -64,6 +64,8 @@ class StandingBy {
     return leads_ ? standby_ : nullptr;
   }
   const std::optional<Failure>& failure() const { return failure_; }
+  // How long the former leader may still answer.
+  Duration must_wait() const { return standby_->must_wait(executor_.now()); }
 
  private:
   Task<void> stand_by() {
@@ -95,14 +97,15 @@ class StandingBy {
 // While this board leads.
 class Leading {
  public:
-  Leading(const ClusterChoices& choices, std::shared_ptr<EtcdClient> client, std::shared_ptr<Standby> standby)
+  Leading(const ClusterChoices& choices, std::shared_ptr<EtcdClient> client, std::shared_ptr<Standby> standby,
+          Duration waits)
       : choices_(choices),
         keys_(choices.log.cell),
         client_(std::move(client)),
         standby_(std::move(standby)),
         leadership_(std::make_shared<Leadership>(standby_->take_leadership())),
         executor_(std::max(RealExecutor::wall_clock(), standby_->copy().end().when)),
-        serves_at_(executor_.now() + (standby_->was_vacant() ? Duration::zero() : cluster::serves_after)),
+        serves_at_(executor_.now() + waits),
         gated_(
             wire::zeromq(), [this] { return may_answer(); },
             [this](const std::string& sender_key, std::string_view frame) { return in_doubt(sender_key, frame); }) {}
@@ -303,7 +306,7 @@ int serve_in_cluster(const ClusterChoices& choices) {
     if (standing.failure()) return complain(*standing.failure(), bad_journal);
     if (standby == nullptr) return stopped;
     say("leads");
-    Leading leading(choices, client, standby);
+    Leading leading(choices, client, standby, standing.must_wait());
     const std::optional<int> status = leading.run();
     if (status) return *status;
     say("another board leads");

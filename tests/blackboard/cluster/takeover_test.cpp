@@ -62,10 +62,10 @@ class ModelBoard {
     if (etcd_.happens(0.01)) standby_->suspect();
     const Result<bool> leads = standby_->step([this] { return etcd_.now; });
     if (!leads) return note(leads.error());
-    if (*leads) lead(standby_->take_leadership(), standby_->was_vacant());
+    if (*leads) lead(standby_->take_leadership());
   }
-  void lead(Leadership won, bool vacant) {
-    serves_at_ = vacant ? etcd_.now : etcd_.now + serves_after;
+  void lead(Leadership won) {
+    serves_at_ = etcd_.now + standby_->must_wait(etcd_.now);
     Result<std::optional<std::string>> head = get(*client_, cell_keys.head());
     const Result<void> whole = head ? standby_->copy().follow_to(std::stoull(**head)) : fail(head);
     // It campaigns again, and finds that it leads.

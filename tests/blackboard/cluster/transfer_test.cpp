@@ -91,7 +91,7 @@ TEST_F(Transfer, IsFollowedByABoardThatLeadsBehindTheFormerCounters) {
   Standby standby(client_, moved_cell, "board-pc", 9, etcd_.now);
   const Result<bool> leads = standby.step([this] { return etcd_.now; });
   ASSERT_TRUE(leads.has_value() && *leads);
-  EXPECT_TRUE(standby.was_vacant());
+  EXPECT_EQ(standby.must_wait(etcd_.now), Duration::zero());
   EXPECT_EQ(store::durable_facts(standby.copy().store()).size(), 3u);
   const Leadership won = standby.take_leadership();
   EXPECT_GE(won.first_revision(), there->revision);
