@@ -1,10 +1,12 @@
 // Hosts as tests have them: whether their links do to packets what they are told.
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <memory>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/network/network.hpp"
@@ -133,6 +135,17 @@ TEST_P(Links, AreSlowLossyNarrowOrOneWay) {
   EXPECT_EQ(probe("arm-pc", comes_through), 0);
   network_->link("arm-pc", "both loss 20");
   EXPECT_GT(probe("arm-pc", round_trip_ms), 0);
+}
+
+TEST_P(Links, AreTakenDownThoughAProcessForkedMeanwhileLivesOn) {
+  const pid_t forked = fork();
+  if (forked == 0) {
+    pause();
+    _exit(0);
+  }
+  network_.reset();
+  EXPECT_EQ(kill(forked, SIGKILL), 0);
+  EXPECT_EQ(waitpid(forked, nullptr, 0), forked);
 }
 
 INSTANTIATE_TEST_SUITE_P(Wires, Links, testing::Values(Network::Wires::veth, Network::Wires::forwarded),

@@ -66,6 +66,8 @@ Network::~Network() {
   if (links_ != 0) {
     close(to_links_);
     close(from_links_);
+    // A process forked meanwhile may hold the other end.
+    kill(links_, SIGTERM);
     waitpid(links_, nullptr, 0);
   }
   for (const auto& [name, host] : hosts_) {
