@@ -141,6 +141,7 @@ class Agent:
 
     async def _run_until_signal(self, address: str, key: Optional[str]) -> None:
         serving = asyncio.ensure_future(self.serve(address, key))
+        asyncio.get_running_loop().call_later(2 * self.PATIENCE, self._say_what_it_waits_for, address)
         for number in (signal.SIGINT, signal.SIGTERM):
             asyncio.get_running_loop().add_signal_handler(number, serving.cancel)
         try:
@@ -165,6 +166,15 @@ class Agent:
                 await service.leave(self.PATIENCE)
                 await board.run(presence.leave())
                 self._board = self._presence = None
+
+    def _say_what_it_waits_for(self, address: str) -> None:
+        if self._presence is None or self._presence.lease:
+            return
+        if self._presence.is_taken:
+            reason = "another agent has this name: waiting until it is gone"
+        else:
+            reason = f"no board answers at {address} yet: waiting for it"
+        print(f"{self.name}: {reason}", file=sys.stderr, flush=True)
 
     async def _keep(self, presence: Presence) -> None:
         while True:

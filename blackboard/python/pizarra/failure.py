@@ -25,12 +25,13 @@ class Failure(Exception):
     symbol: str
     sentence: str
     subject: Any
+    place: str  # where in a text that was read: its lines, with a caret below; "" of anything else
 
-    def __init__(self, symbol: str, sentence: str, subject: Any = ()) -> None:
-        super().__init__(f"{symbol}: {sentence}")
-        self.symbol, self.sentence, self.subject = str(symbol), str(sentence), subject
+    def __init__(self, symbol: str, sentence: str, subject: Any = (), place: str = "") -> None:
+        super().__init__(f"{symbol}: {sentence}\n{place}".rstrip())
+        self.symbol, self.sentence, self.subject, self.place = str(symbol), str(sentence), subject, place
 
 
 def failure_from(form: Any) -> Failure:
-    """Of (fail SYMBOL SENTENCE SUBJECT), as a board says it."""
-    return Failure(*form[1:4])
+    """Of (fail SYMBOL SENTENCE SUBJECT [PLACE]), as a board or an agent says it."""
+    return Failure(*form[1:5])

@@ -64,7 +64,9 @@ def request(teller: str, agent: str, operation: Any, timeout: float) -> Flow[Lis
             lease = lease if failure.symbol in AWAY else 0
             yield Pause(RETRY)
     yield from _withdraw(number, lease)
-    return _values(reply, agent, fact[3], timeout)
+    if reply is None:
+        raise (yield from _late(agent, fact[3], timeout))
+    return _values(reply, agent)
 
 
 def _tell(fact: List[Any]) -> Flow[int]:
@@ -103,10 +105,20 @@ def _withdraw(number: Symbol, lease: int) -> Flow[None]:
             raise
 
 
-def _values(reply: Any, agent: str, operation: Any, timeout: float) -> List[Any]:
-    if reply is None:
-        raise Failure("timeout", f"{agent} did not answer in {timeout:.1f} s", operation)
-    if reply[:1] == [Symbol("fail")] and len(reply) == 4:
+def _late(agent: str, operation: Any, timeout: float) -> Flow[Failure]:
+    """What to fail with when nothing was answered."""
+    sentence = f"{agent} did not answer in {timeout:.1f} s"
+    try:
+        if not (yield from do(calls.ask([Symbol("agent"), Symbol(agent), Symbol("?"), Symbol("?")]))):
+            sentence += ": no agent of that name is there"
+    except Failure as failure:
+        if failure.symbol == "unreachable":
+            sentence += ", and the board does not either"
+    return Failure("timeout", sentence, operation)
+
+
+def _values(reply: Any, agent: str) -> List[Any]:
+    if reply[:1] == [Symbol("fail")] and len(reply) in (4, 5):
         raise failure_from(reply)
     if reply[:1] != [Symbol("ok")]:
         raise Failure("bad-reply", f"{agent} answered neither ok nor fail", reply)

@@ -44,6 +44,7 @@ class Presence:
         self.host = host or socket.gethostname()
         self.context = context or CONTEXTS.get(contract.kind, contract.kind)
         self.lease = 0  # what should go with the agent is told under it
+        self.is_taken = False  # its name, by another one, when that was tried last
         self.on_lease: Callable[[], None] = lambda: None
         self._told = 0.0
         self._may_bind = bool(contract.offers)
@@ -86,7 +87,8 @@ class Presence:
             vacant = absent([Symbol("agent"), Symbol(self.name), Symbol("?"), Symbol("?")])
             yield from do(calls.transact(self._facts(lease), [vacant]))
         except Failure as failure:
-            if failure.symbol == "precondition-failed":
+            self.is_taken = failure.symbol == "precondition-failed"
+            if self.is_taken:
                 yield from do(calls.release(lease))
             elif failure.symbol not in (*AWAY, "unknown-lease"):
                 raise

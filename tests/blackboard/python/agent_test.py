@@ -9,10 +9,12 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 
 import a_board
 from a_board import PATIENCE, BoardTest
-from pizarra import Contract, Failure, Presence, Symbol, read, settle, tell, write
+from pizarra import Board, Contract, Failure, Presence, Symbol, read, settle, tell, write
+from pizarra.contract import RUNTIME_RELATIONS
 
 COUNTER = textwrap.dedent('''
     import asyncio
@@ -118,8 +120,22 @@ class Operations(AgentTest):
 
     def test_nobody_answers_for_an_agent_that_is_not_there(self):
         failure = self.refused("timeout", self.board.request, "nobody", "(count)", 0.5)
-        self.assertIn("nobody", failure.sentence)
+        self.assertEqual(failure.sentence, "nobody did not answer in 0.5 s: no agent of that name is there")
         self.assertEqual(self.board.ask("(request ? ? ?)"), [], "it is withdrawn")
+
+    def test_a_failure_with_its_place_in_a_text_is_raised_whole(self):
+        def refuse():
+            with Board(self.address, "parser") as board:
+                asked = board.await_answer("(request ?id parser ?)", PATIENCE).bindings["?id"]
+                board.tell([Symbol("reply"), asked, read('(fail unknown "there is no x" x "goal:1:5\n  (on x)")')])
+
+        self.board.declare(*RUNTIME_RELATIONS)
+        parser = threading.Thread(target=refuse)
+        parser.start()
+        failure = self.refused("unknown", self.board.request, "parser", "(read)", PATIENCE)
+        parser.join()
+        self.assertEqual(failure.place, "goal:1:5\n  (on x)")
+        self.assertEqual(str(failure), "unknown: there is no x\ngoal:1:5\n  (on x)")
 
 
 class Life(AgentTest):
@@ -180,6 +196,17 @@ class Life(AgentTest):
         agent = subprocess.run([sys.executable, "-c", COUNTER, "nowhere"], capture_output=True, text=True, check=False)
         self.assertEqual(agent.returncode, 1)
         self.assertIn("counter: bad-address", agent.stderr)
+
+    def test_who_waits_for_a_board_says_so(self):
+        self.address = "ipc:///tmp/no-board-is-here"
+        agent = self.start_agent()
+        self.assertEqual(agent.stderr.readline(), "counter: no board answers at ipc:///tmp/no-board-is-here yet: waiting for it\n")
+
+    def test_who_waits_for_its_name_says_so(self):
+        self.start_agent()
+        self.values("(count)")
+        second = self.start_agent()
+        self.assertEqual(second.stderr.readline(), "counter: another agent has this name: waiting until it is gone\n")
 
 
 class PresenceOfAPlainScript(AgentTest):
