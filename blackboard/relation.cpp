@@ -164,13 +164,23 @@ bool fits_type(ArgumentType type, const Datum& value) {
   return false;
 }
 
+namespace {
+
+// "2 arguments (direction mm)"
+std::string counted_arguments(const Relation& relation) {
+  const std::size_t count = relation.arguments.size();
+  std::string out = std::to_string(count) + (count == 1 ? " argument" : " arguments");
+  for (std::size_t i = 0; i < count; ++i) out += (i == 0 ? " (" : " ") + relation.arguments[i].name;
+  return count == 0 ? out : out + ")";
+}
+
+}  // namespace
+
 Result<void> check_pattern_shape(const Relation& relation, const Datum& pattern) {
   if (!pattern.is_form(relation.name)) return malformed("not a fact of the relation " + relation.name, pattern);
   if (pattern.size() != relation.arguments.size() + 1) {
-    const std::size_t count = relation.arguments.size();
-    return malformed(relation.name + " has " + std::to_string(count) + (count == 1 ? " argument" : " arguments") +
-                         ", not " + std::to_string(pattern.size() - 1),
-                     pattern);
+    return malformed(
+        relation.name + " has " + counted_arguments(relation) + ", not " + std::to_string(pattern.size() - 1), pattern);
   }
   for (std::size_t i = 0; i < relation.arguments.size(); ++i) {
     const Argument& argument = relation.arguments[i];

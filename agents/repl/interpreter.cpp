@@ -53,7 +53,7 @@ Evaluation Interpreter::show(const Failure& failure) {
 }
 
 Evaluation Interpreter::usage(std::string_view command) {
-  const std::string sentence = fmt::format("{} is {}", command, find_command(command)->usage);
+  const std::string sentence = fmt::format("{0} is {1}; (help {0}) says more", command, find_command(command)->usage);
   return show({"malformed", sentence, {}, {}}, Evaluation::malformed);
 }
 

@@ -324,7 +324,7 @@ TEST_F(Repl, AFactOfAnotherShapeIsToldInOrdinaryWords) {
   EXPECT_TRUE(shown.contains("argument n of note is an integer, which x is not")) << shown;
   shown.clear();
   type("(tell (note 1 2))");
-  EXPECT_TRUE(shown.contains("note has 1 argument, not 2")) << shown;
+  EXPECT_TRUE(shown.contains("note has 1 argument (n), not 2")) << shown;
 }
 
 class JsonRepl : public Repl {
