@@ -32,6 +32,12 @@
 (check "no section" (car (cadr (interpret '((domain test)) operators primitives aimed targets))) 'missing-section)
 
 (check "an unknown step" (refused '(A () (rais))) '((unknown-step (0 2 1 2 0))))
+(check "the nearest step is told"
+       (cadr (cadr (interpret (domain '((A () (rais)))) '() primitives aimed targets)))
+       "no primitive and no micro-task before this one is called rais; the nearest is raise")
+(check "an operator whose task is written otherwise"
+       (cadr (cadr (interpret (domain '((pick-up (<o>) (raise)))) '((PICK-UP 1)) primitives aimed targets)))
+       "operator PICK-UP has no micro-task; the nearest is pick-up")
 (check "a task is known only after it stands" (refused '(A () (B)) '(B () (raise))) '((unknown-step (0 2 1 2 0))))
 (check "a task does not use itself" (refused '(A () (A))) '((unknown-step (0 2 1 2 0))))
 (check "an unknown parameter" (refused '(A (<x>) (align (on-top <x> <y>)))) '((unknown-parameter (0 2 1 2 1 2))))

@@ -14,6 +14,7 @@
 
 (define-module (pizarra micro-tasks)
   #:use-module (srfi srfi-1)
+  #:use-module (pizarra forms)
   #:export (interpret expand))
 
 (define most-steps 200)
@@ -88,7 +89,8 @@
        (cond
         ((not task)
          (problem 'missing-task
-                  (string-append "operator " (symbol->string (car operator)) " has no micro-task")
+                  (simple-format #f "operator ~a has no micro-task~a" (car operator)
+                                 (suggestion (car operator) (map car known)))
                   '() '("in the micro-tasks section")))
         ((not (= (cadr task) (cadr operator)))
          (problem 'wrong-arity
@@ -122,8 +124,8 @@
         (cond
          ((not callee)
           (list (problem 'unknown-step
-                         (string-append "no primitive and no micro-task before this one is called "
-                                        (symbol->string (car step)))
+                         (simple-format #f "no primitive and no micro-task before this one is called ~a~a" (car step)
+                                        (suggestion (car step) (map car known)))
                          (cons 0 path) context)))
          ((not (= (cadr callee) (length (cdr step))))
           (list (problem 'wrong-arity

@@ -22,6 +22,7 @@
 
 (define-module (pizarra perception)
   #:use-module (srfi srfi-1)
+  #:use-module (pizarra forms)
   #:use-module (pizarra perceive)
   #:export (interpret))
 
@@ -55,12 +56,24 @@
 
 ;; ---- checking: a list of (symbol sentence path context), paths from the section's own list ----
 
+;; What a rule may ask for, ((NAME ARITY) ...): what every look measures, places (which another file may add), predicates,
+;; the section's facts, and what rules find.
+(define measured '((seen 4) (unseen 1) (gripper 1) (grip 3) (edge 2) (spot 3)))
+(define askable (make-parameter '()))
+
+(define (found-by section)
+  (filter-map (lambda (part)
+                (and (list? part) (pair? part) (memq (car part) '(fact rule)) (pair? (cdr part)) (pattern? (cadr part))
+                     (list (caadr part) (length (cdadr part)))))
+              (cdr section)))
+
 (define (check-perception section predicates)
   (if (and (pair? section) (eq? (car section) 'perception))
       (let ((constants (section-constants section)))
-        (append-map (lambda (part index) (check-part part (list index) constants predicates))
-                    (cdr section)
-                    (iota (length (cdr section)) 1)))
+        (parameterize ((askable (append measured predicates (found-by section))))
+          (append-map (lambda (part index) (check-part part (list index) constants predicates))
+                      (cdr section)
+                      (iota (length (cdr section)) 1))))
       (list (problem 'malformed "a perception section is (perception PART ...)" '() '()))))
 
 (define (check-part part path constants predicates)
@@ -142,10 +155,25 @@
                 (append problems (check-condition (car inner) (cons index path) bound constants context))))))
    ((eq? (car condition) 'was)
     (if (and (= (length condition) 2) (pattern? (cadr condition)))
-        (check-known (cdadr condition) (cons 1 path) bound context)
+        (append (check-pattern (cadr condition) (cons 1 path) context)
+                (check-known (cdadr condition) (cons 1 path) bound context))
         (wrong "was is (was FACT)")))
-   ((pattern? condition) '())
+   ((pattern? condition) (check-pattern condition path context))
    (else (wrong "a pattern holds names, numbers, strings and ?variables only"))))
+
+(define (check-pattern pattern path context)
+  (let* ((name (car pattern)) (count (length (cdr pattern)))
+         (arities (filter-map (lambda (known) (and (eq? (first known) name) (second known))) (askable))))
+    (cond
+     ((memv count arities) '())
+     ((null? arities)
+      (list (problem 'unknown-fact
+                     (simple-format #f "nothing that could be found is called ~a~a" name
+                                    (suggestion name (delete-duplicates (map first (askable)))))
+                     (cons 0 path) context)))
+     (else
+      (list (problem 'wrong-arity (simple-format #f "~a has ~a arguments, not ~a" name (car arities) count)
+                     path context))))))
 
 ;; A belief of before gives no values: a variable that has none would stand for anything, and take another one later.
 (define (check-known arguments path bound context)

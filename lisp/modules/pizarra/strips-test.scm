@@ -69,5 +69,8 @@
        (domain types predicates '(operator LIFT (effects (clera place-1))))
        '(errors (unknown-predicate "there is no predicate clera; the nearest is clear" (0 4 2 1 0)
                                    ("in operator LIFT"))))
+(check "a delete in another language's words, and a variable's"
+       (map cadr (cdr (domain types predicates '(operator LIFT (params (?ob OBJECT)) (effects (not (clear place-1)))))))
+       '("a parameter is written <ob>" "no fact is negated here: an effect that ends one is (del FACT)"))
 
 (finish-checks)

@@ -110,6 +110,8 @@
          (names (map car predicates))
          (name (and head (find-it head names))))
     (cond ((not head) (complain! node 'malformed "a fact is written (PREDICATE ARGUMENT ...)"))
+          ((and (not name) (eq? head 'not))
+           (complain! (car items) 'unknown-predicate "no fact is negated here: an effect that ends one is (del FACT)"))
           ((not name)
            (complain! (car items) 'unknown-predicate "there is no predicate ~a~a" head (suggestion head names)))
           (else (read-arguments node (cdr items) name (assq-ref predicates name) term)))))
@@ -150,7 +152,8 @@
 
 (define (parameter-name? node)
   (or (param? (node-datum node))
-      (complain! node 'malformed "a parameter is written <~a>" (node-datum node))))
+      (complain! node 'malformed "a parameter is written <~a>"
+                 (string-trim (simple-format #f "~a" (node-datum node)) #\?))))
 
 ;; Arguments are parameters or the domain's own objects.
 (define (operator-facts params predicates objects)
