@@ -93,6 +93,8 @@ Result<std::string> read_text_file(const std::string& path, const ReadLimits& li
     return fail("unreadable-file", fmt::format("{} is a folder, and a file must be named", path));
   }
   std::ifstream in(path, std::ios::binary);
+  const bool missing = !in && !std::filesystem::exists(path, unknown);
+  if (missing) return fail("unreadable-file", fmt::format("there is no file {}", path));
   if (!in) return fail("unreadable-file", fmt::format("the file {} cannot be opened", path));
   std::string text;
   std::array<char, 65536> part;

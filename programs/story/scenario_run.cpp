@@ -149,6 +149,9 @@ Result<forms::Domain> domain_of(const forms::CellDescription& cell) {
                 Datum::symbol(cell.name));
   }
   const Result<coordinator::TaskDomain> task = coordinator::TaskDomain::read(cell.domain_file);
+  if (!task && task.error().symbol == "unreadable-file") {
+    return fail("no-domain", fmt::format("the domain of the cell {}: {}", cell.name, task.error().sentence));
+  }
   if (!task) return fail(task);
   return task->domain();
 }

@@ -45,6 +45,12 @@ class Check : public testing::Test {
   std::string said_;
 };
 
+TEST_F(Check, SaysWhichCellNamesADomainThatIsNotThere) {
+  write("lost.scm", "(cell lost (world (cube circle (at 450 0))) (domain \"no.scm\"))");
+  EXPECT_EQ(run("check lost.scm"), 2);
+  EXPECT_EQ(said_, "pizarra: the domain of the cell lost: there is no file no.scm\n");
+}
+
 TEST_F(Check, ReadsPlanningFilesAgainstTheDomainBeforeThem) {
   write("d.pddl", "(define (domain d) (:predicates (p ?x)) (:action a :parameters (?x) :effect (p ?x)))");
   write("p.pddl", "(DEFINE (problem q) (:domain d) (:objects o) (:init) (:goal (and (p o))))");
