@@ -6,7 +6,7 @@
 #include <span>
 #include <unistd.h>
 
-#include "blackboard/client/remote_board.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "lisp/outside_text.hpp"
@@ -63,16 +63,9 @@ int agent_main(const std::string& name, int argc, char** argv, const MakeAgent& 
     fmt::print(stderr, "usage: {} BOARD-ADDRESS [--name NAME] [--key FILE]\n", name);
     return complain(name, words.error(), wrong_words);
   }
-  std::optional<wire::ClientKeys> keys;
-  if (!words->key.empty()) {
-    Result<wire::ClientKeys> read = wire::read_client_keys(words->key);
-    if (!read) return complain(name, read.error(), wrong_words);
-    keys = std::move(*read);
-  }
   RealExecutor executor;
   const StopSignals signals(executor);
-  const auto board =
-      client::RemoteBoard::connect(executor, words->board, words->name, client::RemoteBoard::default_timeout, keys);
+  const auto board = client::keyed_board(executor, words->board, words->key, words->name);
   if (!board) return complain(name, board.error(), wrong_words);
   const std::unique_ptr<Agent> agent =
       make({words->name, this_host(), executor, **board, Random(1).split(words->name)});

@@ -6,6 +6,7 @@
 
 #include "agents/launcher/agent_factory.hpp"
 #include "agents/launcher/camera_news.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -16,7 +17,6 @@
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
-#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 
@@ -54,7 +54,7 @@ int run_agent(const ProcessChoices& choices) {
   RealExecutor executor;
   const StopSignals signals(executor);
   const std::string name = choices.name.empty() ? choices.kind : choices.name;
-  const auto board = keyed_board(executor, choices.board, choices.key, name);
+  const auto board = client::keyed_board(executor, choices.board, choices.key, name);
   if (!board) return complain(board.error(), exit_usage);
   zmq::context_t context(1);
   std::unique_ptr<simulation::Link> link = std::make_unique<simulation::NoLink>();

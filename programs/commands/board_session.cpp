@@ -7,13 +7,13 @@
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/away.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
-#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 
@@ -214,7 +214,7 @@ int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner
   // A prompt has its own way with them.
   std::optional<StopSignals> signals;
   if (!forms.empty()) signals.emplace(executor);
-  const auto board = keyed_board(executor, to.address, to.key, prompt_name(), answer_timeout);
+  const auto board = client::keyed_board(executor, to.address, to.key, prompt_name(), answer_timeout);
   if (!board) return complain_as(manner.style, board.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_waited_for(executor, **board, to.address));
   return BoardSession(executor, **board, manner, loss_of(**board, to)).run(forms);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "programs/command_line/keyed_board.hpp"
+#include "blackboard/client/keyed_board.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -46,7 +46,7 @@ CalibrationNews::Outlines CalibrationNews::outlines_of(const camera::BoardView& 
 Result<std::unique_ptr<CalibrationNews>> CalibrationNews::open(const std::string& address, const std::string& key) {
   std::unique_ptr<CalibrationNews> news(new CalibrationNews);
   const std::string name = fmt::format("calibrate-{}", getpid());
-  auto board = keyed_board(news->executor_, address, key, name);
+  auto board = client::keyed_board(news->executor_, address, key, name);
   if (!board) return fail(board);
   news->board_ = std::move(*board);
   news->context_.emplace(name, "localhost", news->executor_, *news->board_, Random(1));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
@@ -42,7 +43,7 @@ void print_json(const CellSight& cell) {
 int run_cells(const CellsChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
+  const Result<std::optional<wire::ClientKeys>> keys = client::keys_from(to->key);
   if (!keys) return complain(keys.error(), exit_usage);
   RealExecutor executor;
   client::Contexts contexts(executor, prompt_name(), *keys, answers_within);

@@ -8,6 +8,7 @@
 
 #include "agents/console/console.hpp"
 #include "agents/launcher/local_cell.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -224,7 +225,7 @@ int console_of_own_cell(const ConsoleChoices& choices) {
 int console_of_running_cell(const ConsoleChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
+  const Result<std::optional<wire::ClientKeys>> keys = client::keys_from(to->key);
   if (!keys) return complain(keys.error(), exit_usage);
   const std::string running = to->run ? to->run->cell : std::string();
   const auto cell = file_of_running(choices, *to);
@@ -253,7 +254,7 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (*cell && is_simulated(**cell) && to->run) world.emplace(executor, device_context, to->run->world_address);
   const auto board_of_page = [&](const std::string& name, const std::string& key) -> Result<std::unique_ptr<Board>> {
     Result<std::optional<wire::ClientKeys>> its = *keys;
-    if (!key.empty()) its = keys_from(choices.keys + "/" + key + ".secret");
+    if (!key.empty()) its = client::keys_from(choices.keys + "/" + key + ".secret");
     if (!its) return fail(its);
     auto made = client::RemoteBoard::connect(executor, to->address, name, client::RemoteBoard::default_timeout, *its);
     if (!made) return fail(made);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "blackboard/client/contexts.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
@@ -87,7 +88,7 @@ int print_addresses(const Result<std::vector<std::string>>& addresses, bool json
 int run_contexts(const ContextsChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
-  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
+  const Result<std::optional<wire::ClientKeys>> keys = client::keys_from(to->key);
   if (!keys) return complain(keys.error(), exit_usage);
   RealExecutor executor;
   Contexts contexts(executor, prompt_name(), *keys);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "agents/launcher/readiness.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
@@ -10,7 +11,6 @@
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/hand_eye.hpp"
@@ -83,7 +83,7 @@ Result<HandEyeResult> find_in_running_cell(const HandEyeChoices& choices, const 
   const Result<Destination> to = destination({.board = {}, .cell = choices.running, .key = choices.key});
   if (!to) return fail(to);
   RealExecutor executor;
-  const auto board = keyed_board(executor, to->address, to->key, "hand-eye");
+  const auto board = client::keyed_board(executor, to->address, to->key, "hand-eye");
   if (!board) return fail(board);
   HandEye hand_eye(executor, **board, description, arm, choices.poses, tell);
   return finished(executor, hand_eye.run());

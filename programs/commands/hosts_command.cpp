@@ -6,6 +6,7 @@
 #include <set>
 
 #include "agents/runtime/declared.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/forms/cell_file.hpp"
@@ -13,7 +14,6 @@
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
 
@@ -135,7 +135,7 @@ int run_hosts(HostsChoices choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
   RealExecutor executor;
-  const auto board = keyed_board(executor, to->address, to->key, "hosts", 3s);
+  const auto board = client::keyed_board(executor, to->address, to->key, "hosts", 3s);
   if (!board) return complain(board.error(), exit_usage);
   HostsSeen seen;
   const Job job = executor.spawn(look_for_hosts(**board, &seen));

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include "agents/runtime/declared.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/latch.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/camera/opencv_files.hpp"
 #include "lisp/json.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/story/output_file.hpp"
@@ -170,7 +170,7 @@ int run_look(const LookChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
   RealExecutor executor;
-  const auto board = keyed_board(executor, to->address, to->key, "look");
+  const auto board = client::keyed_board(executor, to->address, to->key, "look");
   if (!board) return complain_as(style, board.error(), exit_usage);
   const auto streams = streams::RemoteStreams::open(executor, **board);
   if (!streams) return complain_as(style, streams.error(), exit_unavailable);

@@ -8,6 +8,7 @@
 #include "agents/console/console_contract.hpp"
 #include "agents/launcher/local_cell.hpp"
 #include "agents/launcher/readiness.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -176,7 +177,7 @@ int run_method(const MethodChoices& choices) {
   if (choices.live) {
     const Result<Destination> to = destination(choices.board);
     if (!to) return complain(to.error(), exit_unavailable);
-    const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
+    const Result<std::optional<wire::ClientKeys>> keys = client::keys_from(to->key);
     if (!keys) return complain(keys.error(), exit_usage);
     traffic = traffic_of_board(*to, *keys, duration_from(choices.duration));
     if (!traffic) return complain_of_board(repl::Style::text, traffic.error());

@@ -6,12 +6,12 @@
 
 #include "agents/launcher/run_directory.hpp"
 #include "agents/runtime/declared.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/commands.hpp"
 
 namespace pizarra::programs {
@@ -44,7 +44,7 @@ Task<void> list_facts(client::RemoteBoard& board, OnBoard* out) {
 OnBoard facts_on(const launcher::RunState& run) {
   RealExecutor executor;
   OnBoard facts;
-  const auto board = keyed_board(executor, run.board_address, run.key, "ps", 2s);
+  const auto board = client::keyed_board(executor, run.board_address, run.key, "ps", 2s);
   if (!board) return facts;
   const Job job = executor.spawn(list_facts(**board, &facts));
   executor.run_until([&job] { return job.done(); });

@@ -4,10 +4,10 @@
 
 #include "agents/repl/answer_text.hpp"
 #include "agents/repl/json_answers.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/outside_text.hpp"
-#include "programs/command_line/keyed_board.hpp"
 
 namespace pizarra::programs {
 
@@ -38,7 +38,7 @@ void print(const Recalled& recalled, repl::Style style) {
 
 int print_recalled(const Destination& to, const Query& query, repl::Style style) {
   RealExecutor executor;
-  const auto board = keyed_board(executor, to.address, to.key, prompt_name());
+  const auto board = client::keyed_board(executor, to.address, to.key, prompt_name());
   if (!board) return complain_as(style, board.error(), exit_usage);
   Result<Recalled> recalled = fail("unreachable", "the board does not answer");
   const Job asking = executor.spawn(recall(**board, query, &recalled));

@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/board_sample.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
@@ -103,7 +103,7 @@ int run_top(const TopChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
   RealExecutor executor;
-  const auto board = keyed_board(executor, to->address, to->key, "top");
+  const auto board = client::keyed_board(executor, to->address, to->key, "top");
   if (!board) return complain_as(style, board.error(), exit_usage);
   int status = exit_reached;
   const Job job = executor.spawn(show(choices, to->address, executor, **board, status));

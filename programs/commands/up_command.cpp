@@ -10,14 +10,13 @@
 #include "agents/launcher/agent_factory.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/supervisor.hpp"
-#include "blackboard/client/remote_board.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/streams/listen_address.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/forms/cell_file.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/host_presence.hpp"
 #include "programs/commands/line_pipe.hpp"
@@ -342,7 +341,7 @@ int Up::run() {
   choose_board();
   const Result<void> world = find_world();
   if (!world) return complain(world.error(), exit_usage);
-  Result<std::unique_ptr<client::RemoteBoard>> ears = keyed_board(executor_, board_address_, key_, "narrator");
+  Result<std::unique_ptr<client::RemoteBoard>> ears = client::keyed_board(executor_, board_address_, key_, "narrator");
   if (!ears) return complain(ears.error(), exit_usage);
   const Result<void> started = start_all();
   if (!started) {

@@ -5,13 +5,13 @@
 
 #include "agents/launcher/run_directory.hpp"
 #include "agents/scheme/scheme_agent.hpp"
+#include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
-#include "programs/command_line/keyed_board.hpp"
 #include "programs/scheme/process_limits.hpp"
 #include "programs/scheme/trial.hpp"
 
@@ -86,7 +86,7 @@ int run_agent(SchemeChoices choices) {
   }
   RealExecutor executor;
   const StopSignals signals(executor);
-  const auto board = keyed_board(executor, choices.board, choices.key, name);
+  const auto board = client::keyed_board(executor, choices.board, choices.key, name);
   if (!board) return complain(board.error(), exit_usage);
   const Result<void> limited = limit(choices);
   if (!limited) return complain(limited.error(), exit_unavailable);
