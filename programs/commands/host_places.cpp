@@ -1,0 +1,92 @@
+#include "programs/commands/host_places.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+
+#include "agents/launcher/agent_factory.hpp"
+
+namespace pizarra::programs {
+
+namespace {
+
+bool runs_board(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
+  return host.name == cell.board_host && choices.board.empty();
+}
+
+// With keys the board's own host needs none: it comes over a file of its own.
+HostPlaces board_and_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host,
+                          const launcher::RunDirectory& directory) {
+  HostPlaces places{.owns_board = runs_board(choices, cell, host), .board = {}, .world = {}, .keys = {}, .key = {}};
+  const std::string own_address = "ipc://" + directory.file("board.ipc");
+  const std::string folder = choices.keys.empty() ? cell.board_keys : choices.keys;
+  if (places.owns_board && !cell.board_address.empty()) places.keys = folder;
+  places.board = !choices.board.empty()                               ? choices.board
+                 : cell.board_address.empty() || !places.keys.empty() ? own_address
+                                                                      : cell.board_address;
+  const std::string key = choices.key.empty() ? host.key : choices.key;
+  const bool shared = !choices.log.empty();
+  if (shared && !cell.board_address.empty()) places.board = cell.board_address;
+  if (shared && (places.owns_board || !choices.standby.empty())) places.keys = folder;
+  if ((shared || !places.owns_board) && !key.empty()) places.key = std::filesystem::absolute(key).string();
+  return places;
+}
+
+// The state of the host that runs the world, where that is up on this machine.
+std::optional<launcher::RunState> world_host(const forms::CellDescription& cell) {
+  for (const launcher::RunState& run : launcher::running_cells()) {
+    if (run.cell == cell.name && run.host == cell.board_host) return run;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// A key of the environment is there for other words, too.
+Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
+  // Boards that take over from each other are everybody's, and are come to by their addresses alone.
+  if (!choices.log.empty()) return {};
+  const bool owns_board = runs_board(choices, cell, host);
+  const char* environment = std::getenv("PIZARRA_KEY");
+  const bool key_typed = !choices.key.empty() && (environment == nullptr || choices.key != environment);
+  if (owns_board && key_typed) {
+    return fail("bad-option", fmt::format("--key is for a host that comes to the board of another, and {} has the "
+                                          "cell's board itself: leave it out",
+                                          host.name));
+  }
+  if (choices.keys.empty() || (owns_board && !cell.board_address.empty())) return {};
+  return fail("bad-option",
+              owns_board ? "--keys is for a board that other machines reach, and the cell file names no such address"
+                         : "--keys is for the host of the cell's board, and this host does not run it");
+}
+
+Result<HostPlaces> host_places(const UpChoices& choices, const forms::CellDescription& cell,
+                               const forms::CellHost& host, const launcher::RunDirectory& directory) {
+  HostPlaces places = board_and_keys(choices, cell, host, directory);
+  places.world = choices.world.empty() ? "ipc://" + directory.file("world.ipc") : choices.world;
+  if (host.name == cell.board_host || !choices.world.empty()) return places;
+  // The world runs beside the board's host.
+  if (const std::optional<launcher::RunState> run = world_host(cell)) {
+    places.world = run->world_address;
+    return places;
+  }
+  for (const std::string& agent : host.agents) {
+    const bool in_world = device_address(agent, cell, places, directory) == places.world;
+    if (!launcher::needs_world(agent, cell) || !in_world) continue;
+    return fail("no-world", fmt::format("{} needs the simulated world, and that runs on {}, which is not up on this "
+                                        "machine: give {} to that host, or start that host here first",
+                                        agent, cell.board_host, agent));
+  }
+  return places;
+}
+
+std::string device_address(const std::string& agent, const forms::CellDescription& cell, const HostPlaces& places,
+                           const launcher::RunDirectory& directory) {
+  const launcher::DevicePlugin plugin = launcher::plugin_of(agent, cell);
+  return plugin.library.empty() ? places.world : fmt::format("ipc://{}", directory.file(plugin.device + "-plugin.ipc"));
+}
+
+std::string first_address(const std::string& addresses) { return addresses.substr(0, addresses.find(',')); }
+
+}  // namespace pizarra::programs

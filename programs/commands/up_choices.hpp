@@ -1,0 +1,28 @@
+#pragma once
+
+// What was typed behind `up`.
+
+#include <cstdint>
+#include <string>
+
+namespace pizarra::programs {
+
+struct UpChoices {
+  std::string cell;
+  std::string host;
+  std::string board;
+  std::string key;
+  std::string keys;
+  std::string world;
+  std::string log;
+  std::string certificates;
+  std::string standby;
+  std::string log_here;
+  std::string log_folder;
+  bool log_insecure = false;
+  std::uint64_t seed = 1;
+  bool json = false;
+  bool console = false;
+};
+
+}  // namespace pizarra::programs
