@@ -22,22 +22,8 @@ bool refused_with(const Failure& failure, std::int64_t code) {
   return failure.symbol == "refused" && failure.subject == to_datum(code);
 }
 
-bool without_answer(const Failure& failure) { return failure.symbol == "no-answer"; }
-
 // Whether a controller that fails so may have done what was asked.
-bool perhaps_done(const Failure& failure) { return without_answer(failure) || failure.symbol == "bad-reply"; }
-
-bool is_locked(const MotomanStatus& status) { return status.teaching || !status.remote; }
-
-bool is_held(const MotomanStatus& status) { return status.pendant_hold || status.external_hold; }
-
-bool has_alarm(const MotomanStatus& status) { return status.alarm || status.error; }
-
-// What a line's failures are to the agent.
-std::unexpected<Failure> lost(const Failure& why) {
-  if (without_answer(why)) return fail("disconnected", why.sentence, why.subject);
-  return fail(why);
-}
+bool perhaps_done(const Failure& failure) { return failure.symbol == "no-answer" || failure.symbol == "bad-reply"; }
 
 }  // namespace
 
@@ -93,102 +79,9 @@ Task<Result<MotomanArm::Seen>> MotomanArm::look_lately() {
   co_return co_await look();
 }
 
-// Why an arm with this status does not move.
-Task<Failure> MotomanArm::trouble(MotomanStatus status) {
-  std::string sentence = "the controller has ended the motion";
-  Datum subject;
-  if (status.alarm || status.error) {
-    const Result<std::uint32_t> code = co_await link_.alarm_code();
-    sentence = code ? fmt::format("the controller has alarm {}", *code) : "the controller has an alarm";
-    if (code) subject = to_datum(*code);
-  } else if (status.teaching || !status.remote) {
-    sentence = "the pendant has control";
-  } else if (!status.servo) {
-    sentence = "the controller's servos are off, as by its emergency stop, which it does not tell apart";
-  } else if (status.pendant_hold || status.external_hold) {
-    sentence = status.pendant_hold ? "the pendant holds the arm" : "a hold input holds the arm";
-  }
-  Failure why{"not-in-control", std::move(sentence), std::move(subject), {}};
-  co_return why;
-}
-
-// An alarm's code is asked for once.
-Task<void> MotomanArm::look_for_trouble(MotomanStatus status) {
-  using Kind = ArmTrouble::Kind;
-  const bool stopped = is_locked(status) || is_held(status);
-  const bool fault = has_alarm(status);
-  const bool known = fault && trouble_ && trouble_->kind == Kind::fault;
-  if (known) co_return;
-  trouble_.reset();
-  if (!fault && !stopped && status.servo) co_return;
-  const Failure why = co_await trouble(status);
-  trouble_ = ArmTrouble{fault ? Kind::fault : stopped ? Kind::stopped : Kind::off, why};
-}
-
 Task<Result<void>> MotomanArm::take_control() {
   seen_.reset();
-  Result<MotomanStatus> status = co_await link_.status();
-  if (!status) co_return lost(status.error());
-  const bool locked = is_locked(*status);
-  if (!locked) {
-    if (has_alarm(*status)) {
-      const Result<void> reset = co_await link_.reset();
-      if (!reset && reset.error().symbol != "refused") co_return lost(reset.error());
-    }
-    if (status->command_hold) {
-      const Result<void> released = co_await link_.turn(MotomanSwitch::hold, false);
-      if (!released) co_return lost(released.error());
-    }
-    status = co_await link_.status();
-    if (!status) co_return lost(status.error());
-  }
-  const bool in_the_way = locked || has_alarm(*status) || is_held(*status);
-  if (in_the_way) {
-    const Failure why = co_await trouble(*status);
-    co_return fail(why);
-  }
-  if (status->servo) co_return Result<void>();
-  Result<void> on = co_await switch_on();
-  co_return on;
-}
-
-// Where the pendant has control already the order is refused, and nothing is left to give back.
-Task<Result<void>> MotomanArm::release_control() {
-  const Result<MotomanStatus> status = co_await link_.status();
-  if (!status) co_return lost(status.error());
-  if (!status->servo) co_return Result<void>();
-  const Result<void> off = co_await link_.turn(MotomanSwitch::servo, false);
-  if (!off && off.error().symbol != "refused") co_return lost(off.error());
-  co_return off;
-}
-
-Task<Result<void>> MotomanArm::switch_on() {
-  const Result<void> turned = co_await link_.turn(MotomanSwitch::servo, true);
-  if (!turned && turned.error().symbol == "refused") {
-    co_return fail("not-in-control", "the controller does not switch its servos on, as with its emergency stop pressed",
-                   turned.error().subject);
-  }
-  if (!turned) co_return lost(turned.error());
-  const Time deadline = executor_.now() + servo_time;
-  while (executor_.now() < deadline) {
-    const Result<MotomanStatus> status = co_await link_.status();
-    if (!status) co_return lost(status.error());
-    if (status->servo) co_return Result<void>();
-    co_await sleep(executor_, look_again);
-  }
-  co_return fail("not-in-control", "the controller's servos do not come on");
-}
-
-Task<Result<void>> MotomanArm::ready_to_move(MotomanStatus status) {
-  const bool in_the_way = is_locked(status) || has_alarm(status) || !status.servo || is_held(status);
-  if (in_the_way) {
-    const Failure why = co_await trouble(status);
-    co_return fail(why);
-  }
-  if (!status.command_hold) co_return Result<void>();
-  const Result<void> released = co_await link_.turn(MotomanSwitch::hold, false);
-  if (!released) co_return lost(released.error());
-  co_return Result<void>();
+  return control_.take();
 }
 
 Task<Result<void>> MotomanArm::start_move(std::vector<Joints> waypoints, double speed) {
@@ -200,7 +93,7 @@ Task<Result<void>> MotomanArm::start_move(std::vector<Joints> waypoints, double 
   const Result<Seen> seen = co_await look_lately();
   if (!seen) co_return fail(seen);
   if (seen->status.running) co_return fail("busy", "the controller moves the arm already");
-  const Result<void> ready = co_await ready_to_move(seen->status);
+  const Result<void> ready = co_await control_.ready_to_move(seen->status);
   if (!ready) co_return ready;
   const std::vector<Leg> legs = legs_of(model_, seen->joints, waypoints);
   legs_.assign(legs.begin(), legs.end());
@@ -277,12 +170,12 @@ Task<Result<void>> MotomanArm::go_on(const Seen& seen) {
   if (seen.status.running) co_return Result<void>();
   const bool there = are_same_place(seen.joints, legs_.front().to, legs_.front().straight ? 0.2 : same_place);
   const MotomanStatus& status = seen.status;
-  const bool held = has_alarm(status) || !status.servo || is_held(status) || status.command_hold || is_locked(status);
+  const bool held = !may_move(status) || status.command_hold;
   if (!there && !held && executor_.now() - ordered_at_ < starting_time) co_return Result<void>();
   if (!there || (stopping_ && legs_.size() > 1)) {
     std::optional<Failure> why;
     if (!stopping_) {
-      why = co_await trouble(status);
+      why = co_await control_.why_not(status);
       why->symbol = "stopped";
     }
     end_move(std::move(why));
@@ -308,7 +201,7 @@ Task<Result<void>> MotomanArm::start_gripper(double opening_mm) {
   if (!sound) co_return sound;
   const Result<Seen> seen = co_await look_lately();
   if (!seen) co_return fail(seen);
-  const Result<void> ready = co_await ready_to_move(seen->status);
+  const Result<void> ready = co_await control_.ready_to_move(seen->status);
   if (!ready) co_return ready;
   const double opening = std::clamp(opening_mm, 0.0, most_opening_mm);
   const auto um = static_cast<std::int32_t>(std::llround(opening * um_per_mm));
@@ -352,7 +245,7 @@ Task<Result<ArmReading>> MotomanArm::read() {
     const Result<void> looked = co_await look_at_gripper();
     if (!looked) co_return fail(looked);
   }
-  co_await look_for_trouble(seen->status);
+  co_await control_.look(seen->status);
   // Only one of those who read moves it on.
   if (moving_ && !ordering_) {
     const Held ordering(ordering_);
@@ -365,7 +258,7 @@ Task<Result<ArmReading>> MotomanArm::read() {
                      .opening_mm = opening_mm_,
                      .gripper_moving = gripping_,
                      .why_stopped = why_stopped_,
-                     .trouble = trouble_,
+                     .trouble = control_.trouble(),
                      .at = seen->at};
   reading.moving = moving_ || seen->status.running;
   co_return reading;

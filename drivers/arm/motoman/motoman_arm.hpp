@@ -19,11 +19,9 @@
 // nothing is in hand, and holds it, so it moves no longer than from one reading to the next. Between two targets of a
 // move it is taken for the way to the second one, and the move ends where it leads, with `stopped`.
 //
-// take_control() resets alarms, ends its own hold and switches the servos on; not at the pendant's word, whose TEACH
-// refuses it. None of the protocols has a bit of the emergency stop: with it pressed the servos are off and do not come
-// on. stop() is the controller's hold, which stays until control is taken or a move is started. The gripper is held by
-// a job of the controller to variables: D000 the opening wanted, D001 the opening measured, both micrometres, D002 1
-// while the fingers move.
+// stop() is the controller's hold, which stays until control is taken (motoman_control.hpp) or a move is started. The
+// gripper is held by a job of the controller to variables: D000 the opening wanted, D001 the opening measured, both
+// micrometres, D002 1 while the fingers move.
 //
 // Nothing asked for here says which arm it is: identify() refuses one that has pulses on an axis that the arm's file
 // does not have, and no other.
@@ -34,7 +32,7 @@
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"
-#include "drivers/arm/motoman/motoman_link.hpp"
+#include "drivers/arm/motoman/motoman_control.hpp"
 #include "drivers/arm/route.hpp"
 
 namespace pizarra::arm {
@@ -43,10 +41,10 @@ class MotomanArm : public ArmDriver {
  public:
   // The link outlives it.
   MotomanArm(Executor& executor, MotomanLink& link, ArmModel model)
-      : executor_(executor), link_(link), model_(std::move(model)) {}
+      : executor_(executor), link_(link), control_(executor, link), model_(std::move(model)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
-  Task<Result<void>> release_control() override;
+  Task<Result<void>> release_control() override { return control_.release(); }
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;
@@ -55,8 +53,6 @@ class MotomanArm : public ArmDriver {
 
  private:
   static constexpr Duration opening_time = 3s;
-  static constexpr Duration servo_time = 3s;  // at most, until the servos are on
-  static constexpr Duration look_again = 50ms;
   static constexpr Duration starting_time = 300ms;  // at most, until an arm that was ordered to move runs
   static constexpr Duration fresh = 20ms;
   static constexpr int most_orders = 25;                    // of one target that the line loses
@@ -77,21 +73,18 @@ class MotomanArm : public ArmDriver {
   // The last look, where it is no older than `fresh`.
   Task<Result<Seen>> look_lately();
   Task<Result<void>> look_at_gripper();
-  Task<Result<void>> switch_on();
-  Task<Result<void>> ready_to_move(MotomanStatus status);
   Task<Result<void>> order(Leg leg, Joints from);
   Task<Result<void>> order_once(const Leg& leg, const std::optional<Line>& line);
   Task<Result<Line>> line_to(Joints to, Joints from);
   Task<Result<void>> go_on(const Seen& seen);
   Task<void> hold_if_nobody_ordered(MotomanStatus status);
   void end_move(std::optional<Failure> why_stopped);
-  Task<Failure> trouble(MotomanStatus status);
-  Task<void> look_for_trouble(MotomanStatus status);
   Joints joints_of(const MotomanPulses& pulses) const;
   MotomanPulses pulses_of(const Joints& joints) const;
 
   Executor& executor_;
   MotomanLink& link_;
+  MotomanControl control_;
   ArmModel model_;
 
   std::optional<Seen> seen_;  // nothing was commanded since
@@ -105,7 +98,6 @@ class MotomanArm : public ArmDriver {
   bool stopping_ = false;
   bool stopped_ = false;
   std::optional<Failure> why_stopped_;
-  std::optional<ArmTrouble> trouble_;
 
   double opening_mm_ = 0;
   bool gripping_ = false;
