@@ -48,7 +48,7 @@ Measured in_a_crowd() {
 Measured over_loopback(const Choices& choices) {
   const TemporaryFolder folder;
   setenv("XDG_RUNTIME_DIR", folder.path().c_str(), 1);
-  if (const Measured written = write_cell(folder.path()); !written.trouble.empty()) return written;
+  if (Measured written = write_cell(folder.path()); !written.trouble.empty()) return written;
   const Child console = Child::program(console_command(folder.path(), 0));
   return measure(measure_command(choices, folder.path()));
 }
@@ -62,7 +62,7 @@ Measured over_the_line(const Choices& choices) {
   network::Network network("console", {"cell", "desk"}, network::Network::Wires::forwarded);
   const std::string cell = network.address("cell");
   const std::string own_port = std::to_string(port);
-  if (const Measured written = write_cell(folder.path()); !written.trouble.empty()) return written;
+  if (Measured written = write_cell(folder.path()); !written.trouble.empty()) return written;
   const Child console = Child::program(network.on("cell", console_command(folder.path(), port)));
   Child far =
       Child::program(network.on("cell", {"node", script("relay.mjs"), cell, relayed_port, "127.0.0.1", own_port}));
