@@ -23,7 +23,7 @@ class RobotSafety : public Robot {
   }
   // A motion in hand that `teller` asked for; its reply is under the id that is answered.
   std::string begin_motion(std::string_view teller = "user") {
-    const std::string id = fmt::format("m{}", ++asked);
+    std::string id = fmt::format("m{}", ++asked);
     tell(teller, fmt::format("(request {} robot (turn right 150))", id));
     executor.run_for(200ms);
     EXPECT_TRUE(arm.moving());
