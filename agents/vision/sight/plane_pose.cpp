@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 constexpr double least_edge_spread = 0.08;
 // Neighbouring edges share pixels: so many are as good as one less.
 constexpr double independent_share = 0.5;
-// By how much worse the other tilt must be.
+// By how much worse a look without perspective must be.
 constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
 constexpr double least_contradiction = 4;
@@ -63,16 +63,9 @@ double free_misfit(const PlaneFit& fit, double weight) {
 
 }  // namespace
 
-double PlanePose::tilt_rad() const {
-  const cv::Vec3d away(turn(0, 2), turn(1, 2), turn(2, 2));
-  return std::acos(std::clamp(away.dot(place_mm) / cv::norm(place_mm), -1.0, 1.0));
-}
-
 bool PlanePose::is_contradicted() const { return misfit - free_misfit > clearly_contradicted; }
 
 bool PlanePose::shows_perspective() const { return affine_misfit - misfit > clearly_worse; }
-
-bool PlanePose::is_ambiguous() const { return other_misfit - misfit < clearly_worse; }
 
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
                                     double unit_mm) {
@@ -89,7 +82,6 @@ std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const Plan
   out.turn = matx_of(best.pose.turn);
   out.covariance = best.normal.inverse();
   out.misfit = best.misfit;
-  out.other_misfit = both.back().misfit;
   out.affine_misfit = affine_misfit(edges, weight);
   out.free_misfit = free_misfit(fit, weight);
   return out;

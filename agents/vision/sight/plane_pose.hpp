@@ -24,12 +24,9 @@ struct PlanePose {
   Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of the turn about the camera's axes, rad
   // How badly each explains the edges: half of the squared deviations.
   double misfit = 0;         // this pose
-  double other_misfit = 0;   // the other tilt that looks nearly alike
   double affine_misfit = 0;  // a look without perspective, as of what is covered and faces the camera
   double free_misfit = 0;    // any homography
 
-  double tilt_rad() const;  // from facing along the line of sight
-  bool is_ambiguous() const;
   bool is_contradicted() const;    // another homography explains the edges far better
   bool shows_perspective() const;  // it explains them far better than an affine map
 };
