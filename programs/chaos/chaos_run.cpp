@@ -25,6 +25,7 @@ constexpr Duration goal_timeout = 5s;
 constexpr Duration mark_pause = 1s;
 constexpr Duration settle = 1500ms;
 constexpr Duration hand_was_there = 4s;
+constexpr Duration board_patience = 10s;
 
 // Gives the goals, one after another, waits for what becomes of them and judges it.
 class Play {
@@ -50,6 +51,7 @@ class Play {
 
   Task<void> run() {
     co_await play();
+    co_await await_board();
     observers_.check_marks();
     result_.unsafe = observers_.unsafe();
     if (!result_.unsafe.empty()) {
@@ -153,6 +155,16 @@ class Play {
       co_await sleep(cell_.time(), play_pause);
     }
     co_return std::nullopt;
+  }
+
+  // A board that is away at the end is asked for what it keeps when it is back.
+  Task<void> await_board() {
+    if (cell_.board() != nullptr) co_return;
+    co_await player_.end();
+    const Time deadline = cell_.time().now() + board_patience;
+    while (cell_.board() == nullptr && cell_.time().now() < deadline) {
+      co_await sleep(cell_.time(), play_pause);
+    }
   }
 
   bool is_overdue() const {

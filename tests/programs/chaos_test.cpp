@@ -43,6 +43,13 @@ TEST(Chaos, ObserversFindEyesThatNeverSeeACubeAndAnArmThatHeedsNoStop) {
   EXPECT_TRUE(contains(swallowed, "found by run")) << swallowed.text;
 }
 
+// In this run its power is cut as the last goal ends.
+TEST(Chaos, ABoardThatIsAwayAtTheEndIsAskedForWhatItKeepsWhenItIsBack) {
+  const Said said = run("--replay 6200084");
+  EXPECT_TRUE(contains(said, "(power-cut 1.67)")) << said.text;
+  EXPECT_FALSE(contains(said, "UNSAFE")) << said.text;
+}
+
 TEST(Chaos, TheLastLineCountsTheRuns) {
   const Said said = run("--runs 2 --first-seed 3 --only slip");
   const std::string last = said.text.substr(said.text.rfind("chaos runs"));
