@@ -16,6 +16,13 @@ Datum pattern_of(Datum relation, Datum first, std::size_t arguments) {
   return Datum::list(std::move(items));
 }
 
+// Of the objects of a look, each told as (NAME STATE ...).
+std::set<std::string> names_in(const Datum& objects) {
+  std::set<std::string> names;
+  for (const Datum& object : objects.items()) names.emplace(object.head());
+  return names;
+}
+
 }  // namespace
 
 Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
@@ -101,6 +108,7 @@ Task<void> Surroundings::take_look(Change change) {
   if (change.resynchronised || change.added.empty() || !scene_.places_next_look()) co_return;
   const Fact look = change.added.back().facts.front();
   const std::int64_t frame = look.datum[2].integer();
+  tracked_ = names_in(look.datum[4]);
   const std::vector<Datum> believed(beliefs().begin(), beliefs().end());
   const Result<forms::PerceivedLook> perceived =
       forms::perceive_look(domain_.perception(), look.datum[3].text(), look.datum[4], scene_.situation(), believed);

@@ -10,6 +10,9 @@
 //   bool seen = co_await surroundings.look_after(surroundings.looks() + 1, deadline);   // a look that began since
 //   surroundings.beliefs();                                                             // {(on circle triangle), ...}
 
+#include <set>
+#include <string>
+
 #include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/perceive/camera_news.hpp"
 #include "agents/coordinator/perceive/mirror.hpp"
@@ -34,6 +37,8 @@ class Surroundings {
   const Scene& scene() const { return scene_; }
   const Facts& beliefs() const { return beliefs_.facts(); }
   std::uint64_t looks() const { return scene_.sightings().looks(); }
+  // What the newest look tells of, seen or not.
+  const std::set<std::string>& tracked() const { return tracked_; }
   // The look in which a belief came or went last.
   Beliefs::Evidence changed_in(const Datum& belief) const { return beliefs_.changed_in(belief); }
   // Whether the scene is calm, what is perceived is believed, and all these objects lie still in sight.
@@ -67,6 +72,7 @@ class Surroundings {
   Beliefs beliefs_;
   Mirror mirror_;
   CameraNews camera_news_;
+  std::set<std::string> tracked_;
   std::string told_failure_;
   WaitList looked_;
   Job head_;

@@ -12,6 +12,9 @@ namespace {
 constexpr Duration reply_timeout = 10s;
 constexpr Duration look_patience = 2s;
 constexpr Duration busy_pause = 300ms;
+constexpr Duration tracking_shows = 500ms;
+// Eyes that restart while they are asked forget what they had been asked before.
+constexpr int tries_to_track = 3;
 
 }  // namespace
 
@@ -59,12 +62,23 @@ Task<Result<bool>> Eyes::find(std::string name) {
 }
 
 Task<Result<void>> Eyes::track() {
-  const std::uint64_t before = surroundings_.looks();
-  const Time soon = context_.executor.now() + 500ms;
-  const bool looking = co_await surroundings_.look_after(before, soon);
-  if (looking) co_return Result<void>();
-  const Result<void> tracking = co_await begin_tracking();
-  co_return tracking;
+  std::uint64_t last = surroundings_.looks();
+  for (int i = 0; i < tries_to_track; ++i) {
+    const Time soon = context_.executor.now() + tracking_shows;
+    const bool looking = co_await surroundings_.look_after(last, soon);
+    if (looking && tracks_all()) break;
+    const Result<void> tracking = co_await begin_tracking();
+    if (!tracking) co_return tracking;
+    // The next look may be under way already.
+    last = surroundings_.looks() + 1;
+  }
+  co_return Result<void>();
+}
+
+bool Eyes::tracks_all() const {
+  const std::set<std::string>& tracked = surroundings_.tracked();
+  const auto is_tracked = [&](const std::string& name) { return tracked.contains(name); };
+  return known_ && is_tracked(options_.gripper.mark) && std::ranges::all_of(*known_, is_tracked);
 }
 
 Task<Result<void>> Eyes::take_over(std::string before) {

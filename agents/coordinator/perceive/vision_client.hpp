@@ -18,8 +18,8 @@ class Eyes {
   Task<Result<std::vector<std::string>>> objects();
   // Step b: whether the object is found in the image now.
   Task<Result<bool>> find(std::string name);
-  // Step g: the end effector and the objects that were asked for last are tracked, and looks come in. Does nothing
-  // where they do.
+  // Step g: the end effector and the objects that were asked for last are tracked, and looks come in that tell of each.
+  // Does nothing where they do.
   Task<Result<void>> track();
   // Looks that began after this call: the next one may have been under way. Tracks again where no looks come, as after
   // a restart of vision. Failure `absent` when that does not help for long.
@@ -28,6 +28,7 @@ class Eyes {
   Task<Result<void>> take_over(std::string before);
 
  private:
+  bool tracks_all() const;
   Task<Result<void>> begin_tracking();
   Task<Result<Datum>> ask(Datum operation);
 

@@ -76,6 +76,10 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
     if (surroundings_.scene().sightings().recent(object, lately)) co_return Result<void>();
+    // Eyes that restarted find it, and may not track it any more.
+    Result<void> tracking;
+    if (*found) tracking = co_await eyes_.track();
+    if (!tracking) co_return tracking;
     // The arm itself may hide it, if it stands low before it.
     if (!*found && stands_low() && !out_of_the_way) {
       out_of_the_way = true;

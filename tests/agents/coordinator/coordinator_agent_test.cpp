@@ -289,6 +289,27 @@ TEST_F(Coordinator, HasARestartedVisionTrackAgain) {
   expect_on("circle", "triangle");
 }
 
+TEST_F(Coordinator, HasEyesThatRestartedTrackAllWhereTheyTrackAPart) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation ? ? running)", 30s));
+  cell.stop_coordinator();
+  cell.stop_vision();
+  cell.run_for(4s);
+  cell.start_vision();
+  cell.request("vision", "(track \"end-effector\")");
+  cell.request("vision", "(track \"circle\")");
+  cell.start_coordinator();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  expect_on("circle", "triangle");
+}
+
+TEST_F(Coordinator, TracksAgainWhatTheEyesForgotInTheMiddleOfTheAsking) {
+  cell.eyes_restart_at = "square";
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  expect_on("circle", "triangle");
+}
+
 TEST_F(Coordinator, ReplacesAGoalAndPutsAwayWhatItHoldsThroughTheNewPlan) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(holding circle)", 60s));

@@ -123,7 +123,7 @@ void FakeCell::stop_robot() { agents_->robot_job = Job(); }
 void FakeCell::stop_vision() {
   agents_->vision_job = Job();
   agents_->looking = Job();
-  tracking_ = false;
+  tracked_.clear();
 }
 
 void FakeCell::restart_board() {
@@ -276,7 +276,14 @@ Eigen::Vector3d FakeCell::gripper_mark() const {
 }
 
 Task<Result<Datum>> FakeCell::handle_vision(Datum operation) {
-  if (operation.is_form("track")) tracking_ = true;
+  if (operation.is_form("track")) {
+    const std::string name(operation[1].text());
+    if (name == eyes_restart_at) {
+      tracked_.clear();
+      eyes_restart_at.clear();
+    }
+    tracked_.insert(name);
+  }
   std::string text;
   if (operation.is_form("get-objects")) {
     text = fmt::format("(GET {} (\"end-effector\"", cubes.size() + 1);
@@ -302,18 +309,21 @@ Task<void> FakeCell::look() {
     std::vector<std::pair<std::string, Eigen::Vector3d>> marks{{"end-effector", gripper_mark()}};
     const CameraView view(camera, {});
     for (const auto& [name, place] : cubes) marks.emplace_back(name, place + front);
+    std::erase_if(marks, [this](const auto& mark) { return !tracked_.contains(mark.first); });
     std::string text = fmt::format("(TRACK {}", marks.size());
+    std::vector<Datum> told;
     for (const auto& [name, place] : marks) {
       const Sight sight = view.sight(place);
       const bool shown = name == "end-effector" ? !mark_hidden() : shows(name);
       const bool seen = shown && sight.y_px > 0;
       text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)
                    : fmt::format(" (\"{}\" FAIL)", name);
+      told.push_back(list(Datum::symbol(name), seen ? "seen"_sym : "lost"_sym));
     }
     co_await sleep(executor_, 40ms);
-    const Datum look = list("look"_sym, "vision"_sym, ++frame_, text + ")", Datum());
+    const Datum look = list("look"_sym, "vision"_sym, ++frame_, text + ")", Datum::list(told));
     co_await agents_->vision_view->tell(model);
-    if (tracking_) co_await agents_->vision_view->tell(look);
+    if (!tracked_.empty()) co_await agents_->vision_view->tell(look);
   }
 }
 

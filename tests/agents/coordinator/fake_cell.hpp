@@ -58,6 +58,7 @@ class FakeCell {
   Cubes cubes;                                               // where they are now; the test may move them
   std::set<std::string> hidden;                              // from the eyes
   std::function<bool()> mark_hidden = [] { return false; };  // the end effector's, as a cube before it does
+  std::string eyes_restart_at;  // the eyes forget what they track when they are first asked to track this one
   // Whether something stands before a cube.
   std::function<bool(const std::string& name)> covered = [](const std::string&) { return false; };
   bool tells_pose = true;                  // the robot, as a fact
@@ -95,7 +96,7 @@ class FakeCell {
   memory::MemoryBoard board_{executor_};
   std::vector<std::string> journal_;
   TaskDomain domain_;
-  bool tracking_ = false;
+  std::set<std::string> tracked_;
   std::int64_t frame_ = 0;
   double yaw_deg_ = 0;
   int requests_ = 0;
