@@ -224,6 +224,7 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   simulation::CameraConfig& camera = config.camera;
   camera.pose = description.world_camera;
   camera.head = description.head;
+  camera.frames_per_s = description.frames_per_s;
   camera.noise_sigma = description.noise.sensor_grey;
   camera.blur_sigma_px = description.noise.blur_px;
   camera.light_gradient = description.noise.gradient;

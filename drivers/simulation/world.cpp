@@ -56,7 +56,7 @@ struct World::Inside {
       : executor(the_executor),
         config(the_config),
         camera_pose(config.camera.pose),
-        clock(the_executor.now()),
+        clock(the_executor.now(), config.camera.frames_per_s),
         cell(config),
         arm(cell, config.arm.type),
         renderer(config, Random(config.seed).split("camera")) {
@@ -93,8 +93,8 @@ struct World::Inside {
 };
 
 void World::Inside::take_frame() {
-  if (steps % FrameClock::steps_per_frame != 0) return;
-  const auto found = wanted.find(static_cast<std::uint64_t>(steps / FrameClock::steps_per_frame));
+  if (steps % clock.steps_per_frame() != 0) return;
+  const auto found = wanted.find(static_cast<std::uint64_t>(steps / clock.steps_per_frame()));
   if (found == wanted.end()) return;
   Wanted& frame = found->second;
   if (frame.grey && !frame.grey_pair)

@@ -3,8 +3,8 @@
 // The simulated cell: table, cubes, arm, gripper, cameras and a person's hand, reached by requests alone.
 //
 // It steps lazily: every request first advances the physics (fixed 240 Hz) to the executor's time, so a world that
-// nobody asks costs nothing. Frames are taken at whole multiples of 100 ms, which are whole numbers of steps. The same
-// seed and the same requests at the same times give the same answers, byte for byte.
+// nobody asks costs nothing. Each frame is taken a whole number of steps after the one before. The same seed
+// and the same requests at the same times give the same answers, byte for byte.
 //
 //   VirtualExecutor executor;
 //   World world(executor, config);                // config passed check()

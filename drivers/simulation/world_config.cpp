@@ -7,6 +7,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
+#include "drivers/simulation/frame_clock.hpp"
 
 namespace pizarra::simulation {
 
@@ -38,6 +39,9 @@ Result<void> check_camera(const CameraConfig& camera) {
                      within(camera.pose.pan_deg, -180, 180) && within(camera.pose.tilt_deg, -80, 80);
   const bool sensor =
       within(camera.noise_sigma, 0, 50) && within(camera.blur_sigma_px, 0, 2) && within(camera.light_gradient, 0, 1);
+  if (!FrameClock::keeps(camera.frames_per_s)) {
+    return bad(fmt::format("no frame is taken {} times a second", camera.frames_per_s), "camera");
+  }
   if (size && lens && place && sensor) return {};
   return bad("the camera's figures are out of range", "camera");
 }

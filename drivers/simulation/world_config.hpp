@@ -57,6 +57,7 @@ struct CameraConfig {
   camera::StereoModel model;
   forms::CameraPose pose;
   std::string head = "";   // the pan-tilt unit that it stands on, as find_ptu_model() knows it; empty: it stands still
+  int frames_per_s = 10;   // each takes a whole number of the world's steps
   double noise_sigma = 3;  // grey levels, each pixel and frame on its own
   double blur_sigma_px = 0.7;    // the lens
   double light_gradient = 0.12;  // how much brighter one edge of the image is than the other; direction by the seed

@@ -167,6 +167,7 @@ struct CellDescription {
   BelievedCamera camera;
   std::string camera_pose_file;  // where a measured pose of the camera is kept, empty: nowhere
   std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
+  int frames_per_s = 10;         // of the simulated camera
   CellNoise noise;
   double cube_mm = 60;  // no cube is larger
   GripperOpenings openings;

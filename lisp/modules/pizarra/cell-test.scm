@@ -85,11 +85,15 @@
     (list (list-ref cell 1) (list-ref cell 24))))
 (check "agents take the camera to be where the world has it"
        (camera-poses-of '(world (camera (at 1350 0 210) (roll 1))))
-       '((1350 0 210 0 0 1 "") ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "")))
+       '((1350 0 210 0 0 1 "" 10) ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "")))
 (check "agents may take it to be elsewhere, until a file says better"
        (camera-poses-of '(world (camera (at 1350 0 210))) '(camera-pose (at 1330 5 200) (file "camera.scm")))
-       '((1350 0 210 0 0 0 "") ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm")))
+       '((1350 0 210 0 0 0 "" 10) ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm")))
 (check "a camera's pose needs its place" (complaint '(camera-pose (pan 3))) '(1 malformed (0 2 2)))
+(check "the simulated cameras take as many frames as they are told to"
+       (list-ref (first (camera-poses-of '(world (camera (rate 30))))) 7) 30)
+(check "a frame takes a whole number of the world's steps"
+       (complaint '(world (camera (rate 50)))) '(1 out-of-range (0 2 1 1)))
 (check "a unit that is not known is refused" (complaint '(world (camera (head ptu47)))) '(1 unknown-name (0 2 1 1 1)))
 (check "a unit needs a line" (complaint '(pan-tilt)) '(1 malformed (0 2)))
 (check "a line is serial or tcp" (complaint '(pan-tilt (usb 3))) '(1 malformed (0 2 1)))

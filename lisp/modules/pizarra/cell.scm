@@ -1,12 +1,12 @@
 ;; Cell files: see lisp/forms/cell_file.hpp for the language and for what is taken where something is left out.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
+;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
 ;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
 ;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
-;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
+;; simulated pan-tilt unit under the cameras or the empty string; FRAMES how many a second they take; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
 ;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
@@ -36,6 +36,8 @@
 ;; What `up` runs beside the agents; each has a log of its name, and is on the board under it.
 (define processes '(board world log door console arm-plugin camera-plugin narrator))
 (define heads '(ptu46-17.5 ptu46-70))
+;; Each takes a whole number of the world's steps.
+(define frame-rates '(10 20 30 40 60))
 (define baud-rates '(9600 19200 38400 57600 115200))
 ;; Smaller marks are not recognised, and the fingers do not open wider.
 (define cube-sizes-mm '(40 64))
@@ -159,9 +161,20 @@
 
 (define (camera-of found)
   (let* ((camera (section-in found 'camera))
-         (parts (if camera (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head)) '()))
+         (parts (if camera
+                    (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head rate))
+                    '()))
          (head (section-in parts 'head)))
-    (append (pose-of parts) (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")))))
+    (append (pose-of parts)
+            (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")
+                  (frame-rate-of parts)))))
+
+(define (frame-rate-of parts)
+  (let ((rate (first (numbers-in parts 'rate '((10 60)) '(10)))))
+    (if (memv rate frame-rates)
+        rate
+        (complain! (section-in parts 'rate) 'out-of-range
+                   "the simulated cameras take 10, 20, 30, 40 or 60 frames a second"))))
 
 ;; Where the agents take the camera to be.
 (define (believed-camera-of found world-camera)
@@ -442,7 +455,7 @@
          (slave (section-in found 'slave))
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
-         (has-unit (or (section-in found 'pan-tilt) (symbol? (last camera))))
+         (has-unit (or (section-in found 'pan-tilt) (symbol? (list-ref camera 6))))
          (own-cameras (section-in found 'camera))
          (named-hosts (sections-in found 'host))
          ;; A person who sees the simulation alone moves no real arm by it, unless told to.
