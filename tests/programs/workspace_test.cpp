@@ -42,7 +42,14 @@ TEST(Workspace, HasNotWhatTheArmDoesNotReach) {
   simulation::WorldConfig config = before_the_arm();
   config.camera.pose.at_mm = {2000, 0, 200};
   EXPECT_TRUE(has(config, cube_at(450, 0)));
+  EXPECT_TRUE(has(config, cube_at(320, 0)));
+  EXPECT_TRUE(has(config, cube_at(260, -180)));
+  EXPECT_TRUE(has(config, cube_at(560, -100)));
   EXPECT_FALSE(has(config, cube_at(640, 0)));
+}
+
+TEST(Workspace, HasNotWhatStandsSoNearTheArmThatItCannotComeFromAbove) {
+  EXPECT_FALSE(has(before_the_arm(), cube_at(158, -158)));
 }
 
 TEST(Workspace, SeesEverywhereWhereAHeadTurnsTheCameras) {
