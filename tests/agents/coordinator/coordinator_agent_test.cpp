@@ -365,6 +365,18 @@ TEST_F(Coordinator, TellsThatAGoalIsReachedOnceThatCanBeKept) {
   EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 5s));
 }
 
+TEST_F(Coordinator, GoesOnWithItsGoalAfterTheDiskWasFullInTheMiddleOfAnOperation) {
+  want("(goal (on circle triangle) (on triangle square))");
+  ASSERT_TRUE(cell.run_until("(and (holding triangle) (operation ? (STACK triangle square) running))", 60s));
+  cell.disk = Disk::full;
+  cell.run_for(60s);
+  EXPECT_TRUE(cell.facts("(goal-state 1 refused ?)").empty());
+  cell.disk = Disk::sound;
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+  expect_on("triangle", "square");
+}
+
 TEST_F(Coordinator, PursuesWhatStandsThoughItMayNotLast) {
   cell.disk = Disk::failing;
   EXPECT_EQ(want("(goal (on circle triangle))"), "(ok 1)");
