@@ -101,7 +101,8 @@ Task<void> Director::await_end(Time deadline) {
     const Datum detail = *end->bindings.find("?detail");
     report_.refusal_told = report_.outcome == "refused";
     if (report_.refusal_told) report_.refusal = failure_from_datum(detail);
-    const Time last = std::min(executor.now() + afterwards, deadline);
+    // What is kept goes on, and so does the story.
+    const Time last = kept ? deadline : std::min(executor.now() + afterwards, deadline);
     const Result<void> over = co_await await_events(last);
     if (!over) {
       report_.outcome = "refused";

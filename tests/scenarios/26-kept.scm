@@ -3,7 +3,7 @@
   (cell "../../examples/01-blocks/cell.scm")
   (goal (keep (on circle triangle)))
   (when (goal-state ? kept ?)
-    (wait 2) (hand place circle 450 -170))
+    (wait 20) (hand place circle 450 -170))
   (expect reached)
   (expect-seen (event ? difference ? ((on circle triangle)))
                (event ? plan "goal 1 fell: it is built again" ?))
