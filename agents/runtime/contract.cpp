@@ -23,8 +23,11 @@ Result<Operation> operation_from_datum(const Datum& form) {
   return Operation{shape->name, shape->arguments, repeats};
 }
 
-Result<void> read_part(Contract& contract, const Datum& part) {
+// The part as the board shows it.
+Result<Datum> read_part(Contract& contract, const Datum& part) {
+  std::vector<Datum> shown{part[0]};
   for (const Datum& item : part.items().subspan(1)) {
+    shown.push_back(item);
     if (part.is_form("offers")) {
       Result<Operation> operation = operation_from_datum(item);
       if (!operation) return fail(operation);
@@ -33,9 +36,14 @@ Result<void> read_part(Contract& contract, const Datum& part) {
       Result<Relation> relation = relation_from_datum(item);
       if (!relation) return fail(relation);
       contract.posts.push_back(std::move(*relation));
+    } else if (part.is_form("reads") && !item.is_symbol()) {
+      Result<Relation> relation = relation_from_datum(item);
+      if (!relation) return fail(relation);
+      shown.back() = Datum::symbol(relation->name);
+      contract.reads.push_back(std::move(*relation));
     }
   }
-  return {};
+  return Datum::list(std::move(shown));
 }
 
 Result<void> check_arguments(const Operation& offered, const Datum& operation) {
@@ -56,15 +64,19 @@ Result<Contract> contract_from_text(std::string_view text) {
   if (!form->is_form("contract") || form->size() < 2 || !(*form)[1].is_symbol()) {
     return fail("bad-contract", "a contract is (contract KIND PART ...)", *form);
   }
-  Contract contract{.kind = std::string((*form)[1].text()), .offers = {}, .posts = {}, .context = {}, .form = *form};
+  Contract contract{
+      .kind = std::string((*form)[1].text()), .offers = {}, .posts = {}, .reads = {}, .context = {}, .form = {}};
+  std::vector<Datum> shown{(*form)[0], (*form)[1]};
   constexpr std::string_view parts[] = {"offers", "posts", "reads", "takes", "configures", "monitors"};
   for (const Datum& part : form->items().subspan(2)) {
     if (std::ranges::find(parts, part.head()) == std::end(parts)) {
       return fail("bad-contract", "a part is offers, posts, reads, takes, configures or monitors", part);
     }
-    const Result<void> read = read_part(contract, part);
+    Result<Datum> read = read_part(contract, part);
     if (!read) return fail(read);
+    shown.push_back(std::move(*read));
   }
+  contract.form = Datum::list(std::move(shown));
   return contract;
 }
 

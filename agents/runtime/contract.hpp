@@ -7,7 +7,7 @@
 //     (offers (learn (x number) (y number) (name string)) (find (name string)) (get-objects)
 //             (goal (fact list) ...))                         ; `...`: the last argument repeats
 //     (posts (relation learned ((name string) (area number)) (key name)))
-//     (reads frames)
+//     (reads frames (relation lamp ((colour symbol)) (key)))   ; whole where it may not be declared yet
 //     (configures ...) (monitors ...))
 
 #include <vector>
@@ -26,8 +26,9 @@ struct Contract {
   std::string kind;
   std::vector<Operation> offers;
   std::vector<Relation> posts;
-  std::string context = {};  // where it binds its name, within (cell); empty: where its kind does (own_name.hpp)
-  Datum form;
+  std::vector<Relation> reads;  // those that are given whole: the agent declares them, as those that it posts
+  std::string context = {};     // where it binds its name, within (cell); empty: where its kind does (own_name.hpp)
+  Datum form;                   // as the board shows it: what it reads stands there by name
 };
 
 // A malformed contract is a bug of the agent's author; the failure says where.

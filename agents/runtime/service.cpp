@@ -66,6 +66,7 @@ Service::~Service() = default;
 Task<Result<void>> Service::declare() {
   std::vector<Relation> relations = runtime_relations();
   relations.insert(relations.end(), contract_.posts.begin(), contract_.posts.end());
+  relations.insert(relations.end(), contract_.reads.begin(), contract_.reads.end());
   while (true) {
     const Result<void> declared = co_await context_.board.declare(relations);
     if (declared) co_return declared;

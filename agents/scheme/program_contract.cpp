@@ -32,10 +32,12 @@ Result<void> add_relations(std::set<std::string>& read, const forms::ProgramPart
 Result<runtime::Contract> contract_of(const forms::AgentProgram* program, const std::string& agent) {
   std::vector<Datum> offers{"offers"_sym};
   std::vector<Datum> posts{"posts"_sym};
+  std::vector<Datum> reads{"reads"_sym};
   std::set<std::string> read;
   for (const char* relation : own_relations) posts.push_back(read_one(relation).value());
   if (program != nullptr) {
     posts.insert(posts.end(), program->posts().begin(), program->posts().end());
+    reads.insert(reads.end(), program->reads().begin(), program->reads().end());
     for (const forms::ProgramPart& part : program->parts()) {
       using enum forms::ProgramPart::Sort;
       if (part.sort == operation) offers.push_back(part.head);
@@ -44,7 +46,10 @@ Result<runtime::Contract> contract_of(const forms::AgentProgram* program, const 
       if (!added) return fail(added);
     }
   }
-  std::vector<Datum> reads{"reads"_sym};
+  for (const Datum& relation : std::span(reads).subspan(1)) {
+    const Datum& name = relation.size() > 1 ? relation[1] : relation;
+    if (name.is_symbol()) read.erase(std::string(name.text()));
+  }
   for (const std::string& relation : read) reads.push_back(Datum::symbol(relation));
   const Datum kind = Datum::symbol(program != nullptr ? program->kind() : agent);
   return runtime::contract_from_text(write(list("contract"_sym, kind, Datum::list(std::move(offers)),

@@ -1,8 +1,8 @@
 ; A conveyor beside the cell, as rules: while the barrier at its exit is blocked the belt stands, and while somebody is
 ; at the door the arm stands. Save this file while the cell runs, and the new rules count at once.
-(posts (relation barrier ((name symbol) (state symbol)) (key name))
-       (relation belt ((state symbol)) (key))
+(posts (relation belt ((state symbol)) (key))
        (relation passed ((count integer)) (key) (durable)))
+(reads (relation barrier ((name symbol) (state symbol)) (key name)))
 
 (define count 0)
 

@@ -1,7 +1,7 @@
 ; Keeps the arm from the light barrier: it stands while something is in the beam, and while nobody watches that.
-(posts (relation blocked ((barrier symbol)))
-       (relation watching ((barrier symbol)))
-       (relation guarded ((barrier symbol))))
+(posts (relation guarded ((barrier symbol))))
+(reads (relation blocked ((barrier symbol)))
+       (relation watching ((barrier symbol))))
 (tell (guarded barrier-1))
 
 (conclude something-is-there (blocked barrier-1)

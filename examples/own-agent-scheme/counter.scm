@@ -2,8 +2,8 @@
 ;
 ;   pizarra scheme counter.scm                             joins the cell that runs here; save the file to change it
 ;   pizarra scheme counter.scm --try counter-test.scm      tries it without a cell
-(posts (relation barrier ((name symbol) (state symbol)) (key name))
-       (relation passed ((count integer)) (key)))
+(posts (relation passed ((count integer)) (key)))
+(reads (relation barrier ((name symbol) (state symbol)) (key name)))
 
 (define count 0)
 

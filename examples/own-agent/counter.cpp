@@ -13,9 +13,8 @@ using namespace pizarra;
 // What it offers, posts and reads: others find it on the board as (contract counter ...).
 constexpr const char* contract = R"((contract counter
   (offers (count))
-  (posts (relation barrier ((name symbol) (state symbol)) (key name))
-         (relation passed ((count integer)) (key)))
-  (reads barrier)))";
+  (posts (relation passed ((count integer)) (key)))
+  (reads (relation barrier ((name symbol) (state symbol)) (key name)))))";
 
 class Counter : public runtime::Agent {
  public:

@@ -62,8 +62,9 @@ AgentProgram::AgentProgram(const Datum& loaded, const ProgramLimits& limits)
       id_(loaded[1].integer()),
       kind_(loaded[2].text()),
       posts_(data_of(loaded[3])),
-      effects_(effects_of(loaded[5])) {
-  for (const Datum& part : loaded[4].items()) parts_.push_back(part_of(part));
+      reads_(data_of(loaded[4])),
+      effects_(effects_of(loaded[6])) {
+  for (const Datum& part : loaded[5].items()) parts_.push_back(part_of(part));
 }
 
 AgentProgram::~AgentProgram() {

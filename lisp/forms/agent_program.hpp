@@ -64,6 +64,7 @@ class AgentProgram {
 
   const std::string& kind() const { return kind_; }
   const std::vector<Datum>& posts() const { return posts_; }
+  const std::vector<Datum>& reads() const { return reads_; }  // the relations that it declares without telling them
   const std::vector<ProgramPart>& parts() const { return parts_; }
   const ProgramEffects& effects() const { return effects_; }
 
@@ -81,6 +82,7 @@ class AgentProgram {
   std::int64_t id_;
   std::string kind_;
   std::vector<Datum> posts_;
+  std::vector<Datum> reads_;
   std::vector<ProgramPart> parts_;
   ProgramEffects effects_;
 };

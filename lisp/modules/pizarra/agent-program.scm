@@ -6,7 +6,7 @@
 ;; of every procedure. Each loading and each run is bounded in time and in what it allocates, and the state that it keeps
 ;; in what it holds.
 ;;
-;;   (load-program AGENT TEXT FILE LIMITS)           -> (ok ID KIND POSTS ((SORT NAME HEAD VARIABLES PERIOD) ...) EFFECTS)
+;;   (load-program AGENT TEXT FILE LIMITS)           -> (ok ID KIND POSTS READS ((SORT NAME HEAD VARIABLES PERIOD) ...) EFFECTS)
 ;;   (run-part ID NAME ((VARIABLE VALUE) ...) NOW)   -> an outcome
 ;;   (resume-run ID WAITING ANSWER NOW)              -> an outcome
 ;;   (abandon-run ID WAITING), (forget-program ID)   -> (ok)
@@ -34,7 +34,7 @@
             ((srfi srfi-1) any every filter filter-map fold fold-right reduce delete delete-duplicates find find-tail
              remove partition count first second third fourth fifth last take drop take-while drop-while list-index
              append-map concatenate)
-            ((pizarra agent-words) kind posts rule conclude loop operation
+            ((pizarra agent-words) kind posts reads rule conclude loop operation
              tell retract ask for-all call pause fail say text now me))))
 
 ;; The meaning of a macro is found by its variable; procedures are copied, so that `set!` changes none for others.
@@ -157,7 +157,7 @@
 (define (load-program agent words file limits)
   (let* ((limits (apply limits-of limits))
          (heap (begin (gc) (bytes-held)))
-         (notes (make-notes #f '() '()))
+         (notes (make-notes #f '() '() '()))
          (run (make-run '() 0 '() 0))
          (outcome (bounded limits
                     (lambda ()
@@ -168,7 +168,8 @@
         outcome
         (let ((id (next-number)) (parts (reverse (notes-parts notes))))
           (hash-set! programs id (make-program agent limits parts (make-hash-table) heap))
-          (list 'ok id (or (notes-kind notes) agent) (reverse (notes-posts notes)) (map part-datum parts) (effects-of run))))))
+          (list 'ok id (or (notes-kind notes) agent) (reverse (notes-posts notes)) (reverse (notes-reads notes))
+                (map part-datum parts) (effects-of run))))))
 
 (define (forget-program id)
   (hash-remove! programs id)

@@ -11,21 +11,22 @@
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-9)
   #:use-module (system syntax)
-  #:export (make-notes notes-kind notes-posts notes-parts
+  #:export (make-notes notes-kind notes-posts notes-reads notes-parts
             make-part part-sort part-name part-head part-variables part-period part-procedure part-place
             loading current-place owner
             make-run run-steps run-said running board-prompt
             plain-datum)
-  #:export (kind posts rule conclude loop operation
+  #:export (kind posts reads rule conclude loop operation
             tell retract ask for-all call pause fail say text now me))
 
 ;; ---- what a file declares
 
 (define-record-type <notes>
-  (make-notes kind posts parts)
+  (make-notes kind posts reads parts)
   notes?
   (kind notes-kind set-notes-kind!)
   (posts notes-posts set-notes-posts!)     ; newest first, as the next
+  (reads notes-reads set-notes-reads!)     ; those that are given whole
   (parts notes-parts set-notes-parts!))
 
 ;; SORT is rule, conclude, loop or operation; HEAD the condition, or the operation as a contract offers it.
@@ -46,7 +47,7 @@
 (define owner (make-parameter #f))
 
 (define most-parts 128)
-(define most-posts 64)
+(define most-relations 64)
 
 (define (noting word)
   (or (loading) (error (string-append "this may stand at the top of the file alone, not where it runs:") word)))
@@ -65,11 +66,12 @@
     (error "a loop's period is 10 to 86400000 milliseconds, not" period))
   (add-part! 'loop name '() '() period procedure))
 
-(define (add-posts! relations)
-  (let ((notes (noting 'posts)))
-    (set-notes-posts! notes (append (reverse relations) (notes-posts notes)))
-    (when (> (length (notes-posts notes)) most-posts)
-      (error "an agent posts at most so many relations:" most-posts))))
+(define (add-relations! word relations relations-of set-relations!)
+  (let* ((notes (noting word))
+         (all (append (reverse relations) (relations-of notes))))
+    (when (> (length all) most-relations)
+      (error (string-append "an agent " (symbol->string word) " at most so many relations:") most-relations))
+    (set-relations! notes all)))
 
 ;; ---- forms for the board
 
@@ -151,7 +153,10 @@
 
 (define-syntax-rule (kind name) (set-kind! 'name))
 
-(define-syntax-rule (posts relation ...) (add-posts! '(relation ...)))
+(define-syntax-rule (posts relation ...)
+  (add-relations! 'posts '(relation ...) notes-posts set-notes-posts!))
+(define-syntax-rule (reads relation ...)
+  (add-relations! 'reads '(relation ...) notes-reads set-notes-reads!))
 
 (define-syntax define-rule-word
   (syntax-rules ()

@@ -24,10 +24,21 @@ TEST(Contract, SaysWhatIsOfferedAndPosted) {
   EXPECT_EQ(contract.posts[0].name, "total");
 }
 
+TEST(Contract, ShowsWhatIsReadByNameAndDeclaresWhatIsGivenWhole) {
+  const Contract contract =
+      contract_from_text("(contract lamp (reads clock (relation night ((since number)) (key))) (monitors heat))")
+          .value();
+  EXPECT_EQ(contract.form, datum_of("(contract lamp (reads clock night) (monitors heat))"));
+  ASSERT_EQ(contract.reads.size(), 1u);
+  EXPECT_EQ(contract.reads[0].name, "night");
+  EXPECT_TRUE(contract.posts.empty());
+}
+
 TEST(Contract, RefusesWhatIsNotAContract) {
-  for (const std::string_view wrong : {"(contract)", "(contact x)", "(contract x (ofers))", "(contract x (offers 3))",
-                                       "(contract x (offers (f (a nmber))))", "(contract x (offers (f ...)))",
-                                       "(contract x (posts (relation)))", "(contract x"}) {
+  for (const std::string_view wrong :
+       {"(contract)", "(contact x)", "(contract x (ofers))", "(contract x (offers 3))",
+        "(contract x (offers (f (a nmber))))", "(contract x (offers (f ...)))", "(contract x (posts (relation)))",
+        "(contract x (reads (relation)))", "(contract x (reads 3))", "(contract x"}) {
     EXPECT_FALSE(contract_from_text(wrong).has_value()) << wrong;
   }
 }

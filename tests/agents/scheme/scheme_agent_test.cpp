@@ -91,6 +91,16 @@ class SchemeFile : public testing::Test {
   int asked_ = 0;
 };
 
+TEST_F(SchemeFile, WhatItReadsMayBeDeclaredByItAndIsNotAmongWhatItPosts) {
+  start(std::string(belt) + "(reads (relation door ((state symbol)) (key)) barrier)" +
+        "(rule go (and (barrier exit free) (door open)) (tell (belt running)))");
+  tell("(door open)");
+  tell("(barrier exit free)");
+  EXPECT_EQ(fact("(belt ?)"), "(belt running)") << said;
+  const std::string contract = fact("(contract conveyor ?)");
+  EXPECT_TRUE(contract.contains("(reads door barrier)")) << contract;
+}
+
 TEST_F(SchemeFile, RulesFireOnFactsAndTellFactsBecauseOfThem) {
   start(std::string(belt) + "(rule stop (barrier exit blocked) (tell (belt stopped)))");
   EXPECT_EQ(fact("(agent conveyor ? ?)"), "(agent conveyor conveyor \"localhost\")");
