@@ -18,12 +18,13 @@ expect(true, 'how far the arm reaches, and what the camera sees');
 await taught(page);
 await page.fill('#goal-text', '(on circle triangle) (on triangle square)');
 await page.press('#goal-text', 'Enter');
+// First, since there is a target only while the goal is built.
+await shows('target', '^(circle|triangle|square)$');
+expect((await pixelsLike(page, canvas, orange)) > 20, 'the next target and the way to it are drawn');
 await page.waitForFunction(() => (document.getElementById('beliefs').textContent.match(/\d+ %\s+±\d/g) ?? []).length >= 3);
 expect(/circle\s+\d+ %\s+±\d+\.\d mm/.test(await text(page, '#beliefs')), `how sure and how exact: ${await text(page, '#beliefs')}`);
 await shows('spread', '^[3-9]$');
 expect((await pixelsLike(page, canvas, blue)) > 20, 'the spread of distances is drawn');
-await shows('target', '^(circle|triangle|square)$');
-expect((await pixelsLike(page, canvas, orange)) > 20, 'the next target and the way to it are drawn');
 
 expect((await pixelsLike(page, canvas, pink)) === 0, 'no truth is shown unless it is asked for');
 await page.check('#truth');
