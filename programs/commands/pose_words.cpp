@@ -13,7 +13,7 @@ using Numbers = std::span<const double>;
 
 struct PoseNumbers {
   explicit PoseNumbers(const vision::MarkPose& pose)
-      : place(pose.place_mm), angles(vision::angles_deg(pose)), spreads(vision::spreads_of(pose)) {}
+      : place(pose.place_mm), angles(vision::angles_deg(pose.turn)), spreads(vision::spreads_of(pose)) {}
   Numbers place_spread() const { return Numbers(spreads).first(3); }
   Numbers angle_spread() const { return Numbers(spreads).last(3); }
   cv::Vec3d place;

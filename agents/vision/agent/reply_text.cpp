@@ -6,10 +6,21 @@
 #include <numbers>
 #include <ranges>
 
+#include "agents/vision/sight/pose_numbers.hpp"
+
 namespace pizarra::vision {
 namespace {
 
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
+
+void add_pose(std::vector<Datum>& parts, const MarkPose& pose) {
+  parts.push_back(pose_datum(pose));
+  if (!pose.flipped) return;
+  std::vector<Datum> out{"flipped"_sym};
+  for (const double angle : angles_deg(pose.flipped->turn).val) out.push_back(to_datum(rounded(angle, 100)));
+  out.push_back(to_datum(rounded(pose.flipped->share, 1000)));
+  parts.push_back(Datum::list(std::move(out)));
+}
 
 // Where it is.
 std::vector<Datum> parts_of(const FoundMark& found) {
@@ -18,7 +29,7 @@ std::vector<Datum> parts_of(const FoundMark& found) {
   const SeenRange range = found.range.value_or(SeenRange());
   const Datum places = places_datum({pair.left.centre, right, range.mm, range.spread_mm});
   std::vector<Datum> out(places.items().begin(), places.items().end());
-  if (found.pose) out.push_back(pose_datum(*found.pose));
+  if (found.pose) add_pose(out, *found.pose);
   return out;
 }
 
@@ -59,16 +70,13 @@ Datum places_datum(const SeenPlaces& places) {
 }
 
 Datum pose_datum(const MarkPose& pose) {
-  const cv::Matx33d& r = pose.turn;
   const double degrees = 180 / std::numbers::pi;
   std::vector<Datum> out{"pose"_sym};
   const auto add = [&](double value, double parts) { out.push_back(to_datum(rounded(value, parts))); };
   add(pose.place_mm[0], 100);
   add(pose.place_mm[1], 100);
   add(pose.place_mm[2], 100);
-  add(degrees * std::atan2(r(2, 1), r(2, 2)), 100);
-  add(degrees * std::asin(std::clamp(-r(2, 0), -1.0, 1.0)), 100);
-  add(degrees * std::atan2(r(1, 0), r(0, 0)), 100);
+  for (const double angle : angles_deg(pose.turn).val) add(angle, 100);
   std::vector<Datum> covariance;
   const auto unit = [&](int i) { return i < 3 ? 1 : degrees; };
   for (int i = 0; i < 6; ++i) {

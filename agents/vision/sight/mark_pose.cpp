@@ -8,6 +8,10 @@
 namespace pizarra::vision {
 namespace {
 
+// Less likely, and less turned, another tilt need not be told.
+constexpr double least_share = 0.01;
+constexpr double least_apart = 0.05;  // rad
+
 // The same where the range is known better.
 void move_to(MarkPose& pose, const SeenRange& range) {
   const double seen_mm = cv::norm(pose.place_mm);
@@ -29,15 +33,24 @@ std::optional<MarkPose> pose_of_tag(const camera::StereoModel& model, const Lear
   return std::nullopt;
 }
 
+std::optional<MarkPose::Flipped> flipped_of(const PlanePose& plane) {
+  const cv::Matx33d apart = plane.turn - plane.other.turn;
+  const bool is_another = std::hypot(apart(0, 2), apart(1, 2), apart(2, 2)) > least_apart;
+  const double share = plane.share_of_other();
+  return is_another && share > least_share ? std::optional(MarkPose::Flipped{plane.other.turn, share}) : std::nullopt;
+}
+
+std::optional<MarkPose> pose_of_shape(const SeenPair& pair) {
+  if (!pair.plane || !pair.plane->pose) return std::nullopt;
+  const PlanePose& plane = *pair.plane->pose;
+  return MarkPose{plane.place_mm, plane.turn, plane.covariance, flipped_of(plane)};
+}
+
 }  // namespace
 
 std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair,
                                 const std::optional<SeenRange>& range) {
-  std::optional<MarkPose> out;
-  if (pair.left.tag) out = pose_of_tag(model, object, pair.left);
-  if (!pair.left.tag && pair.plane && pair.plane->pose) {
-    out = MarkPose{pair.plane->pose->place_mm, pair.plane->pose->turn, pair.plane->pose->covariance};
-  }
+  std::optional<MarkPose> out = pair.left.tag ? pose_of_tag(model, object, pair.left) : pose_of_shape(pair);
   if (!out) return std::nullopt;
   out->place_mm[0] -= model.base_line_mm / 2;
   if (range) move_to(*out, *range);

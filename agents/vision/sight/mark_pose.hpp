@@ -21,6 +21,12 @@ struct MarkPose {
   cv::Vec3d place_mm;  // of its middle, from the middle of the base line: x right, y down, z ahead
   cv::Matx33d turn;    // its axes, as it lay when it was learned: right, down, and away from who looks at it
   Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of a small turn about the camera's axes, rad
+  // The other tilt that looks nearly alike, where it may be it: how it would be turned then, and how likely that is.
+  struct Flipped {
+    cv::Matx33d turn;
+    double share;
+  };
+  std::optional<Flipped> flipped = {};
 };
 
 // `range`: of it, where that is known. Nothing of a shape that is slim, as how it lies was not learned.

@@ -18,7 +18,10 @@ using Eigen::Vector2d;
 constexpr double least_edge_spread = 0.08;
 // Neighbouring edges share pixels: so many are as good as one less.
 constexpr double independent_share = 0.5;
-// By how much worse a look without perspective must be.
+// Of a stretch that is known by its amount, along either of two axes.
+constexpr double one_of_two = 0.707;
+constexpr double least_stretch = 0.001;
+// By how much worse another explanation must be.
 constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
 constexpr double least_contradiction = 4;
@@ -61,27 +64,32 @@ double free_misfit(const PlaneFit& fit, double weight) {
   return weight * squares / 2;
 }
 
+PlaneTilt tilt_of(const SolvedPlane& solved) {
+  const Eigen::Vector3d& place = solved.pose.place;
+  return {{place.x(), place.y(), place.z()}, matx_of(solved.pose.turn), solved.covariance, solved.misfit};
+}
+
 }  // namespace
 
 bool PlanePose::is_contradicted() const { return misfit - free_misfit > clearly_contradicted; }
 
 bool PlanePose::shows_perspective() const { return affine_misfit - misfit > clearly_worse; }
 
+double PlanePose::share_of_other() const { return 1 / (1 + std::exp(std::min(other.misfit - misfit, 50.0))); }
+
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
-                                    double unit_mm) {
+                                    const PlaneFace& face) {
+  const double unit_mm = face.unit_mm;
   const std::vector<PlanePoint> edges = edges_of(model, outline, fit, unit_mm);
   if (edges.size() < 16) return std::nullopt;
   const double spread = std::max(least_edge_spread, fit.rms_px);
   const double weight = independent_share / (spread * spread);
   const std::vector<PlaneGuess> guesses = plane_guesses(model, fit.in_image({0, 0}), fit.slope() * (1 / unit_mm));
-  const std::vector<SolvedPlane> both = solve_plane(edges, guesses, weight);
+  const double stretch = (1 - face.slimness) / (1 + face.slimness);
+  const PlaneErrors errors{.weight = weight, .stretch_spread = std::max(least_stretch, stretch * one_of_two)};
+  const std::vector<SolvedPlane> both = solve_plane(edges, guesses, errors);
   if (both.empty()) return std::nullopt;
-  const SolvedPlane& best = both.front();
-  PlanePose out;
-  out.place_mm = {best.pose.place.x(), best.pose.place.y(), best.pose.place.z()};
-  out.turn = matx_of(best.pose.turn);
-  out.covariance = best.normal.inverse();
-  out.misfit = best.misfit;
+  PlanePose out{tilt_of(both.front()), tilt_of(both.back())};
   out.affine_misfit = affine_misfit(edges, weight);
   out.free_misfit = free_misfit(fit, weight);
   return out;

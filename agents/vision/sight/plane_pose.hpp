@@ -3,7 +3,7 @@
 // Where the plane of a mark is in space, by the edges that registered its outline in one image (plane_fit.hpp), and
 // whether what looks tilted may be covered instead.
 //
-//   const std::optional<PlanePose> pose = plane_pose(model, sample.plane, fit, sample.face_mm());
+//   const std::optional<PlanePose> pose = plane_pose(model, sample.plane, fit, {.unit_mm = sample.face_mm()});
 //   pose->place_mm, pose->turn, pose->covariance
 //   const double covered = covered_rather_than_tilted(*pose, 6);   // 0 to 1
 //
@@ -18,22 +18,32 @@
 
 namespace pizarra::vision {
 
-struct PlanePose {
+struct PlaneTilt {
   cv::Vec3d place_mm;                      // of the mark's centroid: from the camera, x right, y down, z along its axis
   cv::Matx33d turn;                        // the mark's axes: right, down and away from who sees it from the front
   Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of the turn about the camera's axes, rad
-  // How badly each explains the edges: half of the squared deviations.
-  double misfit = 0;         // this pose
+  double misfit = 0;                       // how badly it explains the edges: half of the squared deviations
+};
+
+struct PlanePose : PlaneTilt {
+  PlaneTilt other;  // the other tilt that looks nearly alike
+  // How badly these explain the edges.
   double affine_misfit = 0;  // a look without perspective, as of what is covered and faces the camera
   double free_misfit = 0;    // any homography
 
+  double share_of_other() const;   // how likely the other tilt is it, 0 to 1
   bool is_contradicted() const;    // another homography explains the edges far better
   bool shows_perspective() const;  // it explains them far better than an affine map
 };
 
-// `unit_mm`: how long a standard deviation of the mark is. Nothing where the edges are no plane's in front of it.
+struct PlaneFace {
+  double unit_mm;       // how long a standard deviation of the mark is
+  double slimness = 1;  // from the front: how much of its own stretch the outline leaves out
+};
+
+// Nothing where the edges are no plane's in front of it.
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
-                                    double unit_mm);
+                                    const PlaneFace& face);
 
 // How likely a look that is slimmer than the mark is one of a part of it, facing the camera, rather than of all of it,
 // tilted: perspective goes with a tilt. `tilted_for_one_covered`: where that says nothing.

@@ -8,8 +8,8 @@
 namespace pizarra::vision {
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -17,76 +17,87 @@ using Eigen::Vector3d;
 constexpr int most_steps = 12;
 // A step that makes it worse is made shorter.
 constexpr int most_halvings = 5;
+// By so little misfit no pose is told from another.
+constexpr double least_gain = 1e-3;
 // The spread of a turn that the points leave open, such as a circle's.
 constexpr double unknown_turn_rad = 1.8;
-
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d out;
-  out << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return out;
-}
 
 Matrix3d turned_by(const Vector3d& rad) {
   const double angle = rad.norm();
   return angle < 1e-12 ? Matrix3d(Matrix3d::Identity()) : Eigen::AngleAxisd(angle, rad / angle).toRotationMatrix();
 }
 
-PlaneGuess moved(const PlaneGuess& pose, const Vector6& change) {
-  return {turned_by(change.tail<3>()) * pose.turn, pose.place + change.head<3>()};
+PlaneGuess moved(const PlaneGuess& pose, const Vector8& change) {
+  return {turned_by(change.segment<3>(3)) * pose.turn, pose.place + change.head<3>(), pose.stretch + change.tail<2>()};
 }
 
 // The normal matrix, the step's right side, and half the squared deviations.
 struct Equations {
-  Matrix6 normal = Matrix6::Zero();
-  Vector6 right = Vector6::Zero();
+  Matrix8 normal = Matrix8::Zero();
+  Vector8 right = Vector8::Zero();
   double misfit = 0;
 };
 
-Equations equations_of(std::span<const PlanePoint> points, const PlaneGuess& pose, double weight) {
-  Equations out;
-  for (const PlanePoint& point : points) {
-    const Vector3d turned = pose.turn.leftCols<2>() * point.plane;
-    const Vector3d at = turned + pose.place;
-    const Vector2d slope = at.head<2>() / at.z();
-    const double off = point.normal.dot(point.seen - slope);
-    Eigen::Matrix<double, 1, 3> by_place;
-    by_place << point.normal.x() / at.z(), point.normal.y() / at.z(), -point.normal.dot(slope) / at.z();
-    Eigen::Matrix<double, 1, 6> j;
-    j << by_place, by_place * -cross_matrix(turned);
-    out.normal += weight * j.transpose() * j;
-    out.right += weight * j.transpose() * off;
-    out.misfit += weight * off * off / 2;
-  }
-  out.normal.diagonal().tail<3>().array() += 1 / (unknown_turn_rad * unknown_turn_rad);
+// How a point of the plane goes with either number of the stretch.
+Eigen::Matrix2d by_stretch(const Vector2d& p) {
+  Eigen::Matrix2d out;
+  out << p.x(), p.y(), -p.y(), p.x();
   return out;
 }
 
-bool lies_ahead(std::span<const PlanePoint> points, const PlaneGuess& pose) {
-  return std::ranges::all_of(points, [&](const PlanePoint& point) {
-    return pose.turn.row(2).head<2>().dot(point.plane) + pose.place.z() > 0;
-  });
+Vector3d turned(const PlanePoint& point, const PlaneGuess& pose) {
+  return pose.turn.leftCols<2>() * (point.plane + by_stretch(point.plane) * pose.stretch);
 }
 
-std::optional<SolvedPlane> solved(std::span<const PlanePoint> points, PlaneGuess pose, double weight) {
-  if (!lies_ahead(points, pose)) return std::nullopt;
-  Equations now = equations_of(points, pose, weight);
+// Nothing where it lies behind the camera in part.
+std::optional<Equations> equations_of(std::span<const PlanePoint> points, const PlaneGuess& pose,
+                                      const PlaneErrors& errors) {
+  Equations out;
+  for (const PlanePoint& point : points) {
+    const Vector3d from_middle = turned(point, pose);
+    const Vector3d at = from_middle + pose.place;
+    if (!(at.z() > 0)) return std::nullopt;
+    const Vector2d slope = at.head<2>() / at.z();
+    const double off = point.normal.dot(point.seen - slope);
+    const Vector3d by_place = Vector3d(point.normal.x(), point.normal.y(), -point.normal.dot(slope)) / at.z();
+    const Vector2d in_plane = pose.turn.leftCols<2>().transpose() * by_place;
+    Vector8 j;
+    j << by_place, from_middle.cross(by_place), by_stretch(point.plane).transpose() * in_plane;
+    for (int row = 0; row < 8; ++row) {
+      for (int column = 0; column <= row; ++column) out.normal(row, column) += errors.weight * j[row] * j[column];
+    }
+    out.right += errors.weight * off * j;
+    out.misfit += errors.weight * off * off / 2;
+  }
+  out.normal.triangularView<Eigen::StrictlyUpper>() = out.normal.transpose();
+  out.normal.diagonal().segment<3>(3).array() += 1 / (unknown_turn_rad * unknown_turn_rad);
+  const double prior = 1 / (errors.stretch_spread * errors.stretch_spread);
+  out.normal.diagonal().tail<2>().array() += prior;
+  out.right.tail<2>() -= prior * pose.stretch;
+  out.misfit += prior * pose.stretch.squaredNorm() / 2;
+  return out;
+}
+
+std::optional<SolvedPlane> solved(std::span<const PlanePoint> points, PlaneGuess pose, const PlaneErrors& errors) {
+  const std::optional<Equations> first = equations_of(points, pose, errors);
+  if (!first) return std::nullopt;
+  Equations now = *first;
   for (int step = 0; step < most_steps; ++step) {
-    Vector6 change = now.normal.ldlt().solve(now.right);
+    Vector8 change = now.normal.ldlt().solve(now.right);
     if (!change.allFinite()) return std::nullopt;
+    if (change.dot(now.right) < least_gain) break;
     std::optional<Equations> then;
     for (int halving = 0; halving < most_halvings && !then; ++halving, change /= 2) {
       const PlaneGuess tried = moved(pose, change);
-      if (!lies_ahead(points, tried)) continue;
-      const Equations there = equations_of(points, tried, weight);
-      if (there.misfit > now.misfit) continue;
+      const std::optional<Equations> there = equations_of(points, tried, errors);
+      if (!there || there->misfit > now.misfit) continue;
       pose = tried;
       then = there;
     }
     if (!then) break;
     now = *then;
-    if (change.head<3>().norm() < 1e-6 * pose.place.z() && change.tail<3>().norm() < 1e-6) break;
   }
-  return SolvedPlane{pose, now.normal, now.misfit};
+  return SolvedPlane{pose, now.normal.inverse().topLeftCorner<6, 6>(), now.misfit};
 }
 
 }  // namespace
@@ -119,10 +130,10 @@ std::vector<PlaneGuess> plane_guesses(const camera::StereoModel& model, cv::Poin
 }
 
 std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::span<const PlaneGuess> guesses,
-                                     double weight) {
+                                     const PlaneErrors& errors) {
   std::vector<SolvedPlane> out;
   for (const PlaneGuess& guess : guesses) {
-    const std::optional<SolvedPlane> one = solved(points, guess, weight);
+    const std::optional<SolvedPlane> one = solved(points, guess, errors);
     if (one) out.push_back(*one);
   }
   std::ranges::sort(out, {}, &SolvedPlane::misfit);
@@ -130,7 +141,7 @@ std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::sp
 }
 
 double off_px(const PlanePoint& point, const PlaneGuess& pose) {
-  const Vector3d at = pose.turn.leftCols<2>() * point.plane + pose.place;
+  const Vector3d at = turned(point, pose) + pose.place;
   return point.normal.dot(point.seen - at.head<2>() / at.z());
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-// Where a plane is in space, by points of it that one image shows: Gauss-Newton steps on six numbers, from both tilts
-// that a look without perspective allows.
+// Where a plane is in space, by points of it that one image shows: Gauss-Newton steps on six numbers and the plane's
+// stretch, from both tilts that a look without perspective allows.
 //
 //   const std::vector<PlaneGuess> both = plane_guesses(model, middle, px_a_mm);
-//   const std::vector<SolvedPlane> poses = solve_plane(points, both, weight);       // the likelier one first
+//   const std::vector<SolvedPlane> poses = solve_plane(points, both, {.weight = 40});     // the likelier one first
 //
 // (D. Oberkampf, D. F. DeMenthon, L. S. Davis, Iterative pose estimation using coplanar feature points, 1996.) The
 // inverse of the normal matrix is the covariance (JCGM 100:2008, 6.2).
@@ -28,21 +28,28 @@ struct PlanePoint {
 struct PlaneGuess {
   Eigen::Matrix3d turn;   // the plane's axes, as the camera's
   Eigen::Vector3d place;  // of the plane's origin, mm
+  // By how much more than said the plane reaches along x, and less along y; and along one diagonal, and less along the
+  // other.
+  Eigen::Vector2d stretch = {0, 0};
 };
 
 struct SolvedPlane {
   PlaneGuess pose;
-  Eigen::Matrix<double, 6, 6> normal;  // of the place, mm, then of a small turn about the camera's axes, rad
-  double misfit;                       // half of the squared deviations
+  Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of a small turn about the camera's axes, rad
+  double misfit;                           // half of the squared deviations
+};
+
+struct PlaneErrors {
+  double weight;                 // the inverse variance of a point, px
+  double stretch_spread = 1e-6;  // nearly zero: there is none
 };
 
 // The image shows the plane's axes shortened. The rest of their length is depth, towards the camera or away from it,
 // which makes two guesses. `slope`: px a mm at `middle`. None if no plane looks like that.
 std::vector<PlaneGuess> plane_guesses(const camera::StereoModel& model, cv::Point2d middle, const cv::Matx22d& slope);
 
-// `weight`: the inverse variance of a point, px.
 std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::span<const PlaneGuess> guesses,
-                                     double weight);
+                                     const PlaneErrors& errors);
 
 // How far the point is seen from where the pose puts it, along its normal, px.
 double off_px(const PlanePoint& point, const PlaneGuess& pose);

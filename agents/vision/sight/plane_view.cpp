@@ -9,7 +9,7 @@ std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const L
   // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
   const double unit_mm = sample.face_mm();
   if (unit_mm <= 0 || sample.slimness < least_round) return std::nullopt;
-  return plane_pose(model, sample.plane, fit, unit_mm);
+  return plane_pose(model, sample.plane, fit, {unit_mm, sample.slimness});
 }
 
 std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,

@@ -11,8 +11,7 @@ constexpr double degrees_a_rad = 180 / std::numbers::pi;
 
 }  // namespace
 
-cv::Vec3d angles_deg(const MarkPose& pose) {
-  const cv::Matx33d& r = pose.turn;
+cv::Vec3d angles_deg(const cv::Matx33d& r) {
   return degrees_a_rad * cv::Vec3d(std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
                                    std::atan2(r(1, 0), r(0, 0)));
 }

@@ -41,7 +41,7 @@ std::optional<TagPose> tag_pose(const camera::StereoModel& model, const std::arr
   const cv::Matx22d slope(look(0, 0) - look(2, 0) * centre.x, look(0, 1) - look(2, 1) * centre.x,
                           look(1, 0) - look(2, 0) * centre.y, look(1, 1) - look(2, 1) * centre.y);
   const std::vector<SolvedPlane> both =
-      solve_plane(points, plane_guesses(model, centre, slope), 1 / (corner_spread_px * corner_spread_px));
+      solve_plane(points, plane_guesses(model, centre, slope), {.weight = 1 / (corner_spread_px * corner_spread_px)});
   if (both.empty()) return std::nullopt;
   const PlaneGuess& pose = both.front().pose;
   const double side_px = cv::arcLength(std::vector<cv::Point2f>(corners.begin(), corners.end()), true) / 4;
@@ -51,7 +51,7 @@ std::optional<TagPose> tag_pose(const camera::StereoModel& model, const std::arr
   const cv::Vec3d middle(pose.place.x(), pose.place.y(), pose.place.z());
   const cv::Vec3d from_base = middle - cv::Vec3d(model.base_line_mm / 2, 0, 0);
   const double range = cv::norm(from_base);
-  const Eigen::Matrix<double, 6, 6> covariance = both.front().normal.inverse();
+  const Eigen::Matrix<double, 6, 6> covariance = both.front().covariance;
   const Eigen::Vector3d sight = Eigen::Vector3d(from_base[0], from_base[1], from_base[2]) / range;
   const double variance = sight.dot(covariance.topLeftCorner<3, 3>() * sight);
   return TagPose{middle, matx_of(pose.turn), range, std::sqrt(variance), covariance};

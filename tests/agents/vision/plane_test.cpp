@@ -89,7 +89,8 @@ std::optional<Registered> registered(const cv::Mat1b& image, const LearnedSample
   for (const LevelRegion& region : level_regions(cut.pixels, sample.tone)) {
     const std::optional<PlaneFit> fit = fit_region(cut, sample, region.reach);
     if (!fit || !is_outline_of(*fit)) continue;
-    const std::optional<PlanePose> pose = plane_pose(one_camera(), sample.plane, *fit, sample.face_mm());
+    const std::optional<PlanePose> pose =
+        plane_pose(one_camera(), sample.plane, *fit, {sample.face_mm(), sample.slimness});
     if (pose) return Registered{*fit, *pose};
   }
   return std::nullopt;
@@ -123,6 +124,28 @@ TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
     EXPECT_LT(covered_rather_than_tilted(seen->pose, 1), 0.3);
   }
   EXPECT_LT(std::sqrt(squares / tries), 3);
+}
+
+// An outline says nothing of its own stretch: of a triangle that is a little wider than high, that is a part of what
+// its tilt may be.
+TEST(Plane, OfATiltedTriangleIsWithinItsSpreads) {
+  Random random(9);
+  const LearnedSample sample = learned({{0, -2 * 37 / 3.0}, {22, 37 / 3.0}, {-22, 37 / 3.0}}, random);
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const double tilt = random.uniform(25, 50) * CV_PI / 180;
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * tilt);
+    const cv::Vec3d place(random.uniform(-100, 100), random.uniform(-60, 60), random.uniform(400, 600));
+    const Corners triangle = projected({{0, -2 * 37 / 3.0}, {22, 37 / 3.0}, {-22, 37 / 3.0}}, turn, place);
+    const std::optional<Registered> seen = registered(filled(triangle, random), sample);
+    ASSERT_TRUE(seen);
+    const auto spreads_off = [&](const PlaneTilt& told) {
+      return degrees_between(told.turn, turn) * CV_PI / 180 /
+             std::sqrt(told.covariance.bottomRightCorner<3, 3>().trace());
+    };
+    EXPECT_LT(std::min(spreads_off(seen->pose), spreads_off(seen->pose.other)), 2);
+  }
 }
 
 TEST(Plane, OfAPartOfASquareThatLooksTiltedHasNoPerspective) {

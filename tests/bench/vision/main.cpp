@@ -15,19 +15,11 @@ struct Row {
 };
 
 using namespace pizarra::bench;
-constexpr std::array table = {Row{"find", find_time},
-                              Row{"track", track_time},
-                              Row{"tags", tag_time},
-                              Row{"scenes", recall},
-                              Row{"solids", solids},
-                              Row{"unlearned", unlearned},
-                              Row{"depth", depth},
-                              Row{"sequences", sequences},
-                              Row{"covering", coverings},
-                              Row{"arrival", arrival},
-                              Row{"computing", computing},
-                              Row{"memory", agent_memory},
-                              Row{"photographs", photographs}};
+constexpr std::array table = {Row{"find", find_time},      Row{"track", track_time},        Row{"tags", tag_time},
+                              Row{"scenes", recall},       Row{"solids", solids},           Row{"unlearned", unlearned},
+                              Row{"depth", depth},         Row{"orientation", orientation}, Row{"sequences", sequences},
+                              Row{"covering", coverings},  Row{"arrival", arrival},         Row{"computing", computing},
+                              Row{"memory", agent_memory}, Row{"photographs", photographs}};
 
 }  // namespace
 

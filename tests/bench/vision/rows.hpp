@@ -26,6 +26,7 @@ void recall(VisionBench& bench);        // over random scenes
 void solids(VisionBench& bench);        // the same with solid convex things among the clutter
 void unlearned(VisionBench& bench);     // shapes that are like the learned ones
 void depth(VisionBench& bench);         // at 0.6 m
+void orientation(VisionBench& bench);   // how tilted marks are turned, at 0.6 m
 void photographs(VisionBench& bench);   // on photographs that are not of our renderer
 void sequences(VisionBench& bench);     // hidden for half a second, and moving fast
 void coverings(VisionBench& bench);     // partly covered by a hand
