@@ -11,7 +11,7 @@
     (if (eq? (car outcome) 'errors) (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))) outcome)))
 
 (check "what is left out has a default" (interpret '((cell c)))
-       '(ok (c (1330 0 200 0 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
+       '(ok (c (1330 0 200 0 0 0 "" 10) (3 0.7 0.12) () crs-f3 "" "localhost" ""
                (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) ""))))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
@@ -91,7 +91,7 @@
        '((1350 0 210 0 0 0 "" 10) ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm")))
 (check "a camera's pose needs its place" (complaint '(camera-pose (pan 3))) '(1 malformed (0 2 2)))
 (check "the simulated cameras take as many frames as they are told to"
-       (list-ref (first (camera-poses-of '(world (camera (rate 30))))) 7) 30)
+       (list-ref (car (camera-poses-of '(world (camera (rate 30))))) 7) 30)
 (check "a frame takes a whole number of the world's steps"
        (complaint '(world (camera (rate 50)))) '(1 out-of-range (0 2 1 1)))
 (check "a unit that is not known is refused" (complaint '(world (camera (head ptu47)))) '(1 unknown-name (0 2 1 1 1)))

@@ -6,8 +6,8 @@
 ;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
 ;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
-;; simulated pan-tilt unit under the cameras or the empty string; FRAMES how many a second they take; LINE serial, tcp or the empty string, how the unit of
-;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
+;; simulated pan-tilt unit under the cameras or the empty string; FRAMES how many a second they take; LINE serial, tcp or
+;; the empty string, how the unit of the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
 ;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
 ;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or ();
