@@ -82,9 +82,10 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
     if (!tracking) co_return tracking;
     // The arm itself may hide it, if it stands low before it.
     if (!*found && stands_low() && !out_of_the_way) {
-      out_of_the_way = true;
       const Result<void> raised = co_await runner_.raise();
-      if (!raised) co_return raised;
+      if (!raised && ends_search(raised.error())) co_return raised;
+      // One that ended early is tried again while there is time.
+      out_of_the_way = raised.has_value();
     }
     const bool may_set_aside = set_aside.done.size() < most_set_aside && set_aside_ < most_set_aside_of_goal;
     if (may_set_aside && context_.executor.now() > doubtful) {

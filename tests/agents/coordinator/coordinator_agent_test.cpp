@@ -552,6 +552,23 @@ TEST(CrowdedCell, LooksBehindWhatStandsBeforeAMissingCubeThoughTheEyesWereAwayFo
   ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
 }
 
+TEST(CrowdedCell, RaisesTheArmFromBeforeAMissingCubeAgainWhereItWasStoppedOnTheWay) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -100, 30}}, {"square", {450, 100, 30}}});
+  cell.grip.z() = 100;
+  bool is_raised = false;
+  cell.covered = [&](const std::string& name) {
+    is_raised = is_raised || cell.grip.z() > 250;
+    return name == "circle" && !is_raised;
+  };
+  cell.start_coordinator();
+  cell.refusal = "stopped";
+  cell.request("coordinator", "(goal (on circle square))");
+  cell.run_for(2500ms);
+  EXPECT_TRUE(cell.facts("(goal-state 1 refused ?)").empty());
+  cell.refusal.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+}
+
 TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {
   FakeCell cell("numbered-places.scm", {{"circle", {450, -200, 30}}, {"square", {450, -100, 30}}});
   cell.start_coordinator();
