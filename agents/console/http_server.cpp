@@ -30,7 +30,7 @@ std::string header_of(MHD_Connection* connection, const char* name) {
   return value_of(connection, MHD_HEADER_KIND, name);
 }
 
-// What is small goes at once, whatever is still to be acknowledged.
+// Small messages are sent without waiting until the browser has acknowledged those before them.
 void hasten(int file) {
   constexpr int on = 1;
   setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);

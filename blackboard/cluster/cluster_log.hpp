@@ -51,8 +51,8 @@ class ClusterLog : public journal::Log {
   std::optional<Failure> deposed_;
 };
 
-// The log of a cell as of a moment, whether a board leads it or not: into an empty store. What is not durable has
-// revisions too, so that a moment may lie behind the last entry.
+// The log of a cell as of a moment, whether a board leads it or not: into an empty store. Facts that are not durable
+// have revisions too, so the moment may lie behind the last entry.
 Result<journal::PlayedBack> read_log(KeyValues& key_values, const LogKeys& keys, store::Store& store,
                                      const Moment& until);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the console is asked for on its command line.
+// The options of `pizarra console`.
 //
 //   ConsoleChoices choices;
 //   add_console_options(command, choices);

@@ -101,7 +101,7 @@ Task<void> Director::await_end(Time deadline) {
     const Datum detail = *end->bindings.find("?detail");
     report_.refusal_told = report_.outcome == "refused";
     if (report_.refusal_told) report_.refusal = failure_from_datum(detail);
-    // What is kept goes on, and so does the story.
+    // A goal that is kept does not end, so the story goes on until its deadline.
     const Time last = kept ? deadline : std::min(executor.now() + afterwards, deadline);
     const Result<void> over = co_await await_events(last);
     if (!over) {

@@ -31,8 +31,8 @@ Datum places_datum(const SeenPlaces& places);
 // triangle of the covariance, of the place and of small turns about the camera's axes.
 Datum pose_datum(const MarkPose& pose);
 
-// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES), with the pose where that is known, and (flipped RX RY
-// RZ SHARE) where the other tilt that looks alike may be it: of other places where it may be, eight at most.
+// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES). The points are other places where it may be, eight at
+// most. PLACES end with the pose where that is known, and (flipped RX RY RZ SHARE) where the other tilt is likely too.
 Datum found_fact(std::uint64_t frame, const FoundMark& found);
 
 // (tags-seen FRAME CAPTURED ((FAMILY NUMBER CONFIDENCE PART ...) ...)): the tags that a frame shows, with the parts of

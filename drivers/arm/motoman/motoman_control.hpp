@@ -1,6 +1,6 @@
 #pragma once
 
-// Who has a Motoman controller in hand, and what keeps its arm from moving.
+// Takes and gives back a Motoman controller, and says why its arm does not move.
 //
 //   MotomanControl control(executor, link);
 //   const Result<void> taken = co_await control.take();

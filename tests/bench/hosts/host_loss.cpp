@@ -82,7 +82,7 @@ Task<void> HostLoss::watch_operations() {
         const bool is_done = fact.datum[3].is_symbol("done");
         if (is_done && what == done_last_) ++tally_.done_twice;
         if (is_done) done_last_ = what;
-        // What another one failed with may have had to be laid down, and is picked up again.
+        // After another operation was begun, the same one may be needed again: a cube was laid down in between.
         if (what != done_last_) done_last_ = Datum();
       }
     }
