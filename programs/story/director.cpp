@@ -39,7 +39,7 @@ Director::Director(launcher::LocalCell& cell, const forms::Scenario& scenario, c
                    DirectorOptions options)
     : cell_(cell),
       scenario_(scenario),
-      options_(std::move(options)),
+      options_(options),
       board_(cell.board().view("director")),
       context_{"director", "localhost", cell.executor(), *board_, cell.random("director")},
       service_(context_, runtime::contract_from_text("(contract director)").value()),
