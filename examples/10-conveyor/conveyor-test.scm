@@ -1,6 +1,4 @@
 ; ./pizarra scheme examples/10-conveyor/conveyor.scm --try examples/10-conveyor/conveyor-test.scm
-(declare (relation stop ((who symbol) (reason string)) (key who) (durable)))
-
 (tell (barrier exit free))
 (expect (belt running))
 (absent (passed ?))
@@ -13,6 +11,12 @@
 (expect (passed 0))
 
 (tell (barrier door blocked))
-(expect (stop conveyor "somebody is at the door"))
+(expect (stop conveyor "the barrier at the door is blocked"))
+(retract (stop conveyor ?))
+(expect (stop conveyor "the barrier at the door is blocked"))
 (tell (barrier door free))
+(wait 1000)
+(expect (stop conveyor ?))
+(retract (stop conveyor ?))
+(wait 1000)
 (absent (stop ? ?))

@@ -1,5 +1,6 @@
-; A cell with a light barrier before it: the arm stands while something is in the beam, and while nobody watches it. The
-; barrier and a turntable are small devices that come through the text door: docs/small-devices.md.
+; A cell with a light barrier before it: the arm stops when something is in the beam, and when nobody watches it, and
+; stands until a person takes the stop back. That is no safety function. The barrier and a turntable are small devices
+; that come through the text door: docs/small-devices.md.
 (cell devices-cell
   (world
     (cube circle (at 450 -80))

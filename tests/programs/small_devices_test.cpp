@@ -105,32 +105,43 @@ class SmallDevices : public testing::Test {
   std::optional<Running> door_;
 };
 
-TEST_F(SmallDevices, ABlockedBarrierStopsTheArmAndSoDoesOneThatNobodyWatches) {
+TEST_F(SmallDevices, ABlockedBarrierStopsTheArmAndSoDoesOneThatNobodyWatchesUntilAPersonTakesItBack) {
   open_board({"--listen", "ipc://" + folder_ + "board.ipc"});
-  EXPECT_EQ(board("declare", "(relation stop ((who symbol) (reason string)) (key who) (durable))").status, 0);
-  const Running guard({PIZARRA_SCHEME, "scheme", source_dir() + "/examples/11-devices/guard.scm", "--board", address_},
-                      folder_ + "guard.log");
+  Running guard({PIZARRA_SCHEME, "scheme", source_dir() + "/examples/11-devices/guard.scm", "--board", address_},
+                folder_ + "guard.log");
   EXPECT_TRUE(comes("(rule guard nobody-watches ?)", "yes")) << guard.said();
   EXPECT_EQ(board("tell", "(agent robot robot \"localhost\")").status, 0);
   EXPECT_TRUE(comes("(stop guard ?why)", "nobody watches")) << guard.said();
   EmulatedDevice barrier(PIZARRA_LIGHT_BARRIER, "barrier", token("barrier-1"));
   open_door({barrier.line()});
-  EXPECT_TRUE(goes("(stop ?who ?why)")) << door_->said();
+  EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1")) << door_->said();
+  EXPECT_EQ(board("retract", "(stop guard ?)").status, 0);
   barrier.type("block");
-  EXPECT_TRUE(comes("(stop barrier-1 ?why)", "something is in the light barrier")) << door_->said();
+  EXPECT_TRUE(comes("(stop guard ?why)", "something is in the light barrier")) << door_->said();
+  // Neither the free beam nor the guard's own end takes it back.
   barrier.type("free");
-  EXPECT_TRUE(goes("(stop ?who ?why)"));
+  EXPECT_TRUE(goes("(blocked ?b)"));
+  guard.signal(SIGKILL);
+  EXPECT_TRUE(goes("(rule guard ?rule ?)"));
+  EXPECT_TRUE(comes("(stop guard ?why)", "something is in the light barrier"));
+}
+
+TEST_F(SmallDevices, WhatABarrierSawLastStandsWhenTheDoorDies) {
+  open_board({"--listen", "ipc://" + folder_ + "board.ipc"});
+  EmulatedDevice barrier(PIZARRA_LIGHT_BARRIER, "barrier", token("barrier-1"));
+  open_door({barrier.line()});
   // The door dies with something in the beam, and another one comes.
   barrier.type("block");
   EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1"));
   door_->signal(SIGKILL);
-  EXPECT_TRUE(comes("(stop guard ?why)", "nobody watches"));
+  EXPECT_TRUE(goes("(watching ?b)"));
   EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1"));
   barrier.type("free");
   open_door({barrier.line()});
-  EXPECT_TRUE(goes("(stop ?who ?why)")) << door_->said();
+  EXPECT_TRUE(goes("(blocked ?b)")) << door_->said();
+  EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1"));
   barrier.running().signal(SIGKILL);
-  EXPECT_TRUE(comes("(stop guard ?why)", "nobody watches"));
+  EXPECT_TRUE(goes("(watching ?b)"));
 }
 
 TEST_F(SmallDevices, ATurntableTurnsToWhereItIsToldAndSaysWhenItIsThere) {
