@@ -51,7 +51,7 @@ std::string service_of(const JoinChoices& choices, const std::string& cell_name,
   return fmt::format(
       "[Unit]\nDescription=Pizarra: the host {} of the cell {}\nAfter=network-online.target\n"
       "StartLimitIntervalSec=0\n\n"
-      "[Service]\nEnvironment={}\nExecStart={} up {} --host {}\nRestart=always\nRestartSec=2\n\n"
+      "[Service]\nEnvironment={}\nExecStart={} up {} --host {}\nRestart=on-failure\nRestartSec=2\n\n"
       "[Install]\nWantedBy=default.target\n",
       choices.host, cell_name, word_of_systemd("PIZARRA_KEY=" + secret),
       word_of_systemd(beside_this_program("pizarra-cell")), argument_of_systemd(cell),

@@ -110,6 +110,7 @@ TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
   }
   EXPECT_EQ(line_of_service("Environment"), "\"PIZARRA_KEY=" + keys_ + "/desk.secret\"");
   EXPECT_EQ(line_of_service("ExecStart"), '"' + std::string(PIZARRA_CELL) + "\" up \"" + cell_ + "\" --host \"desk\"");
+  EXPECT_EQ(line_of_service("Restart"), "on-failure") << "`down` is a normal end";
   ASSERT_EQ(join("desk").status, 0);
   EXPECT_EQ(text_of(keys_ + "/desk.secret"), secret) << "the board may know it already";
   EXPECT_EQ(text_of(service_), service);
