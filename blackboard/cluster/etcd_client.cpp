@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "blackboard/cluster/etcd_json.hpp"
+#include "blackboard/cluster/own_member.hpp"
 
 namespace pizarra::cluster {
 
@@ -81,7 +82,9 @@ Result<std::unique_ptr<EtcdClient>> EtcdClient::open(const LogAddress& address) 
 }
 
 EtcdClient::EtcdClient(const LogAddress& address)
-    : address_(address), connection_(std::make_unique<Connection>(address.certificates)) {}
+    : address_(address),
+      connection_(std::make_unique<Connection>(address.certificates)),
+      member_(own_member(address.members)) {}
 
 EtcdClient::~EtcdClient() = default;
 

@@ -5,7 +5,8 @@
 //   Result<std::unique_ptr<EtcdClient>> etcd = EtcdClient::open(address);     // connects when first used
 //   (*etcd)->transact({.compares = {{"a", std::nullopt}}, .puts = {{"a", "1"}}}, 200ms);
 //
-// A member that does not answer in time is left for the next one. The connection stays.
+// The member on this host is asked first. One that does not answer in time is left for the next one. The connection
+// stays.
 
 #include <memory>
 
@@ -31,7 +32,7 @@ class EtcdClient : public KeyValues {
 
   const LogAddress address_;
   std::unique_ptr<Connection> connection_;
-  std::size_t member_ = 0;
+  std::size_t member_;
 };
 
 }  // namespace pizarra::cluster

@@ -50,6 +50,15 @@ TEST_F(Etcd, GivesARangeInOrderUpToALimit) {
   EXPECT_EQ(client_->range({"k", "l"}, 2, patience).value(), (std::vector<KeyValue>{{"k1", "1"}, {"k2", "2"}}));
 }
 
+// 198.51.100.1 and .2 are addresses for documentation: no host has them.
+TEST_F(Etcd, IsAskedFirstWhereItIsOnThisHost) {
+  const std::string own = etcd_->address("cell").substr(std::string("etcd://").size());
+  const LogAddress log = LogAddress::from("etcd://198.51.100.1,198.51.100.2," + own, "", true).value();
+  const auto client = EtcdClient::open(log).value();
+  const auto found = client->range({"k", "l"}, 2, patience);
+  EXPECT_TRUE(found.has_value()) << found.error().sentence;
+}
+
 TEST_F(Etcd, ThatIsStoppedIsUnavailableWithinTheTimeAskedFor) {
   etcd_->signal(SIGSTOP);
   const auto begun = std::chrono::steady_clock::now();
