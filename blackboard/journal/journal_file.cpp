@@ -9,7 +9,7 @@
 
 #include "blackboard/journal/journal_compaction.hpp"
 #include "blackboard/journal/journal_tables.hpp"
-#include "blackboard/journal/log_space.hpp"
+#include "blackboard/journal/log_ahead.hpp"
 
 namespace pizarra::journal {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "programs/chaos/coverage.hpp"
-#include "programs/chaos/draw.hpp"
+#include "programs/chaos/draw_story.hpp"
 #include "programs/story/narrator.hpp"
 
 namespace pizarra::chaos {

@@ -1,4 +1,4 @@
-#include "programs/chaos/draw.hpp"
+#include "programs/chaos/draw_story.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

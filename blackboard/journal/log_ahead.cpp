@@ -1,4 +1,4 @@
-#include "blackboard/journal/log_space.hpp"
+#include "blackboard/journal/log_ahead.hpp"
 
 #include <array>
 
