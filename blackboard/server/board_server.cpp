@@ -1,11 +1,25 @@
 #include "blackboard/server/board_server.hpp"
 
-#include <algorithm>
-
+#include "blackboard/server/in_doubt.hpp"
+#include "blackboard/store/index_maker.hpp"
+#include "blackboard/store/store.hpp"
 #include "blackboard/wire/wire_address.hpp"
-#include "lisp/writer.hpp"
 
 namespace pizarra::server {
+
+namespace {
+
+// What a message takes whatever it asks for.
+constexpr std::size_t looks_a_message = 64;
+constexpr std::size_t bytes_a_look = 64;
+
+// Messages that a client must be able to send at any time to keep what it has.
+bool overtakes(const Datum& message) {
+  const bool renews = message.is_form("request") && message.size() > 3 && message[3].is_form("renew");
+  return renews || message.is_form("ack");
+}
+
+}  // namespace
 
 Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, memory::MemoryBoard& board,
                                                        const BoardServerOptions& options) {
@@ -28,53 +42,36 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
     : executor_(executor),
       board_(board),
       session_length_(options.session_length),
-      keys_(std::move(keys)),
       refusals_(board),
       sessions_(options.random_number),
-      life_(options.random_number()),
-      durability_(
-          options.journal,
-          [this](wire::SessionId id, const std::string& reply) {
-            const Session* session = sessions_.find(id);
-            if (session != nullptr) socket_->send(session->peer, reply);
-          },
-          options.answers_from_journal),
-      permitted_(board, durability_),
+      turns_(executor),
       socket_(options.transport->open(executor, wire::FrameSocket::Kind::router,
                                       [this](const std::string& peer, std::optional<std::string_view> frame) {
-                                        receiving_ = true;
+                                        outbox_.begin_frame();
                                         receive(peer, frame);
-                                        deliver();
-                                        receiving_ = false;
+                                        outbox_.end_frame();
                                       })),
+      outbox_(executor, board, sessions_, turns_, *socket_),
+      requests_(executor, board, sessions_, refusals_, turns_, outbox_,
+                {options.journal, options.past, options.answers_from_journal}),
+      admission_(board, sessions_, refusals_, outbox_, *socket_, std::move(keys), options.random_number()),
       hearing_(board, [this] { return socket_->heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
-  board_.store().index_maker().on_wanted = [this] { schedule_look(); };
-  journal::JournalWriter* const past = options.past != nullptr ? options.past : options.journal;
-  if (past != nullptr) past_.emplace(executor, *past, [this] { return board_.store().revision(); });
-  restore(options.remembered);
-  if (keys_) ask_for_keys();
-  forget_the_gone();
+  turns_.on_turn = [this] { serve_turn(); };
+  board_.store().index_maker().on_wanted = [this] { turns_.schedule(); };
+  requests_.restore(options.remembered);
+  sweep();
   // What a server before this one left.
-  if (!board_.store().index_maker().is_idle()) schedule_look();
-}
-
-void BoardServer::restore(const std::vector<journal::RememberedReply>& remembered) {
-  for (const journal::RememberedReply& reply : remembered) {
-    Session& session = sessions_.restore(reply.session);
-    session.teller = reply.teller;
-    if (!reply.key.empty()) session.key = wire::PublicKey{.name = {}, .key = reply.key, .may = {}};
-    session.heard = executor_.now();
-    session.done.add(reply.request, {write(list("reply"_sym, reply.request, reply.result))});
-  }
+  if (!board_.store().index_maker().is_idle()) turns_.schedule();
 }
 
 Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool insecure) {
+  const KeyFolder* const keys = admission_.keys();
   for (const std::string& address : addresses) {
-    const Result<void> allowed = wire::check_listening_address(address, keys_ || insecure);
+    const Result<void> allowed = wire::check_listening_address(address, keys != nullptr || insecure);
     if (!allowed) return allowed;
-    const bool with_keys = keys_ && !wire::is_ipc(address);
-    const Result<std::string> bound = socket_->bind(address, with_keys ? &keys_->own() : nullptr);
+    const bool with_keys = keys != nullptr && !wire::is_ipc(address);
+    const Result<std::string> bound = socket_->bind(address, with_keys ? &keys->own() : nullptr);
     if (!bound) return fail(bound);
     addresses_.push_back(*bound);
   }
@@ -83,61 +80,108 @@ Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool
 
 BoardServer::~BoardServer() {
   board_.store().index_maker().on_wanted = nullptr;
-  if (flush_timer_ != 0) executor_.cancel(flush_timer_);
-  if (look_timer_ != 0) executor_.cancel(look_timer_);
   executor_.cancel(sweep_timer_);
 }
 
 void BoardServer::say_goodbye() {
   leaving_ = true;
-  for (const auto& [id, session] : sessions_.all()) send(session.peer, list("goodbye"_sym));
+  for (const auto& [id, session] : sessions_.all()) outbox_.send(session.peer, list("goodbye"_sym));
+}
+
+std::string BoardServer::answer_in_doubt(const std::string& sender_key, std::string_view frame, Duration age) {
+  return leaving_ ? "" : server::answer_in_doubt(requests_.permitted(), admission_.keys(), sender_key, frame, age);
 }
 
 void BoardServer::receive(const std::string& peer, std::optional<std::string_view> frame) {
   if (leaving_) return;
-  if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
+  if (!frame) return admission_.refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
   const Result<std::vector<Datum>> messages = wire::read_messages(*frame);
   if (!messages) return refuse_unreadable(peer, *frame, {"bad-frame", messages.error().sentence, {}, {}});
-  before_frame_ = for_requests_;
+  turns_.begin_frame();
   for (const Datum& message : *messages) hear(peer, message);
+}
+
+// To the request that it begins as, where it is one of the sender's session.
+void BoardServer::refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure) {
+  const std::optional<wire::SessionId> session = sessions_.of_peer(peer);
+  if (!session) return admission_.refuse(peer, failure);
+  const std::optional<wire::RequestId> number = wire::request_begun(frame, *session);
+  if (!number) return admission_.refuse(peer, failure);
+  requests_.refuse(*sessions_.find(*session), *number, failure);
 }
 
 void BoardServer::hear(const std::string& peer, const Datum& message) {
   // Whatever else is said finds the transactions before it answered.
   const bool transacts = message.is_form("request") && message.size() > 3 && message[3].is_form("transact");
-  if (!transacts) deliver();
-  if (message.is_form("hello")) return greet(peer, message);
+  if (!transacts) outbox_.deliver();
+  if (message.is_form("hello")) return admission_.greet(peer, message, executor_.now());
   const std::optional<std::uint64_t> id = wire::count_at(message, 1);
-  if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
+  if (!id) return admission_.refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
   Session* const session = sessions_.find(*id);
   // One that was restored has no peer before it greets: its client must learn that this is another life.
   if (session == nullptr || session->peer != peer) {
     // A connection that has said no hello may be its client's next one, made when a line broke.
     const bool forged = session != nullptr && sessions_.of_peer(peer);
-    refusals_.note(who_is(peer), forged ? Failure{"not-permitted", "a message in the session of another", {}, {}}
-                                        : Failure{"unknown-session", "a message in no session of its own", {}, {}});
-    return send(peer, list("unknown-session"_sym, *id));
+    refusals_.note(admission_.who_is(peer),
+                   forged ? Failure{"not-permitted", "a message in the session of another", {}, {}}
+                          : Failure{"unknown-session", "a message in no session of its own", {}, {}});
+    return outbox_.send(peer, list("unknown-session"_sym, *id));
   }
   session->heard = executor_.now();
   turns_.heard(*id);
-  if (session->watches.unblock()) schedule_flush(*id);
+  if (session->watches.unblock()) outbox_.schedule(*id);
   handle(*id, *session, message);
 }
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
-  if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
+  if (message.is_form("ping")) {
+    return outbox_.send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
+  }
   if (message.is_form("request") && !is_to_be_done(id, session, message)) return;
   if (must_wait(session, message)) return postpone(id, session, message);
-  hear(id, session, {message});
+  perform(id, session, {message});
 }
 
-void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
+bool BoardServer::is_to_be_done(wire::SessionId id, Session& session, const Datum& request) {
+  const std::optional<std::uint64_t> number = wire::count_at(request, 2);
+  const bool timed = request.size() == 5 && request[4].is_integer();
+  if (number && (timed || request.size() == 4)) return requests_.is_to_be_done(id, session, *number, request[3]);
+  const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
+  if (number) {
+    requests_.refuse(session, *number, malformed);
+  } else {
+    admission_.refuse(session.peer, malformed);
+  }
+  return false;
+}
+
+// Behind what waits; or when its frame had so much looked at that others are served before the rest of it.
+bool BoardServer::must_wait(const Session& session, const Datum& message) const {
+  return (turns_.frame_had_its_turn() || !session.postponed.empty()) && !overtakes(message);
+}
+
+void BoardServer::postpone(wire::SessionId id, Session& session, const Datum& message) {
+  if (session.postponed.empty()) turns_.wait(session.client(), id);
+  if (session.postponed.add({message})) return;
+  const Failure full{"too-many", "too much waits behind a request that waits for an index, or its turn", {}, {}};
+  if (message.is_form("request")) {
+    return requests_.refuse_undone(session, *wire::count_at(message, 2), message[3], full);
+  }
+  admission_.refuse(session.peer, full);
+}
+
+// Now, or when an index is made that it needs, or its turn has come.
+void BoardServer::perform(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
   const Datum& message = waiting.datum;
-  if (message.is_form("request")) return serve(id, session, *wire::count_at(message, 2), waiting);
-  if (message.is_form("bye")) return end_session(id);
+  if (message.is_form("bye")) return admission_.end(id);
+  if (!message.is_form("request")) return attend_to_watch(id, session, message);
+  if (!requests_.serve(id, session, waiting)) session.postponed.wait(waiting);
+}
+
+void BoardServer::attend_to_watch(wire::SessionId id, Session& session, const Datum& message) {
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool known = message.is_form("unwatch") || message.is_form("ack");
-  if (!number || !known) return refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
+  if (!number || !known) return admission_.refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
   // A watch may have ended while its client said something about it.
   if (session.watches.asked(*number) == nullptr) return;
   if (message.is_form("unwatch")) return session.watches.end(*number);
@@ -145,15 +189,58 @@ void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Me
   if (!sent) {
     refusals_.note(session.client(), sent.error());
     session.watches.end(*number);
-    return send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(sent.error())));
+    return outbox_.send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(sent.error())));
   }
   const bool timed = *sent && message.size() == 6 && message[4].is_symbol() && message[5].is_integer() &&
                      session.watches.is_about(*number, message[4].text());
   if (timed) board_.statistics().delivered(message[4].text(), Duration(message[5].integer()), executor_.now());
-  schedule_flush(id);
+  outbox_.schedule(id);
 }
 
-// A reply that a peer does not take is lost to it; its client asks again.
-void BoardServer::send(const std::string& peer, const Datum& message) { socket_->send(peer, write(message)); }
+// Each client in its turn.
+void BoardServer::serve_turn() {
+  turns_.begin();
+  if (!board_.store().index_maker().is_idle()) make_indexes();
+  for (std::size_t left = turns_.clients(); left > 0 && turns_.has_room(); --left) {
+    const wire::SessionId id = turns_.next();
+    go_on(id);
+    outbox_.flush(id);
+  }
+  if (!turns_.empty() || !board_.store().index_maker().is_idle()) turns_.schedule();
+}
+
+// Requests that await any index look again for their own when one is made.
+void BoardServer::make_indexes() {
+  store::IndexMaker& maker = board_.store().index_maker();
+  constexpr wire::SessionId nobody = 0;
+  const std::uint64_t made = maker.made();
+  turns_.took(nobody, maker.make_some());
+  if (maker.made() == made) return;
+  for (const auto& [id, session] : sessions_.all()) {
+    if (session.awaited != 0 && !maker.is_awaited(session.awaited)) turns_.wait(session.client(), id);
+  }
+}
+
+// With the messages that were postponed, as many as the turn has room for.
+void BoardServer::go_on(wire::SessionId id) {
+  while (true) {
+    Session* const session = sessions_.find(id);
+    if (session == nullptr || session->postponed.empty()) return;
+    if (board_.store().index_maker().is_awaited(session->awaited)) return;
+    if (!turns_.has_room()) return turns_.wait(session->client(), id);
+    const Postponed::Message next = session->postponed.next();
+    const std::size_t before = turns_.for_requests();
+    turns_.spend(looks_a_message + weigh(next.datum).bytes / bytes_a_look);
+    perform(id, *session, next);
+    turns_.spend(turns_.for_requests() - before);
+  }
+}
+
+void BoardServer::sweep() {
+  const Time now = executor_.now();
+  admission_.end_silent(socket_->heard_until() - session_length_);
+  requests_.permitted().sweep();
+  sweep_timer_ = executor_.call_at(now + session_length_ / 8, [this] { sweep(); });
+}
 
 }  // namespace pizarra::server

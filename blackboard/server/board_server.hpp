@@ -19,19 +19,17 @@
 // a slow client has not read wait in its watches' queues (served_watches.hpp), in 4 MB that these share; a watch whose
 // change has no room there is resynchronised.
 
-#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "blackboard/journal/past.hpp"
 #include "blackboard/memory/memory_board.hpp"
-#include "blackboard/server/costly_turns.hpp"
-#include "blackboard/server/durability.hpp"
-#include "blackboard/server/key_folder.hpp"
+#include "blackboard/server/admission.hpp"
+#include "blackboard/server/outbox.hpp"
 #include "blackboard/server/refusals.hpp"
+#include "blackboard/server/requests.hpp"
 #include "blackboard/server/sessions.hpp"
+#include "blackboard/server/turns.hpp"
 #include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/wire.hpp"
 
@@ -79,77 +77,34 @@ class BoardServer {
  private:
   BoardServer(Executor& executor, memory::MemoryBoard& board, const BoardServerOptions& options,
               std::optional<KeyFolder> keys);
-  void ask_for_keys();
   Result<void> listen(const std::vector<std::string>& addresses, bool insecure);
-  void restore(const std::vector<journal::RememberedReply>& remembered);
   void receive(const std::string& peer, std::optional<std::string_view> frame);
-  void hear(const std::string& peer, const Datum& message);
-  void refuse(const std::string& peer, const Failure& failure);
   void refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure);
-  void refuse_request(const Session& session, wire::RequestId number, const Failure& failure);
-  void refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure);
-  std::string who_is(const std::string& peer) const;
-  void greet(const std::string& peer, const Datum& hello);
-  Result<void> check_hello(const std::string& peer, const std::string& teller, const wire::PublicKey* key) const;
-  void end_session(wire::SessionId id);
-  void end_sessions_of_changed_keys();
+  void hear(const std::string& peer, const Datum& message);
   void handle(wire::SessionId id, Session& session, const Datum& message);
+  bool is_to_be_done(wire::SessionId id, Session& session, const Datum& request);
   bool must_wait(const Session& session, const Datum& message) const;
   void postpone(wire::SessionId id, Session& session, const Datum& message);
-  void hear(wire::SessionId id, Session& session, const Postponed::Message& waiting);
-  bool is_to_be_done(wire::SessionId id, Session& session, const Datum& message);
-  bool was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
-  void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
-  std::optional<Result<Datum>> perform_in_turn(wire::SessionId id, Session& session, const Postponed::Message& waiting);
-  void wait_for_turn(wire::SessionId id, const Session& session);
-  Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
-  void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
-  Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
-  void note_journey(const Datum& body, Time sent);
-  bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
-  std::string recall_in_doubt(const std::string& sender_key, const Datum& request, Duration age);
-  void owe(const std::string& peer, const std::string& reply);
-  void deliver();
-  std::string with_progress(const Session& session, std::string reply) const;
-  void send(const std::string& peer, const Datum& message);
-  void schedule_flush(wire::SessionId id);
-  void flush_all();
-  void flush(wire::SessionId id);
-  bool send_changes(wire::SessionId id, Session& session);
-  void schedule_look();
-  void look_on();
-  bool awaits_index(const Session& session) const;
-  void make_on();
+  void perform(wire::SessionId id, Session& session, const Postponed::Message& waiting);
+  void attend_to_watch(wire::SessionId id, Session& session, const Datum& message);
+  void serve_turn();
+  void make_indexes();
   void go_on(wire::SessionId id);
-  void forget_the_gone();
+  void sweep();
 
   Executor& executor_;
   memory::MemoryBoard& board_;
   const Duration session_length_;
   std::vector<std::string> addresses_;
-  std::optional<KeyFolder> keys_;
-  CostlyTurns turns_;
   Refusals refusals_;
   Sessions sessions_;
-  const wire::SessionId life_;  // another one in every life of the server
-  Durability durability_;
-  PermittedBoard permitted_;
-  std::optional<journal::Past> past_;
-  std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
-  std::set<wire::SessionId> to_flush_;
-  std::size_t examined_ = 0;      // since others were served
-  std::size_t for_requests_ = 0;  // facts looked at, in all
-  std::size_t before_frame_ = 0;  // of these, before the frame that is being heard
-  bool leaving_ = false;
-  bool receiving_ = false;  // what is to be flushed is, when this is done
-  // Replies to transactions of the frame that is being received: they go together, after what these changed.
-  std::string owed_;
-  std::string owed_to_;
-  int owed_replies_ = 0;
-  Executor::TimerId flush_timer_ = 0;
-  Executor::TimerId look_timer_ = 0;
-  Executor::TimerId sweep_timer_ = 0;
+  Turns turns_;
   std::unique_ptr<wire::FrameSocket> socket_;
+  Outbox outbox_;
+  Requests requests_;
+  Admission admission_;
+  bool leaving_ = false;
+  Executor::TimerId sweep_timer_ = 0;
   memory::MemoryBoard::Hearing hearing_;
 };
 
