@@ -39,6 +39,12 @@ std::vector<Datum> joint_numbers(const arm::Joints& joints) {
   return numbers;
 }
 
+std::vector<Datum> foot_numbers(const arm::ArmModel& model, const arm::Joints& joints) {
+  const bool turns = model.axis_of(arm::Role::turn).has_value();
+  const Eigen::Vector3d foot = turns ? arm::skeleton(model, joints).front() : Eigen::Vector3d::Zero();
+  return {to_datum(rounded(foot.x(), millimetre_step)), to_datum(rounded(foot.y(), millimetre_step))};
+}
+
 Datum joints_to_datum(const arm::Joints& joints) {
   std::vector<Datum> numbers;
   for (const double deg : joints) numbers.push_back(to_datum(deg));
@@ -76,6 +82,9 @@ void ArmFacts::set_reading(const arm::ArmModel& model, const arm::ArmReading& re
   std::vector<Datum> at = pose_numbers(model, reading.joints);
   at.insert(at.begin(), {"arm-pose"_sym, robot_});
   facts_[pose].now = Datum::list(std::move(at));
+  std::vector<Datum> stands = foot_numbers(model, reading.joints);
+  stands.insert(stands.begin(), {"arm-foot"_sym, robot_});
+  facts_[foot].now = Datum::list(std::move(stands));
   facts_[joints].now = list("arm-joints"_sym, robot_, Datum::list(joint_numbers(reading.joints)));
   if (reading.gripper_trouble) {
     facts_[gripper].now = facts_[gripped].now = Datum();
@@ -86,7 +95,7 @@ void ArmFacts::set_reading(const arm::ArmModel& model, const arm::ArmReading& re
 }
 
 void ArmFacts::forget_reading() {
-  for (const std::size_t kind : {pose, joints, gripper, gripped}) facts_[kind].now = Datum();
+  for (const std::size_t kind : {pose, foot, joints, gripper, gripped}) facts_[kind].now = Datum();
 }
 
 bool ArmFacts::changed() const {
@@ -95,7 +104,7 @@ bool ArmFacts::changed() const {
 
 Datum ArmFacts::pattern(std::size_t kind) const {
   constexpr std::pair<std::string_view, std::size_t> shapes[kinds] = {
-      {"arm", 2}, {"arm-pose", 6}, {"arm-joints", 1}, {"gripper", 1}, {"gripped", 1}};
+      {"arm", 2}, {"arm-pose", 6}, {"arm-foot", 2}, {"arm-joints", 1}, {"gripper", 1}, {"gripped", 1}};
   std::vector<Datum> form(2 + shapes[kind].second, "?"_sym);
   form[0] = Datum::symbol(shapes[kind].first);
   form[1] = robot_;

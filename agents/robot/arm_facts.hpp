@@ -1,8 +1,8 @@
 #pragma once
 
-// The facts that the board is told about the arm: state, pose, joints, gripper opening and grip, each when it changed,
-// under the agent's presence, so that they go with it. At rest, why the controller would not move goes before what was
-// last done.
+// The facts that the board is told about the arm: state, pose, foot, joints, gripper opening and grip, each when it
+// changed, under the agent's presence, so that they go with it. At rest, why the controller would not move goes before
+// what was last done.
 //
 //   facts.set_arm("moving", "(home)");
 //   facts.set_reading(model, reading);
@@ -44,7 +44,7 @@ class ArmFacts {
     Datum now;                            // empty: not known
     std::optional<Datum> told = Datum();  // empty: nothing; none: perhaps something
   };
-  enum : std::size_t { arm, pose, joints, gripper, gripped, kinds };
+  enum : std::size_t { arm, pose, foot, joints, gripper, gripped, kinds };
 
   void set_state_fact();
   Datum pattern(std::size_t kind) const;
@@ -61,6 +61,8 @@ class ArmFacts {
 
 // x, y, z (0.01 mm) and rx, ry, rz (0.001 degree, each in (-180, 180]) of the grip centre.
 std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& joints);
+// x and y (0.01 mm) of the point about which the arm turns: the base's origin, unless a track carries axis 1 along.
+std::vector<Datum> foot_numbers(const arm::ArmModel& model, const arm::Joints& joints);
 // The axes' readings, axis 1 first: 0.001 degree or mm.
 std::vector<Datum> joint_numbers(const arm::Joints& joints);
 

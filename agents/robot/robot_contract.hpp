@@ -19,6 +19,7 @@ inline constexpr std::string_view robot_contract = R"scheme(
   (posts (relation arm ((robot symbol) (state symbol) (action string)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
                    (key robot))
+         (relation arm-foot ((robot symbol) (x number) (y number)) (key robot))
          (relation arm-joints ((robot symbol) (joints list)) (key robot))
          (relation gripper ((robot symbol) (opening number)) (key robot))
          (relation gripped ((robot symbol) (whether symbol)) (key robot))

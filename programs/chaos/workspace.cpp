@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "agents/coordinator/options.hpp"
-#include "agents/robot/tool_path.hpp"
 #include "drivers/arm/kinematics.hpp"
 
 namespace pizarra::chaos {
@@ -36,16 +34,13 @@ bool Workspace::shows(const Eigen::Vector3d& centre) const {
   return view_->shows(centre - cube_mm_ / 2 * view_->away(), mark_half * cube_mm_);
 }
 
-// As the coordinator has it come: from above, from the height at which it travels, in the posture of the ready pose.
+// With the tool held as in the ready pose, turned there.
 bool Workspace::reaches(const Eigen::Vector3d& centre) const {
-  const arm::ToolPose ready = arm::forward(arm_, arm_.ready);
-  const double turn = bearing(centre) - bearing(ready.translation());
-  const arm::ToolPose turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * ready;
-  const Result<arm::Joints> before = arm::inverse(arm_, turned, arm_.ready);
-  if (!before) return false;
-  robot::ToolPath path(arm_, *before);
-  const double travel_mm = coordinator::CoordinatorOptions().travel_height_mm;
-  return !path.line_to({centre.x(), centre.y(), travel_mm}).ended_by && !path.line_to(centre).ended_by;
+  arm::ToolPose pose = arm::forward(arm_, arm_.ready);
+  const double turn = bearing(centre) - bearing(pose.translation());
+  pose.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * pose.linear();
+  pose.translation() = centre;
+  return arm::inverse(arm_, pose, arm_.ready).has_value();
 }
 
 story::WorldState Workspace::within(story::WorldState world) const {

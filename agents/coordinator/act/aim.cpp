@@ -16,6 +16,8 @@ namespace {
 constexpr std::uint64_t tolerated_looks = 3;
 // A cube comes to lie so far off the spot that it was meant for.
 constexpr double off_spot_mm = 8;
+// From the middle of a cube to that of one which passes over it, in cubes.
+constexpr double clearing = 1.25;
 
 }  // namespace
 
@@ -87,14 +89,25 @@ std::optional<Eigen::Vector2d> Aims::free_spot_among(const std::vector<Eigen::Ve
   return spot ? spot : free_spot(area, occupied, from_y_mm, shown);
 }
 
+// The middles of the cubes that stand somewhere.
+std::vector<Eigen::Vector3d> Aims::standing_but(std::string_view held) const {
+  std::vector<Eigen::Vector3d> centres;
+  for (const auto& [name, sighting] : scene_.sightings().all()) {
+    if (name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
+  }
+  return standing(std::move(centres), scene_.grip_mm(), domain_.cube_mm());
+}
+
+double Aims::clear_height_mm() const {
+  double highest_mm = 0;
+  for (const Eigen::Vector3d& centre : standing_but("")) highest_mm = std::max(highest_mm, centre.z());
+  return highest_mm + clearing * domain_.cube_mm();
+}
+
 Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
   if (!spot_) {
-    std::vector<Eigen::Vector3d> centres;
-    for (const auto& [name, sighting] : scene_.sightings().all()) {
-      if (name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
-    }
     const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
-    spot_ = free_spot_among(standing(std::move(centres), grip, domain_.cube_mm()), grip ? grip->y() : 0);
+    spot_ = free_spot_among(standing_but(held), grip ? grip->y() : 0);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
   return on_table(spot_->x(), spot_->y(), held_edge_mm(held));
@@ -110,7 +123,7 @@ Result<Aim> Aims::at(const Datum& target) {
     const Eigen::Vector3d to_mark = -scene_.mark_to_front_mm();
     Eigen::Vector3d front = *object - scene_.set_back_mm(target.text());
     front.z() = std::max(front.z(), options_.gripper.finger_below_mm);
-    return Aim{*grip + to_mark, front + to_mark, grip->z()};
+    return Aim{*grip + to_mark, front + to_mark, grip->z(), scene_.foot_mm()};
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
   const std::string_view held = target[1].text();
@@ -128,7 +141,7 @@ Result<Aim> Aims::at(const Datum& target) {
     wanted = on_table((*spot)[2].number(), (*spot)[3].number(), held_edge_mm(held));
   }
   if (!wanted) return fail(wanted);
-  return Aim{followed, *wanted, grip->z()};
+  return Aim{followed, *wanted, grip->z(), scene_.foot_mm()};
 }
 
 double Aims::opening_around(std::string_view object, double wide_mm) const {
@@ -144,10 +157,11 @@ double Aims::opening_around(std::string_view object, double wide_mm) const {
                          options_.gripper.openings.narrow_mm, wide_mm);
 }
 
-// The arm's axis 1 is the base frame's origin, and the tool's axis stands behind the mark.
+// Seen from the arm's foot. The tool's axis stands behind the mark.
 ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double travel_mm) {
-  const Eigen::Vector3d now = aim.followed_mm + mark_before_grip_mm * view.away();
-  const Eigen::Vector3d then = aim.wanted_mm + mark_before_grip_mm * view.away();
+  const Eigen::Vector3d tool_mm = mark_before_grip_mm * view.away() - aim.foot_mm;
+  const Eigen::Vector3d now = aim.followed_mm + tool_mm;
+  const Eigen::Vector3d then = aim.wanted_mm + tool_mm;
   const double radius = std::hypot(then.x(), then.y());
   const double turn =
       std::remainder(std::atan2(then.y(), then.x()) - std::atan2(now.y(), now.x()), 2 * std::numbers::pi);

@@ -12,6 +12,7 @@ struct Aim {
   Eigen::Vector3d followed_mm;  // where the mark is: the end effector's, or that of the held object
   Eigen::Vector3d wanted_mm;    // where it is to be
   double grip_height_mm;        // where the gripper is
+  Eigen::Vector3d foot_mm;      // the point of the table about which the arm turns
 };
 
 class Aims {
@@ -23,6 +24,8 @@ class Aims {
   void reset() { spot_.reset(); }
   // Failures: unseen (with the mark that is), no-room, unknown-place, bad-target.
   Result<Aim> at(const Datum& target);
+  // The least height of the grip at which a cube in it passes over all that stands.
+  double clear_height_mm() const;
   // How far the gripper may open around an object, mm.
   double opening_around(std::string_view object, double wide_mm) const;
 
@@ -31,6 +34,7 @@ class Aims {
   Result<Eigen::Vector3d> grip() const;
   double held_edge_mm(std::string_view held) const;
   Result<Eigen::Vector3d> on_top_of(std::string_view lower, std::string_view held) const;
+  std::vector<Eigen::Vector3d> standing_but(std::string_view held) const;
   Result<Eigen::Vector3d> free_spot_for(std::string_view held);
   std::optional<Eigen::Vector2d> free_spot_among(const std::vector<Eigen::Vector3d>& others, double from_y_mm) const;
   Eigen::Vector3d on_table(double x_mm, double y_mm, double edge_mm) const;

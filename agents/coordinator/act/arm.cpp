@@ -70,6 +70,14 @@ Task<Result<void>> Arm::perform(ServoCommand command) {
   co_return Result<void>();
 }
 
+Task<Result<void>> Arm::move_to(Eigen::Vector3d point_mm) {
+  const std::string script = fmt::format("(move {:.2f} {:.2f} {:.2f})", point_mm.x(), point_mm.y(), point_mm.z());
+  const Datum operation = list("do-action"_sym, script);
+  const Result<Datum> moved = co_await ask(operation);
+  if (!moved) co_return fail(moved);
+  co_return Result<void>();
+}
+
 Task<Result<Eigen::Vector3d>> Arm::grip_centre() {
   const Datum monitor = list("monitor"_sym);
   const Result<Datum> reading = co_await ask(monitor);
@@ -103,5 +111,7 @@ Task<Result<double>> Arm::grip(double opening_mm) {
   if (told.empty()) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
   co_return told.back().datum[2].number();
 }
+
+bool is_beyond_reach(const Failure& why) { return why.symbol == "unreachable" || why.symbol == "joint-limit"; }
 
 }  // namespace pizarra::coordinator

@@ -25,6 +25,8 @@ class Arm {
   Task<Result<Datum>> ask(Datum operation);
   // Carries out the servo's decision. A turn is taken back by the wrist, so that the fingers stay along the base's y.
   Task<Result<void>> perform(ServoCommand command);
+  // The grip centre in a straight line to a point of the base frame, carried on by a track where the links end.
+  Task<Result<void>> move_to(Eigen::Vector3d point_mm);
   // Where the grip centre is, base frame, mm.
   Task<Result<Eigen::Vector3d>> grip_centre();
   // Turns the wrist until the gripper's front looks `yaw_deg` away from the base's x axis, positive to the right.
@@ -38,5 +40,8 @@ class Arm {
   runtime::Roles& roles_;
   Story& story_;
 };
+
+// Whether a motion was refused since the arm does not come there.
+bool is_beyond_reach(const Failure& why);
 
 }  // namespace pizarra::coordinator

@@ -17,10 +17,6 @@ constexpr double above_centre = 0.15;
 constexpr double careful_percent = 30;
 constexpr double usual_percent = 100;
 
-std::string move_to(double x_mm, double y_mm, double z_mm) {
-  return fmt::format("(move {:.2f} {:.2f} {:.2f})", x_mm, y_mm, z_mm);
-}
-
 }  // namespace
 
 ElbowRoom TaskRunner::elbow_room() const {
@@ -76,19 +72,19 @@ Task<Result<void>> TaskRunner::push_along(Push push, double height_mm) {
   const Result<void> narrowed = co_await open(pusher_mm);
   if (!narrowed) co_return narrowed;
   const double high = options_.travel_height_mm;
-  const std::string ways[] = {
-      move_to(push.from_mm.x(), push.from_mm.y(), high), move_to(push.from_mm.x(), push.from_mm.y(), height_mm),
-      move_to(push.to_mm.x(), push.to_mm.y(), height_mm), move_to(push.to_mm.x(), push.to_mm.y(), high)};
+  const Eigen::Vector3d ways[] = {{push.from_mm.x(), push.from_mm.y(), high},
+                                  {push.from_mm.x(), push.from_mm.y(), height_mm},
+                                  {push.to_mm.x(), push.to_mm.y(), height_mm},
+                                  {push.to_mm.x(), push.to_mm.y(), high}};
   Result<void> done = co_await arm_.face(0);
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
     done = check();
     if (!done) break;
     const bool pushes = i == 2;
     const Datum speed = list("speed"_sym, pushes ? careful_percent : usual_percent);
-    const Datum operation = list("do-action"_sym, ways[i]);
-    Result<Datum> moved = co_await arm_.ask(speed);
-    if (moved) moved = co_await arm_.ask(operation);
-    if (!moved) done = fail(moved);
+    const Result<Datum> set = co_await arm_.ask(speed);
+    if (!set) done = fail(set);
+    if (set) done = co_await arm_.move_to(ways[i]);
   }
   const Datum usual = list("speed"_sym, usual_percent);
   const Result<Datum> restored = co_await arm_.ask(usual);

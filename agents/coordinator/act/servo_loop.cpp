@@ -12,6 +12,10 @@ namespace {
 // An approach takes about ten motions; one that follows a block that is moved about may take some more.
 constexpr int most_looks = 120;
 constexpr int most_unseen = 40;
+// Where the arm does not come to a place at its height, it goes down by as much and tries again.
+constexpr double lowering_mm = 30;
+// Where the links stand at their limit no track takes over: the arm goes back by as much first.
+constexpr double back_off_mm = 40;
 
 double tenths(double value) { return std::round(value * 10) / 10; }
 
@@ -25,10 +29,31 @@ Task<Result<Revision>> TaskRunner::tell_servo(int state, const Datum& target, Se
   return commit(context_.board, context_.executor, std::move(transaction));
 }
 
-// Look, decide, move; nothing is remembered from look to look but the state, to tell when a target runs away.
+// Sideways all the way that is missing, where turning and stretching did not bring it. Over the table it goes lower
+// where it does not come there at its height, as long as it passes over all that stands.
+Task<Result<void>> TaskRunner::go_straight(Aim aim, ServoCommand stalled) {
+  const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
+  if (!grip) co_return fail(grip);
+  Eigen::Vector3d there = *grip + aim.wanted_mm - aim.followed_mm;
+  there.z() = grip->z();
+  Result<void> moved = co_await arm_.move_to(there);
+  const bool over_the_table = stalled.state < 3 && stalled.motion == ServoCommand::Motion::extend;
+  if (moved || !over_the_table || !is_beyond_reach(moved.error())) co_return moved;
+  const ServoCommand back{2, stalled.motion, std::copysign(back_off_mm, -stalled.amount)};
+  const Result<void> backed = co_await arm_.perform(back);
+  if (!backed) co_return backed;
+  for (; there.z() >= aims_.clear_height_mm(); there.z() -= lowering_mm) {
+    moved = co_await arm_.move_to(there);
+    if (moved || !is_beyond_reach(moved.error())) break;
+  }
+  co_return moved;
+}
+
+// Look, decide, move; nothing is remembered from look to look but the last command, to tell when a target runs away and
+// when the arm does not come on by turning and stretching.
 Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
   int unseen = 0;
-  int state_before = 0;
+  ServoCommand before{0, ServoCommand::Motion::done, 0};
   for (int i = 0; i < most_looks; ++i) {
     const Result<void> fine = check();
     if (!fine) co_return fine;
@@ -47,13 +72,16 @@ Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
     const ServoCommand command = servo_command(errors, options_.servo, descend);
     const ServoPixels told = servo_pixels(*aim, *surroundings_.scene().view());
     co_await tell_servo(command.state, target, told);
-    if (command.state < 3 && state_before >= 3) {
+    if (command.state < 3 && before.state >= 3) {
       const std::string sentence = fmt::format("{} was moved during the approach: following it", write(target));
       co_await story_.tell("servo", sentence, target_name(target));
     }
-    state_before = command.state;
     if (command.motion == ServoCommand::Motion::done) co_return Result<void>();
-    const Result<void> moved = co_await arm_.perform(command);
+    const bool stalled = has_stalled(command, before);
+    before = command;
+    Result<void> moved;
+    if (stalled) moved = co_await go_straight(*aim, command);
+    if (!stalled) moved = co_await arm_.perform(command);
     if (!moved) co_return moved;
   }
   co_return fail("no-convergence", fmt::format("the arm did not come to {}", write(target)), target_name(target));

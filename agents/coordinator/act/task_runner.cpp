@@ -134,7 +134,7 @@ Task<Result<void>> TaskRunner::go_up(double missing_mm) {
       missing_mm -= step_mm;
       continue;
     }
-    const bool too_high = moved.error().symbol == "unreachable" || moved.error().symbol == "joint-limit";
+    const bool too_high = is_beyond_reach(moved.error());
     if (!too_high || step_mm < 0 || retreats == most_retreats) co_return moved;
     step_mm /= 2;
     if (step_mm > least_rise_mm) continue;

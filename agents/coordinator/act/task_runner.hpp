@@ -48,6 +48,7 @@ class TaskRunner {
   Task<Result<void>> run_steps(std::vector<Datum> steps);
   Task<Result<void>> run_step(Datum step);
   Task<Result<void>> servo(Datum target, bool descend);
+  Task<Result<void>> go_straight(Aim aim, ServoCommand stalled);
   Task<Result<void>> open(double opening_mm);
   Task<Result<void>> turn_fingers(std::string object);
   Task<Result<void>> close();

@@ -9,6 +9,9 @@ namespace {
 
 using Motion = ServoCommand::Motion;
 
+// Of a way, where hardly any of it was gone.
+constexpr double part_left = 0.8;
+
 ServoCommand fine_command(const ServoErrors& errors, const ServoLimits& limits) {
   if (std::abs(errors.across_mm) > limits.turn_mm) return {4, Motion::turn, limits.fine_gain * errors.bearing_deg};
   if (std::abs(errors.across_mm) > limits.fine_mm) return {4, Motion::move_h, limits.fine_gain * errors.across_mm};
@@ -19,6 +22,13 @@ ServoCommand fine_command(const ServoErrors& errors, const ServoLimits& limits) 
 }
 
 }  // namespace
+
+bool has_stalled(const ServoCommand& command, const ServoCommand& before) {
+  const bool sideways =
+      command.motion == Motion::turn || command.motion == Motion::extend || command.motion == Motion::move_h;
+  if (!sideways || command.motion != before.motion || command.amount * before.amount < 0) return false;
+  return std::abs(command.amount) > part_left * std::abs(before.amount);
+}
 
 ServoCommand servo_command(const ServoErrors& errors, const ServoLimits& limits, bool descend) {
   const double sideways = std::max(std::abs(errors.across_mm), std::abs(errors.along_mm));

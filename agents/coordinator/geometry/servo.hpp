@@ -56,4 +56,7 @@ struct ServoCommand {
 // `descend` false: states 0-2 only, to align without going down.
 ServoCommand servo_command(const ServoErrors& errors, const ServoLimits& limits, bool descend);
 
+// Whether the way sideways that the command before was to go is still to go: the arm's own limits ended it.
+bool has_stalled(const ServoCommand& command, const ServoCommand& before);
+
 }  // namespace pizarra::coordinator

@@ -23,6 +23,8 @@ class Scene {
   const std::optional<CameraView>& view() const { return view_; }
   const CameraWatch& camera() const { return camera_; }
   std::optional<double> opening_mm() const { return opening_mm_; }
+  // The point of the table about which the arm turns.
+  const Eigen::Vector3d& foot_mm() const { return foot_mm_; }
   // From the end effector's mark to where the mark of a held object of the largest size would stand. There is a view.
   Eigen::Vector3d mark_to_front_mm() const;
   // Where the mark of a held object of that size would stand: below the end effector's mark, or, while that is not
@@ -55,6 +57,7 @@ class Scene {
   void take_head(std::optional<HeadTurn> turn);
   void take_opening(double mm) { opening_mm_ = mm; }
   void take_pose(const Eigen::Isometry3d& tool);
+  void take_foot(const Eigen::Vector3d& foot_mm) { foot_mm_ = foot_mm; }
   // While it moves its word for where it is may be old.
   void take_arm(bool moving);
   void doubt_camera() { camera_.doubt(); }
@@ -88,7 +91,8 @@ class Scene {
   int blurred_looks_ = 0;  // that are still to come and may have been taken while it turned
   std::optional<CameraView> view_;
   std::optional<double> opening_mm_;
-  std::optional<Eigen::Isometry3d> tool_;                  // by the arm's word
+  std::optional<Eigen::Isometry3d> tool_;  // by the arm's word
+  Eigen::Vector3d foot_mm_ = Eigen::Vector3d::Zero();
   bool moving_ = false;                                    // by the arm's word, as the pose is
   std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose, or came to rest
   Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen

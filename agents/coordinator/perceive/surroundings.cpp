@@ -66,6 +66,7 @@ void Surroundings::follow_robot(const std::string& agent) {
   robot_.clear();
   robot_.push_back(followed(pattern_of("gripper"_sym, robot, 2), &Surroundings::take_gripper));
   robot_.push_back(followed(pattern_of("arm-pose"_sym, robot, 7), &Surroundings::take_pose));
+  robot_.push_back(followed(pattern_of("arm-foot"_sym, robot, 3), &Surroundings::take_foot));
   robot_.push_back(followed(pattern_of("arm"_sym, robot, 3), &Surroundings::take_arm));
 }
 
@@ -95,6 +96,12 @@ Task<void> Surroundings::take_pose(Change change) {
   const Datum& pose = change.added.back().facts.front().datum;
   const Eigen::Vector3d at(pose[2].number(), pose[3].number(), pose[4].number());
   scene_.take_pose(tool_pose(at, pose[5].number(), pose[6].number(), pose[7].number()));
+}
+
+Task<void> Surroundings::take_foot(Change change) {
+  if (change.added.empty()) co_return;
+  const Datum& foot = change.added.back().facts.front().datum;
+  scene_.take_foot({foot[2].number(), foot[3].number(), 0});
 }
 
 Task<void> Surroundings::take_arm(Change change) {

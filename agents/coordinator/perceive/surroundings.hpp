@@ -59,6 +59,7 @@ class Surroundings {
   Task<void> take_head(Change change);
   Task<void> take_gripper(Change change);
   Task<void> take_pose(Change change);
+  Task<void> take_foot(Change change);
   Task<void> take_arm(Change change);
   Task<void> take_look(Change change);
   Task<void> tell_failure(Failure why);

@@ -91,12 +91,13 @@ TEST(ServoErrors, TurningAndExtendingByThemArrives) {
     const auto somewhere = [&] {
       return Eigen::Vector3d(random.uniform(380, 520), random.uniform(-230, 230), random.uniform(30, 300));
     };
-    const Aim aim{somewhere(), somewhere(), 100};
+    const Eigen::Vector3d foot(0, random.uniform(-300, 300), 0);
+    const Aim aim{somewhere(), somewhere(), 100, foot};
     const ServoErrors errors = servo_errors(aim, view, 30, 300);
-    const Eigen::Vector3d axis = aim.followed_mm + 30 * view.away();
+    const Eigen::Vector3d axis = aim.followed_mm + 30 * view.away() - foot;
     const double bearing = std::atan2(axis.y(), axis.x()) + errors.bearing_deg * M_PI / 180;
     const double radius = std::hypot(axis.x(), axis.y()) + errors.along_mm;
-    const Eigen::Vector3d wanted = aim.wanted_mm + 30 * view.away();
+    const Eigen::Vector3d wanted = aim.wanted_mm + 30 * view.away() - foot;
     EXPECT_NEAR(radius * std::cos(bearing), wanted.x(), 1e-6);
     EXPECT_NEAR(radius * std::sin(bearing), wanted.y(), 1e-6);
     EXPECT_NEAR(aim.followed_mm.z() - errors.down_mm, aim.wanted_mm.z(), 1e-9);

@@ -64,6 +64,15 @@ TEST(Servo, AlignsAcrossBeforeAlong) {
   EXPECT_EQ(servo_command({1, 0.1, -30, 270, 0}, limits, true), (ServoCommand{2, Motion::extend, -30}));
 }
 
+TEST(Servo, HasStalledWhereTheWayOfTheLastMotionIsStillToGo) {
+  const ServoCommand draw_in{2, Motion::extend, -60};
+  EXPECT_TRUE(has_stalled({2, Motion::extend, -58}, draw_in));
+  EXPECT_FALSE(has_stalled({2, Motion::extend, -20}, draw_in));
+  EXPECT_FALSE(has_stalled({2, Motion::extend, 60}, draw_in)) << "it is another way";
+  EXPECT_FALSE(has_stalled({1, Motion::turn, -60}, draw_in)) << "it is another motion";
+  EXPECT_FALSE(has_stalled({3, Motion::down, 90}, {3, Motion::down, 90})) << "it goes down a step at a time";
+}
+
 TEST(Servo, ApproachesInStepsThatAreBounded) {
   const ServoCommand command = servo_command({1, 0.1, 1, 270, 0}, limits, true);
   EXPECT_EQ(command.state, 3);
