@@ -19,6 +19,7 @@ void Sightings::look(std::int64_t frame, std::span<const forms::SeenObject> seen
     const Eigen::Vector3d place(object.at_mm[0], object.at_mm[1], object.at_mm[2]);
     const auto [it, is_new] = seen_.try_emplace(object.name, Sighting{place, frame, looks_, place, looks_});
     Sighting& sighting = it->second;
+    sighting.longest_gap = std::max(sighting.longest_gap, looks_ - sighting.look);
     sighting.place_mm = place;
     sighting.frame = frame;
     sighting.look = looks_;
@@ -26,6 +27,7 @@ void Sightings::look(std::int64_t frame, std::span<const forms::SeenObject> seen
     if ((place - sighting.anchor_mm).norm() > still_mm) {
       sighting.anchor_mm = place;
       sighting.still_since = looks_;
+      sighting.longest_gap = 0;
       sighting.yaw_samples = 0;
     }
     if (object.face_deg) face(sighting, *object.face_deg - pan_deg);
@@ -37,6 +39,12 @@ void Sightings::excuse(const std::string& name) {
   if (it == seen_.end() || it->second.look == looks_ || it->second.excused == most_excused) return;
   ++it->second.excused;
   ++it->second.look;
+}
+
+void Sightings::end_excuses() {
+  for (auto& [name, sighting] : seen_) {
+    if (sighting.excused > 0) sighting.excused = most_excused;
+  }
 }
 
 // A turn that goes on without moving the mark shows too: old samples weigh less and less.
@@ -61,6 +69,13 @@ const Sighting* Sightings::find(std::string_view name) const {
 bool Sightings::recent(std::string_view name, std::uint64_t looks) const {
   const Sighting* sighting = find(name);
   return sighting && sighting->look + looks > looks_;
+}
+
+bool Sightings::remembered(std::string_view name, int grace) const {
+  const Sighting* sighting = find(name);
+  if (!sighting) return false;
+  const std::uint64_t patience = std::min(2 * sighting->longest_gap, most_patience);
+  return recent(name, std::max(static_cast<std::uint64_t>(grace), patience));
 }
 
 std::uint64_t Sightings::still_looks(std::string_view name) const {

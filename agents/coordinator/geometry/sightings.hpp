@@ -16,13 +16,14 @@
 namespace pizarra::coordinator {
 
 struct Sighting {
-  Eigen::Vector3d place_mm;   // of its mark, base frame
-  std::int64_t frame;         // the newest it was seen in
-  std::uint64_t look;         // the newest it was seen in
-  Eigen::Vector3d anchor_mm;  // it has been within `still_mm` of here ...
-  std::uint64_t still_since;  // ... since this look
-  int excused = 0;            // for how many looks in a row something known hid it
-  double yaw_deg = 0;         // how far its face looks to the right of facing the camera, averaged while it is still
+  Eigen::Vector3d place_mm;       // of its mark, base frame
+  std::int64_t frame;             // the newest it was seen in
+  std::uint64_t look;             // the newest it was seen in
+  Eigen::Vector3d anchor_mm;      // it has been within `still_mm` of here ...
+  std::uint64_t still_since;      // ... since this look
+  std::uint64_t longest_gap = 0;  // for how many looks in a row it went unseen there, at most
+  int excused = 0;                // for how many looks in a row something known hid it
+  double yaw_deg = 0;  // how far its face looks to the right of facing the camera, averaged while it is still
   int yaw_samples = 0;
 };
 
@@ -38,6 +39,8 @@ class Sightings {
   // `most_excused` looks in a row, then it ages like any other.
   static constexpr int most_excused = 150;
   void excuse(const std::string& name);
+  // What is hidden now may be elsewhere: it ages from here on.
+  void end_excuses();
 
   std::uint64_t looks() const { return looks_; }
   std::int64_t frame() const { return frame_; }
@@ -47,6 +50,10 @@ class Sightings {
   double yaw_deg(std::string_view name) const;
   // Whether it was seen within the last `looks` looks; 1: in the newest.
   bool recent(std::string_view name, std::uint64_t looks) const;
+  // Whether it counts as there though it may be unseen: for `grace` looks, and one that is hard to see, as a mark at a
+  // slant, for twice as long as it was unseen where it lies before it was seen there again.
+  static constexpr std::uint64_t most_patience = 60;
+  bool remembered(std::string_view name, int grace) const;
   // For how many looks it has lain where it is.
   std::uint64_t still_looks(std::string_view name) const;
 

@@ -57,7 +57,7 @@ void Mirror::add_places(Transaction& transaction, const Sightings& sightings, Fa
   const Datum any = "?"_sym;
   for (const auto& [name, sighting] : sightings.all()) {
     const auto told = told_places_.find(name);
-    const bool recent = sightings.recent(name, static_cast<std::uint64_t>(options_.grace_looks));
+    const bool recent = sightings.remembered(name, options_.grace_looks);
     if (!recent) {
       if (told == told_places_.end()) continue;
       transaction.retract(list("place"_sym, Datum::symbol(name), any, any, any, any));

@@ -81,10 +81,9 @@ forms::LookSituation Scene::situation() const {
   const GripperOutline& outline = options_.gripper.outline;
   out.hand = list(options_.gripper.mark, as_list(mark_to_front_mm()), by_arm ? as_list(*by_arm) : Datum(),
                   outline.half_width_mm, outline.below_mm, outline.mark_half_mm);
-  const auto grace = static_cast<std::uint64_t>(options_.grace_looks);
   for (const auto& [name, sighting] : sightings_.all()) {
+    if (!sightings_.remembered(name, options_.grace_looks)) continue;
     const std::uint64_t age = sightings_.looks() + 1 - sighting.look;
-    if (age > grace) continue;
     const bool excusable = sighting.excused < Sightings::most_excused;
     out.remembered.push_back(list(name, as_list(sighting.place_mm), age, excusable ? 1 : 0));
   }

@@ -47,6 +47,7 @@ class Surroundings {
   }
 
   // The gripper's mark is not seen where it should be in view: the camera may have been moved.
+  void doubt_hidden() { scene_.doubt_hidden(); }
   void doubt_camera() { scene_.doubt_camera(); }
 
   // True once more than `look` looks were made, false at the deadline.

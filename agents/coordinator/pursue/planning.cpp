@@ -39,7 +39,7 @@ forms::TypedObjects Planning::objects() const {
   forms::TypedObjects objects;
   const Sightings& sightings = surroundings_.scene().sightings();
   for (const auto& [name, sighting] : sightings.all()) {
-    const bool here = sightings.recent(name, static_cast<std::uint64_t>(options_.grace_looks));
+    const bool here = sightings.remembered(name, options_.grace_looks);
     if (here && name != options_.gripper.mark) objects.emplace_back(name, domain_.perception().sees());
   }
   for (const forms::TypedName& object : domain_.domain().objects) objects.emplace_back(object.name, object.type);

@@ -70,12 +70,11 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   SetAside set_aside;
   bool looked_behind = false;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
-  const auto lately = static_cast<std::uint64_t>(options_.grace_looks);
   while (true) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
-    if (surroundings_.scene().sightings().recent(object, lately)) co_return Result<void>();
+    if (surroundings_.scene().sightings().remembered(object, options_.grace_looks)) co_return Result<void>();
     // Eyes that restarted find it, and may not track it any more.
     Result<void> tracking;
     if (*found) tracking = co_await eyes_.track();
@@ -170,7 +169,8 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     if (may_hold) laid = co_await rescues_.lay_down(objects.front());
     if (!laid && ends_search(laid.error())) co_return fail(laid);
     // An object that the gripper hides is believed to be where it was, and may have fallen. The second proof is made
-    // on what is seen with the arm raised.
+    // on what is seen with the arm raised. What does not show then is looked for.
+    if (proved) surroundings_.doubt_hidden();
     const bool may_hide = proved && stands_low();
     Result<void> raised;
     if (may_hide) raised = co_await runner_.raise();

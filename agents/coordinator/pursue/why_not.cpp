@@ -87,7 +87,7 @@ std::string WhyNot::unmet(const Datum& part) const {
 Task<std::string> WhyNot::way_to(std::vector<Datum> stage) {
   std::vector<std::string> missing = domain_.objects_in(stage);
   std::erase_if(missing, [&](const std::string& name) {
-    return surroundings_.scene().sightings().recent(name, static_cast<std::uint64_t>(options_.grace_looks));
+    return surroundings_.scene().sightings().remembered(name, options_.grace_looks);
   });
   if (!missing.empty()) co_return missing_objects(missing).sentence;
   const Result<std::vector<Datum>> plan = co_await planning_.try_plan(std::move(stage));

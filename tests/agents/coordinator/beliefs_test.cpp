@@ -87,6 +87,36 @@ TEST(Sightings, AnExcusedObjectStaysAsYoungAsItWasButNotForEver) {
   EXPECT_FALSE(sightings.recent("circle", 10));
 }
 
+TEST(Sightings, AgeFromTheEndOfTheirExcuses) {
+  Sightings sightings;
+  sightings.look(1, circle_at(450));
+  for (int i = 0; i < 20; ++i) {
+    sightings.look(2 + i, {});
+    if (i == 10) sightings.end_excuses();
+    sightings.excuse("circle");
+  }
+  EXPECT_FALSE(sightings.recent("circle", 9));
+  EXPECT_TRUE(sightings.recent("circle", 11));
+}
+
+TEST(Sightings, RememberWhatIsHardToSeeForLonger) {
+  Sightings sightings;
+  sightings.look(1, circle_at(450));
+  const auto unseen_for = [&](int looks) {
+    for (int i = 0; i < looks; ++i) sightings.look(1, {});
+  };
+  unseen_for(12);
+  EXPECT_FALSE(sightings.remembered("circle", 10));
+  sightings.look(1, circle_at(450));
+  unseen_for(20);
+  EXPECT_TRUE(sightings.remembered("circle", 10)) << "it was unseen for long before, and had not gone";
+  unseen_for(20);
+  EXPECT_FALSE(sightings.remembered("circle", 10));
+  sightings.look(1, circle_at(480));
+  unseen_for(12);
+  EXPECT_FALSE(sightings.remembered("circle", 10)) << "nothing is known of how it is seen there";
+}
+
 TEST(Sightings, CountLooksThoughFrameNumbersBeginAgain) {
   Sightings sightings;
   sightings.look(500, circle_at(100));
