@@ -44,25 +44,25 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
       session_length_(options.session_length),
       refusals_(board),
       sessions_(options.random_number),
-      turns_(executor),
+      workload_(executor),
       socket_(options.transport->open(executor, wire::FrameSocket::Kind::router,
                                       [this](const std::string& peer, std::optional<std::string_view> frame) {
                                         outbox_.begin_frame();
                                         receive(peer, frame);
                                         outbox_.end_frame();
                                       })),
-      outbox_(executor, board, sessions_, turns_, *socket_),
-      requests_(executor, board, sessions_, refusals_, turns_, outbox_,
+      outbox_(executor, board, sessions_, workload_, *socket_),
+      requests_(executor, board, sessions_, refusals_, workload_, outbox_,
                 {options.journal, options.past, options.answers_from_journal}),
       admission_(board, sessions_, refusals_, outbox_, *socket_, std::move(keys), options.random_number()),
       hearing_(board, [this] { return socket_->heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
-  turns_.on_turn = [this] { serve_turn(); };
-  board_.store().index_maker().on_wanted = [this] { turns_.schedule(); };
+  workload_.on_turn = [this] { serve_turn(); };
+  board_.store().index_maker().on_wanted = [this] { workload_.schedule(); };
   requests_.restore(options.remembered);
   sweep();
   // What a server before this one left.
-  if (!board_.store().index_maker().is_idle()) turns_.schedule();
+  if (!board_.store().index_maker().is_idle()) workload_.schedule();
 }
 
 Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool insecure) {
@@ -97,7 +97,7 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
   if (!frame) return admission_.refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
   const Result<std::vector<Datum>> messages = wire::read_messages(*frame);
   if (!messages) return refuse_unreadable(peer, *frame, {"bad-frame", messages.error().sentence, {}, {}});
-  turns_.begin_frame();
+  workload_.begin_frame();
   for (const Datum& message : *messages) hear(peer, message);
 }
 
@@ -128,7 +128,7 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
     return outbox_.send(peer, list("unknown-session"_sym, *id));
   }
   session->heard = executor_.now();
-  turns_.heard(*id);
+  workload_.heard(*id);
   if (session->watches.unblock()) outbox_.schedule(*id);
   handle(*id, *session, message);
 }
@@ -157,11 +157,11 @@ bool BoardServer::is_to_be_done(wire::SessionId id, Session& session, const Datu
 
 // Behind what waits; or when its frame had so much looked at that others are served before the rest of it.
 bool BoardServer::must_wait(const Session& session, const Datum& message) const {
-  return (turns_.frame_had_its_turn() || !session.postponed.empty()) && !overtakes(message);
+  return (workload_.frame_had_its_turn() || !session.postponed.empty()) && !overtakes(message);
 }
 
 void BoardServer::postpone(wire::SessionId id, Session& session, const Datum& message) {
-  if (session.postponed.empty()) turns_.wait(session.client(), id);
+  if (session.postponed.empty()) workload_.wait(session.client(), id);
   if (session.postponed.add({message})) return;
   const Failure full{"too-many", "too much waits behind a request that waits for an index, or its turn", {}, {}};
   if (message.is_form("request")) {
@@ -199,14 +199,14 @@ void BoardServer::attend_to_watch(wire::SessionId id, Session& session, const Da
 
 // Each client in its turn.
 void BoardServer::serve_turn() {
-  turns_.begin();
+  workload_.begin();
   if (!board_.store().index_maker().is_idle()) make_indexes();
-  for (std::size_t left = turns_.clients(); left > 0 && turns_.has_room(); --left) {
-    const wire::SessionId id = turns_.next();
+  for (std::size_t left = workload_.clients(); left > 0 && workload_.has_room(); --left) {
+    const wire::SessionId id = workload_.next();
     go_on(id);
     outbox_.flush(id);
   }
-  if (!turns_.empty() || !board_.store().index_maker().is_idle()) turns_.schedule();
+  if (!workload_.empty() || !board_.store().index_maker().is_idle()) workload_.schedule();
 }
 
 // Requests that await any index look again for their own when one is made.
@@ -214,10 +214,10 @@ void BoardServer::make_indexes() {
   store::IndexMaker& maker = board_.store().index_maker();
   constexpr wire::SessionId nobody = 0;
   const std::uint64_t made = maker.made();
-  turns_.took(nobody, maker.make_some());
+  workload_.took(nobody, maker.make_some());
   if (maker.made() == made) return;
   for (const auto& [id, session] : sessions_.all()) {
-    if (session.awaited != 0 && !maker.is_awaited(session.awaited)) turns_.wait(session.client(), id);
+    if (session.awaited != 0 && !maker.is_awaited(session.awaited)) workload_.wait(session.client(), id);
   }
 }
 
@@ -227,12 +227,12 @@ void BoardServer::go_on(wire::SessionId id) {
     Session* const session = sessions_.find(id);
     if (session == nullptr || session->postponed.empty()) return;
     if (board_.store().index_maker().is_awaited(session->awaited)) return;
-    if (!turns_.has_room()) return turns_.wait(session->client(), id);
+    if (!workload_.has_room()) return workload_.wait(session->client(), id);
     const Postponed::Message next = session->postponed.next();
-    const std::size_t before = turns_.for_requests();
-    turns_.spend(looks_a_message + weigh(next.datum).bytes / bytes_a_look);
+    const std::size_t before = workload_.for_requests();
+    workload_.spend(looks_a_message + weigh(next.datum).bytes / bytes_a_look);
     perform(id, *session, next);
-    turns_.spend(turns_.for_requests() - before);
+    workload_.spend(workload_.for_requests() - before);
   }
 }
 

@@ -29,7 +29,7 @@
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/requests.hpp"
 #include "blackboard/server/sessions.hpp"
-#include "blackboard/server/turns.hpp"
+#include "blackboard/server/workload.hpp"
 #include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/wire.hpp"
 
@@ -98,7 +98,7 @@ class BoardServer {
   std::vector<std::string> addresses_;
   Refusals refusals_;
   Sessions sessions_;
-  Turns turns_;
+  Workload workload_;
   std::unique_ptr<wire::FrameSocket> socket_;
   Outbox outbox_;
   Requests requests_;

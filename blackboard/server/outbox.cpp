@@ -64,18 +64,18 @@ void Outbox::flush_all() {
 
 void Outbox::flush(wire::SessionId id) {
   Session* const session = sessions_.find(id);
-  if (session != nullptr && send_changes(id, *session)) turns_.wait(session->client(), id);
+  if (session != nullptr && send_changes(id, *session)) workload_.wait(session->client(), id);
 }
 
 // Whether there is more to be looked for, in a turn.
 bool Outbox::send_changes(wire::SessionId id, Session& session) {
-  const bool rests = turns_.is_resting() || awaits_index(session);
-  const std::size_t before = rests ? std::max(turns_.examined(), limits::examined_a_turn) : turns_.examined();
+  const bool rests = workload_.is_resting() || awaits_index(session);
+  const std::size_t before = rests ? std::max(workload_.examined(), limits::examined_a_turn) : workload_.examined();
   const store::Indexing indexing(store::Indexing::May::make_in_parts, &board_.store().index_maker());
   std::size_t examined = before;
   const bool more = session.watches.send(socket_, session.peer, examined);
-  turns_.spend(examined - before);
-  turns_.took(id, examined - before + indexing.examined());
+  workload_.spend(examined - before);
+  workload_.took(id, examined - before + indexing.examined());
   if (indexing.awaited() != 0) session.awaited = indexing.awaited();
   return more && !awaits_index(session);
 }

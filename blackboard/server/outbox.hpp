@@ -3,7 +3,7 @@
 // What a served board sends to its clients: the changes of their watches, then the replies. The replies to several
 // transactions of one frame go together, after what these changed.
 //
-//   Outbox outbox(executor, board, sessions, turns, socket);
+//   Outbox outbox(executor, board, sessions, workload, socket);
 //   outbox.schedule(id);                  // its watches have changes: soon, or before the next reply
 //   outbox.begin_frame();
 //   outbox.owe(session.peer, reply);      // goes with others
@@ -16,7 +16,7 @@
 
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/server/sessions.hpp"
-#include "blackboard/server/turns.hpp"
+#include "blackboard/server/workload.hpp"
 #include "blackboard/wire/frame_socket.hpp"
 
 namespace pizarra::server {
@@ -24,8 +24,9 @@ namespace pizarra::server {
 class Outbox {
  public:
   // All of them outlive it.
-  Outbox(Executor& executor, memory::MemoryBoard& board, Sessions& sessions, Turns& turns, wire::FrameSocket& socket)
-      : executor_(executor), board_(board), sessions_(sessions), turns_(turns), socket_(socket) {}
+  Outbox(Executor& executor, memory::MemoryBoard& board, Sessions& sessions, Workload& workload,
+         wire::FrameSocket& socket)
+      : executor_(executor), board_(board), sessions_(sessions), workload_(workload), socket_(socket) {}
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
   ~Outbox();
@@ -56,7 +57,7 @@ class Outbox {
   Executor& executor_;
   memory::MemoryBoard& board_;
   Sessions& sessions_;
-  Turns& turns_;
+  Workload& workload_;
   wire::FrameSocket& socket_;
   bool receiving_ = false;  // what is to be flushed is, when this is done
   std::set<wire::SessionId> to_flush_;

@@ -30,13 +30,13 @@ bool must_be_done_once(const Datum& body) {
 
 }  // namespace
 
-Requests::Requests(Executor& executor, memory::MemoryBoard& board, Sessions& sessions, Refusals& refusals, Turns& turns,
-                   Outbox& outbox, const Journals& journals)
+Requests::Requests(Executor& executor, memory::MemoryBoard& board, Sessions& sessions, Refusals& refusals,
+                   Workload& workload, Outbox& outbox, const Journals& journals)
     : executor_(executor),
       board_(board),
       sessions_(sessions),
       refusals_(refusals),
-      turns_(turns),
+      workload_(workload),
       outbox_(outbox),
       durability_(
           journals.journal,
@@ -160,7 +160,7 @@ bool Requests::answer(wire::SessionId id, Session& session, wire::RequestId numb
 // Out of its turn it may look at few facts alone. Nothing where it must wait.
 std::optional<Result<Datum>> Requests::perform_in_turn(wire::SessionId id, Session& session,
                                                        const Postponed::Message& waiting) {
-  const bool has_turn = waiting.has_waited() || turns_.is_free();
+  const bool has_turn = waiting.has_waited() || workload_.is_free();
   const std::size_t before = has_turn ? 0 : limits::examined - CostlyTurns::out_of_turn;
   const bool may_wait = has_turn && waiting.may_wait();
   const store::Indexing indexing(may_wait ? store::Indexing::May::make_in_parts : store::Indexing::May::not_make,
@@ -168,13 +168,13 @@ std::optional<Result<Datum>> Requests::perform_in_turn(wire::SessionId id, Sessi
   std::size_t examined = before;
   Result<Datum> result = perform(id, session, waiting.datum[3], examined);
   const std::size_t looked_at = examined - before + indexing.examined();
-  turns_.took_for_request(id, looked_at);
+  workload_.took_for_request(id, looked_at);
   if (indexing.awaited() != 0) {
     session.awaited = indexing.awaited();
     return std::nullopt;
   }
   if (has_turn || result || result.error().symbol != "too-costly") return result;
-  turns_.wait(session.client(), id);
+  workload_.wait(session.client(), id);
   return std::nullopt;
 }
 
@@ -196,7 +196,7 @@ void Requests::ask_past(wire::SessionId id, const Session& session, wire::Reques
     if (!answers) {
       std::size_t examined = 0;
       const Failure failure = permitted_.told(asking->asking(), answers.error(), examined);
-      turns_.took(id, examined);
+      workload_.took(id, examined);
       return refuse(*asking, number, failure);
     }
     outbox_.send(asking->peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));

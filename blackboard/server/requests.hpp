@@ -3,7 +3,7 @@
 // The requests that a served board's clients make of it, and their replies: each is done once, however often it is
 // asked.
 //
-//   Requests requests(executor, board, sessions, refusals, turns, outbox, {.journal = journal});
+//   Requests requests(executor, board, sessions, refusals, workload, outbox, {.journal = journal});
 //   if (requests.is_to_be_done(id, session, number, body)) ...        // else it is answered, or being answered
 //   if (!requests.serve(id, session, {message})) ...                  // it must wait for an index, or its turn
 //
@@ -21,7 +21,7 @@
 #include "blackboard/server/permitted_board.hpp"
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/sessions.hpp"
-#include "blackboard/server/turns.hpp"
+#include "blackboard/server/workload.hpp"
 
 namespace pizarra::server {
 
@@ -34,7 +34,7 @@ class Requests {
   };
 
   // All of them outlive it.
-  Requests(Executor& executor, memory::MemoryBoard& board, Sessions& sessions, Refusals& refusals, Turns& turns,
+  Requests(Executor& executor, memory::MemoryBoard& board, Sessions& sessions, Refusals& refusals, Workload& workload,
            Outbox& outbox, const Journals& journals);
   Requests(const Requests&) = delete;
   Requests& operator=(const Requests&) = delete;
@@ -65,7 +65,7 @@ class Requests {
   memory::MemoryBoard& board_;
   Sessions& sessions_;
   Refusals& refusals_;
-  Turns& turns_;
+  Workload& workload_;
   Outbox& outbox_;
   Durability durability_;
   PermittedBoard permitted_;

@@ -1,24 +1,24 @@
-#include "blackboard/server/turns.hpp"
+#include "blackboard/server/workload.hpp"
 
 #include "blackboard/limits.hpp"
 
 namespace pizarra::server {
 
-Turns::~Turns() {
+Workload::~Workload() {
   if (timer_ != 0) executor_.cancel(timer_);
 }
 
-void Turns::took_for_request(wire::SessionId session, std::size_t examined) {
+void Workload::took_for_request(wire::SessionId session, std::size_t examined) {
   took(session, examined);
   for_requests_ += examined;
 }
 
-void Turns::wait(const std::string& client, wire::SessionId session) {
+void Workload::wait(const std::string& client, wire::SessionId session) {
   costly_.wait(client, session);
   schedule();
 }
 
-void Turns::schedule() {
+void Workload::schedule() {
   if (timer_ != 0) return;
   // Not at once: what is due at once is done several times before anybody is heard.
   const Time soon = executor_.now() + 1us;
@@ -29,13 +29,13 @@ void Turns::schedule() {
   });
 }
 
-void Turns::begin() {
+void Workload::begin() {
   examined_ = 0;
   begin_frame();
 }
 
-bool Turns::has_room() const { return examined_ < limits::examined_a_turn; }
+bool Workload::has_room() const { return examined_ < limits::examined_a_turn; }
 
-bool Turns::frame_had_its_turn() const { return for_requests_ - before_frame_ >= limits::examined_a_turn; }
+bool Workload::frame_had_its_turn() const { return for_requests_ - before_frame_ >= limits::examined_a_turn; }
 
 }  // namespace pizarra::server

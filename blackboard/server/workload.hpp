@@ -3,12 +3,12 @@
 // The work of a served board, in turns: what costs much is done a part at a time, and everybody is heard between the
 // parts. It counts what the turn and the frame in hand have cost.
 //
-//   Turns turns(executor);
-//   turns.on_turn = [this] { serve_on(); };       // when somebody waits, and the board has rested
-//   turns.wait(session.client(), id);
+//   Workload workload(executor);
+//   workload.on_turn = [this] { serve_on(); };       // when somebody waits, and the board has rested
+//   workload.wait(session.client(), id);
 //   ...
-//   turns.begin();                                // in on_turn
-//   for (std::size_t left = turns.clients(); left > 0 && turns.has_room(); --left) serve(turns.next());
+//   workload.begin();                                // in on_turn
+//   for (std::size_t left = workload.clients(); left > 0 && workload.has_room(); --left) serve(workload.next());
 
 #include <functional>
 
@@ -17,12 +17,12 @@
 
 namespace pizarra::server {
 
-class Turns {
+class Workload {
  public:
-  explicit Turns(Executor& executor) : executor_(executor) {}
-  Turns(const Turns&) = delete;
-  Turns& operator=(const Turns&) = delete;
-  ~Turns();
+  explicit Workload(Executor& executor) : executor_(executor) {}
+  Workload(const Workload&) = delete;
+  Workload& operator=(const Workload&) = delete;
+  ~Workload();
 
   std::function<void()> on_turn;
 
