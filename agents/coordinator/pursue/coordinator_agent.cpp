@@ -2,7 +2,7 @@
 
 #include "agents/coordinator/perceive/role_changes.hpp"
 #include "agents/coordinator/pursue/coordinator_contract.hpp"
-#include "agents/coordinator/pursue/pursuit.hpp"
+#include "agents/coordinator/pursue/goal_loop.hpp"
 #include "agents/coordinator/pursue/why_not.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal.hpp"
@@ -26,7 +26,14 @@ struct Life {
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
         rescues(domain, surroundings.scene(), story, arm, runner, options.gripper.openings.wide_mm),
         survey(options, domain, surroundings, story, arm, eyes, runner, vigil),
-        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, survey, vigil),
+        goal(context, story, vigil),
+        plan(planning, story),
+        differences(surroundings, story),
+        search(context, options, surroundings, story, eyes, plan, runner, rescues, vigil),
+        replanning(context, surroundings, planning, plan, search, runner, rescues, vigil),
+        pursuit(context, options, domain, surroundings, story, eyes, planning, plan, differences, search, replanning,
+                runner, rescues, survey, vigil),
+        loop(context, surroundings, eyes, planning, plan, differences, goal, pursuit, vigil),
         why_not(options, domain, surroundings, eyes, planning) {}
 
   TaskDomain domain;
@@ -42,7 +49,13 @@ struct Life {
   TaskRunner runner;
   Rescues rescues;
   CameraSurvey survey;
+  GoalInHand goal;
+  PlanInHand plan;
+  Differences differences;
+  ObjectSearch search;
+  Replanning replanning;
   Pursuit pursuit;
+  GoalLoop loop;
   WhyNot why_not;
   Job changing, pursuing;
 };
@@ -60,13 +73,13 @@ Task<Result<std::vector<Datum>>> goal_of(Life& life, Datum operation) {
 Task<Result<Datum>> take_goal(Life& life, Datum operation) {
   Result<std::vector<Datum>> facts = co_await goal_of(life, std::move(operation));
   if (!facts) co_return fail(facts);
-  const Result<std::int64_t> number = co_await life.pursuit.submit(std::move(*facts));
+  const Result<std::int64_t> number = co_await life.goal.submit(std::move(*facts));
   if (!number) co_return fail(number);
   co_return list(*number);
 }
 
 Task<Result<Datum>> take_cancel(Life& life) {
-  const Result<void> cancelled = co_await life.pursuit.cancel();
+  const Result<void> cancelled = co_await life.goal.cancel();
   if (!cancelled) co_return fail(cancelled);
   co_return Datum();
 }
@@ -125,11 +138,11 @@ Task<Result<void>> CoordinatorAgent::run() {
   life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
   co_await life->story.resume();
   co_await life->surroundings.resume();
-  co_await life->pursuit.resume();
+  co_await life->loop.resume();
   life->roles.start();
   life->surroundings.start();
   life->changing = context.executor.spawn(life->changes.follow());
-  life->pursuing = context.executor.spawn(life->pursuit.run());
+  life->pursuing = context.executor.spawn(life->loop.run());
   runtime::Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };
   const Result<void> served = co_await service.serve(std::move(handler));
   co_return served;

@@ -1,9 +1,10 @@
+#include "agents/coordinator/pursue/differences.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <ranges>
 #include <set>
 
-#include "agents/coordinator/pursue/pursuit.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
@@ -20,7 +21,7 @@ bool share_an_object(const Datum& a, const Datum& b) {
 
 // Which fact, seen in which frame, broke which expectation: what is believed instead is what came with that frame about
 // the same objects.
-Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expected_by) {
+Task<void> Differences::tell(std::vector<Datum> lost, std::string expected_by) {
   std::set<FactId> because;
   std::string sentence;
   for (const Datum& literal : lost) {
@@ -43,8 +44,7 @@ Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expecte
   co_await story_.tell("difference", sentence, Datum::list(lost), std::move(looks));
 }
 
-// The operation handed out is not the one that should follow the last one.
-Task<void> Pursuit::tell_unexpected(NextOperation expected, std::size_t next) {
+Task<void> Differences::tell_unexpected(NextOperation expected, std::size_t next) {
   if (next > expected.index) {
     std::string skipped;
     std::vector<Datum> operations;
@@ -58,10 +58,10 @@ Task<void> Pursuit::tell_unexpected(NextOperation expected, std::size_t next) {
   }
   std::vector<Datum> lost = missing_from(surroundings_.beliefs(), expected.needed);
   const std::string expected_by = expected.rest.empty() ? std::string("the goal") : write(expected.rest.front().name);
-  co_await tell_difference(std::move(lost), expected_by);
+  co_await tell(std::move(lost), expected_by);
 }
 
-Task<void> Pursuit::tell_still_serves(std::int64_t goal, NextOperation next) {
+Task<void> Differences::tell_still_serves(std::int64_t goal, NextOperation next) {
   std::vector<Datum> rest;
   std::string told;
   for (const GroundOperation& operation : next.rest) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
 
@@ -21,7 +20,6 @@ constexpr int most_failures_of_one = 5;
 constexpr int failures_till_otherwise = 2;
 // Verdicts of one attempt after another that may come of a camera that was moved.
 constexpr int most_doubts = 3;
-constexpr Duration untold_pause = 1s;
 
 // The operation that follows this one, unless something differs. What must hold after that is not known yet.
 NextOperation once_done(const NextOperation& done) {
@@ -38,20 +36,9 @@ bool is_of_how_it_lies(const Failure& failure) {
 
 }  // namespace
 
-Task<void> Pursuit::run() {
-  while (true) {
-    while (!current_) co_await wanted_.wait();
-    const Goal goal = *current_;
-    vigil_.clear_interrupt();
-    const Result<void> outcome = co_await pursue(goal);
-    co_await finish(goal, outcome);
-  }
-}
-
-Task<Result<void>> Pursuit::pursue_once(Goal goal) {
+Task<Result<void>> Pursuit::run(Goal goal) {
   hold_up_.went_on();
-  set_aside_ = 0;
-  hid_.clear();
+  search_.begin();
   int doubts = 0;
   while (true) {
     const Result<void> outcome = co_await attempt(goal);
@@ -73,9 +60,9 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
   const Result<void> found = co_await find_camera();
   if (!found) co_return found;
   const std::vector<std::string> objects = objects_of(goal);
-  const Result<void> there = co_await look_for(objects);
+  const Result<void> there = co_await search_.look_for(goal.number, objects);
   if (!there) co_return there;
-  co_await await_steady(objects);
+  co_await search_.await_steady(objects);
   if (options_.open_loop) {
     const Result<void> carried_out = co_await carry_out_blindly(goal);
     co_return carried_out;
@@ -98,9 +85,9 @@ Task<Result<void>> Pursuit::find_camera() {
 }
 
 Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {
-  const Result<bool> planned = co_await plan_anew(goal, objects_of(goal));
+  const Result<bool> planned = co_await replanning_.run(goal, objects_of(goal));
   if (!planned) co_return fail(planned);
-  const Result<std::optional<NextOperation>> plan = co_await hand_out(goal.number);
+  const Result<std::optional<NextOperation>> plan = co_await plan_.next(goal.number);
   if (!plan) co_return fail(plan);
   if (!*plan) co_return fail("off-plan", "the first plan did not serve to begin with");
   const NextOperation first = **plan;
@@ -121,7 +108,7 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     if (!found) co_return found;
     // The arm keeps out of the way of a hand at work.
     const bool calm = surroundings_.scene().calm();
-    if (!calm) co_await await_steady(objects);
+    if (!calm) co_await search_.await_steady(objects);
     const Result<std::optional<NextOperation>> chosen = co_await choose(goal, progress);
     if (!chosen) co_return fail(chosen);
     if (!*chosen) continue;
@@ -141,49 +128,40 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
       progress.failures_of.erase(next.rest.front().name);
       continue;
     }
-    const Result<void> recovered = co_await recover(next.rest.front(), done.error(), progress);
+    const Result<void> recovered = co_await recover(goal.number, next.rest.front(), done.error(), progress);
     if (!recovered) co_return recovered;
-    co_await await_steady(objects);
+    co_await search_.await_steady(objects);
   }
   co_return fail("gave-up", "the goal was not reached in a great many operations");
 }
 
-Task<Result<std::optional<NextOperation>>> Pursuit::hand_out(std::int64_t goal) {
-  if (planned_for_ != goal) co_return std::nullopt;
-  Result<NextOperation> next = co_await planning_.next(goal);
-  if (next) co_return std::move(*next);
-  const std::string& why = next.error().symbol;
-  if (why == "off-plan" || why == "not-ready") co_return std::nullopt;
-  co_return fail(next);
-}
-
 Task<Result<std::optional<NextOperation>>> Pursuit::choose(Goal goal, Progress& progress) {
-  const Result<std::optional<NextOperation>> next = co_await hand_out(goal.number);
+  const Result<std::optional<NextOperation>> next = co_await plan_.next(goal.number);
   if (!next) co_return next;
   if (!*next) {
     if (progress.expected) {
       const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), progress.expected->needed);
-      co_await tell_difference(lost, "the rest of the plan");
+      co_await differences_.tell(lost, "the rest of the plan");
     }
     progress.expected.reset();
     progress.announced.reset();
     if (++progress.plans > most_plans) co_return fail("gave-up", "too many plans came to nothing");
     std::vector<std::string> objects = objects_of(goal);
-    const Result<bool> planned = co_await plan_anew(goal, std::move(objects));
+    const Result<bool> planned = co_await replanning_.run(goal, std::move(objects));
     if (!planned) co_return fail(planned);
     if (*planned) progress.announced = 0;
     co_return next;
   }
   const std::size_t index = (*next)->index;
   const bool unexpected = progress.expected && index != progress.expected->index;
-  if (unexpected) co_await tell_unexpected(*progress.expected, index);
-  if (progress.announced != index) co_await tell_still_serves(goal.number, **next);
+  if (unexpected) co_await differences_.tell_unexpected(*progress.expected, index);
+  if (progress.announced != index) co_await differences_.tell_still_serves(goal.number, **next);
   progress.expected = *next;
   progress.announced = index;
   co_return next;
 }
 
-Task<Result<void>> Pursuit::recover(GroundOperation operation, Failure why, Progress& progress) {
+Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress) {
   const bool ends = is_final(why) || is_hold_up(why);
   if (ends) co_return fail(why);
   // A difference was told when it was noticed; what follows from it is not another one.
@@ -196,17 +174,16 @@ Task<Result<void>> Pursuit::recover(GroundOperation operation, Failure why, Prog
   const bool too_often = ++progress.failures > most_failures || failures > most_failures_of_one;
   if (too_often) co_return fail(why);
   const bool in_vain = failures % failures_till_otherwise == 0;
-  if (in_vain) co_await try_otherwise(operation, std::move(why));
+  if (in_vain) co_await try_otherwise(goal, operation, std::move(why));
   co_return Result<void>();
 }
 
 // Whatever comes of it is seen afterwards.
-Task<void> Pursuit::try_otherwise(GroundOperation operation, Failure why) {
+Task<void> Pursuit::try_otherwise(std::int64_t goal, GroundOperation operation, Failure why) {
   const bool hidden = why.symbol == "lost-sight" && why.subject.is_symbol();
   if (hidden) {
     const std::string missing(why.subject.text());
-    SetAside none;
-    co_await clear_view(missing, none);
+    co_await search_.clear_view_of(goal, missing);
     co_return;
   }
   const bool lies_badly = is_of_how_it_lies(why);
@@ -222,7 +199,7 @@ Task<Result<void>> Pursuit::do_operation(NextOperation next) {
   if (why.symbol == "interrupted") co_return done;
   if (why.symbol == "difference") {
     std::vector<Datum> lost(why.subject.items().begin(), why.subject.items().end());
-    co_await tell_difference(std::move(lost), write(operation.name));
+    co_await differences_.tell(std::move(lost), write(operation.name));
   } else {
     const std::string sentence = fmt::format("{} failed: {}", write(operation.name), why.sentence);
     co_await story_.tell("operation", sentence, failure_to_datum(why));
@@ -238,69 +215,11 @@ Task<bool> Pursuit::settles(Goal goal) {
     if (vigil_.interrupted()) co_return false;
     const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
     if (lost.empty()) continue;
-    co_await tell_difference(lost, "the goal");
-    co_await await_steady(objects_of(goal));
+    co_await differences_.tell(lost, "the goal");
+    co_await search_.await_steady(objects_of(goal));
     co_return false;
   }
   co_return true;
-}
-
-Task<Result<std::int64_t>> Pursuit::submit(std::vector<Datum> facts) {
-  const Turns::Turn turn = co_await turns_.take();
-  const Goal goal{last_number_ + 1, std::move(facts)};
-  const Datum told_goal = list("goal"_sym, goal.number, Datum::list(goal.facts));
-  Transaction transaction;
-  if (current_) transaction.tell(list("goal-state"_sym, current_->number, "replaced"_sym, Datum()));
-  transaction.tell(told_goal);
-  transaction.tell(list("goal-state"_sym, goal.number, "running"_sym, Datum()));
-  story_.add(transaction, "goal", goal_sentence(told_goal), told_goal[2]);
-  const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
-  if (!told) co_return fail(told);
-  last_number_ = goal.number;
-  current_ = goal;
-  vigil_.interrupt();
-  wanted_.wake_all();
-  co_return goal.number;
-}
-
-Task<Result<void>> Pursuit::cancel() {
-  const Turns::Turn turn = co_await turns_.take();
-  if (!current_) co_return fail("no-goal", "there is no goal in hand");
-  const Result<Revision> told = co_await tell_outcome(current_->number, "cancelled", Datum());
-  if (!told) co_return fail(told);
-  current_.reset();
-  vigil_.interrupt();
-  co_return Result<void>();
-}
-
-// A goal stays in hand until its end could be told.
-Task<void> Pursuit::finish(Goal goal, Result<void> outcome) {
-  bool ended = co_await end(goal, outcome);
-  while (!ended) {
-    co_await sleep(context_.executor, untold_pause);
-    ended = co_await end(goal, outcome);
-  }
-}
-
-Task<bool> Pursuit::end(Goal goal, Result<void> outcome) {
-  const Turns::Turn turn = co_await turns_.take();
-  const bool still_wanted = current_ && current_->number == goal.number;
-  if (!still_wanted) co_return true;
-  const std::string_view state = outcome ? "reached" : "refused";
-  const Datum detail = outcome ? Datum() : failure_to_datum(outcome.error());
-  const Result<Revision> told = co_await tell_outcome(goal.number, state, detail);
-  const bool try_again = !told && told.error().symbol == "journal-full";
-  if (try_again) co_return false;
-  current_.reset();
-  co_return true;
-}
-
-Task<Result<Revision>> Pursuit::tell_outcome(std::int64_t number, std::string_view state, Datum detail) {
-  const Datum told = list("goal-state"_sym, number, Datum::symbol(state), detail);
-  Transaction transaction;
-  transaction.tell(told);
-  story_.add(transaction, "result", outcome_sentence(told), detail);
-  return commit(context_.board, context_.executor, std::move(transaction));
 }
 
 }  // namespace pizarra::coordinator

@@ -1,10 +1,8 @@
-// Goals that take longer than a plan: stages one after another, what is waited for, what is kept.
+#include "agents/coordinator/pursue/goal_loop.hpp"
 
 #include <fmt/format.h>
 
 #include "agents/coordinator/perceive/missing_objects.hpp"
-#include "agents/coordinator/pursue/pursuit.hpp"
-#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
 
@@ -19,7 +17,23 @@ constexpr Duration hopeless_pause = 10s;
 
 }  // namespace
 
-Task<Result<void>> Pursuit::pursue(Goal goal) {
+Task<void> GoalLoop::resume() {
+  co_await goal_.resume();
+  const std::optional<Goal>& taken_up = goal_.current();
+  // The plan may be that of the stage before.
+  if (taken_up && taken_up->stage == 0) plan_.take_up(taken_up->number);
+}
+
+Task<void> GoalLoop::run() {
+  while (true) {
+    const Goal goal = co_await goal_.next();
+    vigil_.clear_interrupt();
+    const Result<void> outcome = co_await pursue(goal);
+    co_await goal_.finish(goal, outcome);
+  }
+}
+
+Task<Result<void>> GoalLoop::pursue(Goal goal) {
   const Wish wish = wish_of(goal.facts);
   if (wish.keeps) {
     const Result<void> ended = co_await keep(goal, wish);
@@ -29,15 +43,15 @@ Task<Result<void>> Pursuit::pursue(Goal goal) {
   co_return outcome;
 }
 
-Task<Result<void>> Pursuit::pursue_stages(Goal goal, Wish wish) {
+Task<Result<void>> GoalLoop::pursue_stages(Goal goal, Wish wish) {
   for (std::size_t i = goal.stage; i < wish.stages.size(); ++i) {
     const bool is_later = i > goal.stage;
     if (is_later) {
       std::string sentence = fmt::format("stage {} of {} holds; the next:", i, wish.stages.size());
       for (const Datum& form : wish.stages[i]) sentence += ' ' + write(form);
-      planned_for_ = 0;
+      plan_.forget();
       const Datum detail = list("stage"_sym, i + 1);
-      co_await tell_progress(goal.number, "running", detail, "goal", sentence);
+      co_await goal_.tell_progress(goal.number, "running", detail, "goal", sentence);
     }
     const Goal stage{goal.number, wish.stages[i], i};
     const Result<void> done = co_await pursue_patiently(stage, wish.patience);
@@ -46,9 +60,9 @@ Task<Result<void>> Pursuit::pursue_stages(Goal goal, Wish wish) {
   co_return Result<void>();
 }
 
-Task<Result<void>> Pursuit::pursue_patiently(Goal goal, Duration patience) {
+Task<Result<void>> GoalLoop::pursue_patiently(Goal goal, Duration patience) {
   while (true) {
-    const Result<void> done = co_await pursue_once(goal);
+    const Result<void> done = co_await pursuit_.run(goal);
     const bool waits = !done && done.error().symbol == "missing-object" && patience > Duration::zero();
     if (!waits) co_return done;
     const Failure missing = done.error();
@@ -57,14 +71,14 @@ Task<Result<void>> Pursuit::pursue_patiently(Goal goal, Duration patience) {
   }
 }
 
-Task<Result<void>> Pursuit::await_missing(std::int64_t goal, Failure missing, Duration patience) {
+Task<Result<void>> GoalLoop::await_missing(std::int64_t goal, Failure missing, Duration patience) {
   const std::vector<std::string> names = names_of_missing(missing);
   std::vector<Datum> detail{"missing"_sym};
   for (const std::string& name : names) detail.push_back(Datum::symbol(name));
   const double seconds = std::chrono::duration<double>(patience).count();
   const std::string sentence = fmt::format("{}: waiting {:g} s for it", missing.sentence, seconds);
   const Datum told = Datum::list(detail);
-  co_await tell_progress(goal, "running", told, "missing", sentence);
+  co_await goal_.tell_progress(goal, "running", told, "missing", sentence);
   const Time deadline = context_.executor.now() + patience;
   for (const std::string& name : names) {
     while (!surroundings_.scene().sightings().recent(name, 2)) {
@@ -82,12 +96,12 @@ Task<Result<void>> Pursuit::await_missing(std::int64_t goal, Failure missing, Du
   }
   const Datum nothing;
   const std::string seen = "what was missing is seen: going on";
-  co_await tell_progress(goal, "running", nothing, "missing", seen);
+  co_await goal_.tell_progress(goal, "running", nothing, "missing", seen);
   co_return Result<void>();
 }
 
 // It ends only when another goal, or none, is wanted.
-Task<Result<void>> Pursuit::keep(Goal goal, Wish wish) {
+Task<Result<void>> GoalLoop::keep(Goal goal, Wish wish) {
   const Datum nothing;
   Failure told;
   bool holds = false;
@@ -99,13 +113,13 @@ Task<Result<void>> Pursuit::keep(Goal goal, Wish wish) {
       told = done.error();
       const std::string sentence = fmt::format("cannot be had as things are, and is kept in mind: {}", told.sentence);
       const Datum why = failure_to_datum(told);
-      if (is_new) co_await tell_progress(goal.number, "running", why, "result", sentence);
+      if (is_new) co_await goal_.tell_progress(goal.number, "running", why, "result", sentence);
       holds = false;
       co_await await_change();
       continue;
     }
     const std::string stands = fmt::format("goal {} is kept", goal.number);
-    if (!holds) co_await tell_progress(goal.number, "kept", nothing, "result", stands);
+    if (!holds) co_await goal_.tell_progress(goal.number, "kept", nothing, "result", stands);
     holds = true;
     told = Failure();
     while (holds && !vigil_.interrupted()) {
@@ -114,30 +128,19 @@ Task<Result<void>> Pursuit::keep(Goal goal, Wish wish) {
           forms::unmet_parts(wish.stages.front(), surroundings_.beliefs(), planning_.objects());
       if (lost.empty()) continue;
       holds = false;
-      co_await tell_difference(lost, "the goal that is kept");
+      co_await differences_.tell(lost, "the goal that is kept");
       const std::string sentence = fmt::format("goal {} fell: it is built again", goal.number);
-      co_await tell_progress(goal.number, "running", nothing, "plan", sentence);
+      co_await goal_.tell_progress(goal.number, "running", nothing, "plan", sentence);
     }
   }
 }
 
-Task<void> Pursuit::await_change() {
+Task<void> GoalLoop::await_change() {
   const Time deadline = context_.executor.now() + hopeless_pause;
   const Facts before = surroundings_.beliefs();
   while (context_.executor.now() < deadline && surroundings_.beliefs() == before && !vigil_.interrupted()) {
     co_await sleep(context_.executor, watch_pause);
   }
-}
-
-Task<void> Pursuit::tell_progress(std::int64_t goal, std::string_view state, Datum detail, std::string_view kind,
-                                  std::string sentence) {
-  const Turns::Turn turn = co_await turns_.take();
-  const bool still_wanted = current_ && current_->number == goal;
-  if (!still_wanted) co_return;
-  Transaction transaction;
-  transaction.tell(list("goal-state"_sym, goal, Datum::symbol(state), detail));
-  story_.add(transaction, kind, sentence, detail);
-  co_await commit(context_.board, context_.executor, std::move(transaction));
 }
 
 }  // namespace pizarra::coordinator

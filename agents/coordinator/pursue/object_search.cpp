@@ -1,0 +1,129 @@
+#include "agents/coordinator/pursue/object_search.hpp"
+
+#include "agents/coordinator/perceive/missing_objects.hpp"
+#include "agents/coordinator/pursue/hold_up.hpp"
+
+namespace pizarra::coordinator {
+
+namespace {
+
+constexpr Duration steady_patience = 8s;
+// How many things are set aside in search of one, and how long each time one looks what was behind.
+constexpr std::size_t most_set_aside = 6;
+constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
+constexpr int tries_to_set_aside = 3;       // a try that failed may have moved it to where it can be grasped
+constexpr Duration look_behind = 1500ms;
+
+}  // namespace
+
+bool ends_search(const Failure& failure) { return failure.symbol == "interrupted" || is_hold_up(failure); }
+
+void ObjectSearch::begin() {
+  set_aside_ = 0;
+  hid_.clear();
+}
+
+// Each object is found, whatever was seen of it lately, and all that are missing are named.
+Task<Result<void>> ObjectSearch::look_for(std::int64_t goal, std::vector<std::string> objects) {
+  std::vector<std::string> missing;
+  for (const std::string& name : objects) {
+    const Time deadline = context_.executor.now() + options_.missing_patience;
+    const Result<void> there = co_await look_once_for(goal, name, deadline);
+    const bool unseen = !there && there.error().symbol == "missing-object";
+    if (!there && !unseen) co_return there;
+    if (unseen) missing.push_back(name);
+  }
+  if (missing.empty()) co_return Result<void>();
+  const Failure why = missing_objects(missing);
+  co_return fail(why);
+}
+
+bool ObjectSearch::arm_stands_low() const {
+  const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
+  return grip && grip->z() < options_.travel_height_mm - 10;
+}
+
+// Where it does not show by itself, what may hide it is set aside, one thing after another.
+Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string object, Time deadline) {
+  bool out_of_the_way = false;
+  SetAside set_aside;
+  bool looked_behind = false;
+  Time doubtful = context_.executor.now() + options_.missing_patience / 2;
+  while (true) {
+    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    const Result<bool> found = co_await eyes_.find(object);
+    if (!found) co_return fail(found);
+    if (surroundings_.scene().sightings().remembered(object, options_.grace_looks)) co_return Result<void>();
+    // Eyes that restarted find it, and may not track it any more.
+    Result<void> tracking;
+    if (*found) tracking = co_await eyes_.track();
+    if (!tracking) co_return tracking;
+    // The arm itself may hide it, if it stands low before it.
+    if (!*found && arm_stands_low() && !out_of_the_way) {
+      const Result<void> raised = co_await runner_.raise();
+      if (!raised && ends_search(raised.error())) co_return raised;
+      // One that ended early is tried again while there is time.
+      out_of_the_way = raised.has_value();
+    }
+    const bool may_set_aside = set_aside.done.size() < most_set_aside && set_aside_ < most_set_aside_of_goal;
+    if (may_set_aside && context_.executor.now() > doubtful) {
+      const Result<bool> cleared = co_await clear_view(goal, object, set_aside);
+      if (!cleared) co_return fail(cleared);
+      doubtful = context_.executor.now() + look_behind;
+      const bool goes_on = *cleared || !looked_behind;
+      if (goes_on) deadline = context_.executor.now() + options_.missing_patience;
+      looked_behind = true;
+    }
+    // Found in one image alone, it has no place, and that is as good as not seen. While the eyes or the board were away
+    // nobody looked, so that the time alone is no proof.
+    if (context_.executor.now() > deadline) {
+      const Failure why = missing_objects({object});
+      co_return fail(why);
+    }
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+  }
+}
+
+Task<Result<void>> ObjectSearch::clear_view_of(std::int64_t goal, std::string missing) {
+  SetAside none;
+  const Result<bool> cleared = co_await clear_view(goal, std::move(missing), none);
+  if (!cleared) co_return fail(cleared);
+  co_return Result<void>();
+}
+
+// Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
+// reason to give up looking; one that somebody's stop kept from being made is to be made yet.
+Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missing, SetAside& set_aside) {
+  Result<void> done = co_await rescues_.lay_down(missing);
+  // A plan was made when all of the goal's objects had been found.
+  const bool was_here = plan_.was_made_for(goal);
+  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done, was_here);
+  const bool may_hide = done && before && *before != missing;
+  if (may_hide) {
+    ++set_aside_;
+    const std::optional<std::string> under = surroundings_.scene().under(*before);
+    done = co_await rescues_.set_aside(*before);
+    const bool hides_again = done && !hid_.emplace(missing, *before).second;
+    const bool under_too = hides_again && under && *under != missing;
+    if (under_too) done = co_await rescues_.set_aside(*under);
+    const bool in_vain = !done && ++set_aside.failed[*before] == tries_to_set_aside;
+    if (done || in_vain) set_aside.done.insert(*before);
+  }
+  if (done) co_return may_hide;
+  if (ends_search(done.error())) co_return fail(done);
+  const std::string sentence = "the rescue failed: " + done.error().sentence;
+  const Datum why = failure_to_datum(done.error());
+  co_await story_.tell("servo", sentence, why);
+  co_return may_hide;
+}
+
+Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {
+  const Time deadline = context_.executor.now() + steady_patience;
+  while (!surroundings_.steady(objects) && context_.executor.now() < deadline && !vigil_.interrupted()) {
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return;
+  }
+}
+
+}  // namespace pizarra::coordinator

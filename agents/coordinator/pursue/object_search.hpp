@@ -1,0 +1,73 @@
+#pragma once
+
+// Looks for the objects of a goal (steps b and c): the eyes find each one; where it does not show, what may hide it is
+// set aside, one thing after another.
+//
+//   ObjectSearch search(context, options, surroundings, story, eyes, plan, runner, rescues, vigil);
+//   search.begin();                                                     // a goal, or a stage of it
+//   Result<void> there = co_await search.look_for(goal, objects);       // missing-object names all that are missing
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "agents/coordinator/act/rescues.hpp"
+#include "agents/coordinator/pursue/plan_in_hand.hpp"
+
+namespace pizarra::coordinator {
+
+class ObjectSearch {
+ public:
+  ObjectSearch(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings,
+               Story& story, Eyes& eyes, const PlanInHand& plan, TaskRunner& runner, Rescues& rescues, Vigil& vigil)
+      : context_(context),
+        options_(options),
+        surroundings_(surroundings),
+        story_(story),
+        eyes_(eyes),
+        plan_(plan),
+        runner_(runner),
+        rescues_(rescues),
+        vigil_(vigil) {}
+
+  // Forgets what was set aside.
+  void begin();
+  // Failures: missing-object, interrupted, hold-ups, and the eyes'.
+  Task<Result<void>> look_for(std::int64_t goal, std::vector<std::string> objects);
+  // Tries once to set something aside that may hide the object.
+  Task<Result<void>> clear_view_of(std::int64_t goal, std::string missing);
+  // A hand may be at work: what is planned on should have come to rest. Not for ever.
+  Task<void> await_steady(std::vector<std::string> objects);
+  // Whether the gripper is low enough to hide something.
+  bool arm_stands_low() const;
+
+ private:
+  // In search of one object: `done` once it was moved, or could not be moved however often that was tried.
+  struct SetAside {
+    std::set<std::string> done;
+    std::map<std::string, int> failed;
+  };
+
+  Task<Result<void>> look_once_for(std::int64_t goal, std::string object, Time deadline);
+  // Whether it was tried to set something aside that may hide the missing object. The second time that the same thing
+  // hides it, what that stood on goes too: there the plan would put it again.
+  Task<Result<bool>> clear_view(std::int64_t goal, std::string missing, SetAside& set_aside);
+
+  runtime::AgentContext& context_;
+  const CoordinatorOptions& options_;
+  Surroundings& surroundings_;
+  Story& story_;
+  Eyes& eyes_;
+  const PlanInHand& plan_;
+  TaskRunner& runner_;
+  Rescues& rescues_;
+  Vigil& vigil_;
+  int set_aside_ = 0;                                  // how often something was, since the search began
+  std::set<std::pair<std::string, std::string>> hid_;  // a missing object, and what was set aside before it
+};
+
+// What ends a search, and rescues on its way. A rescue that fails otherwise has been tried.
+bool ends_search(const Failure& failure);
+
+}  // namespace pizarra::coordinator
