@@ -16,8 +16,16 @@ namespace {
 constexpr std::uint64_t tolerated_looks = 3;
 // A cube comes to lie so far off the spot that it was meant for.
 constexpr double off_spot_mm = 8;
+// How far behind a cube stands what it hides, in cubes.
+constexpr double hiding_cubes[] = {1, 1.5, 2};
 // From the middle of a cube to that of one which passes over it, in cubes.
 constexpr double clearing = 1.25;
+
+std::vector<Eigen::Vector2d> on_the_table(const std::vector<Eigen::Vector3d>& centres) {
+  std::vector<Eigen::Vector2d> places;
+  for (const Eigen::Vector3d& centre : centres) places.emplace_back(centre.head<2>());
+  return places;
+}
 
 }  // namespace
 
@@ -64,10 +72,30 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower, std::string_view
   return Eigen::Vector3d(front + above_mm * Eigen::Vector3d::UnitZ());
 }
 
-// An object is laid down where it hides nothing and is not hidden. Where no such spot is free, one that the camera
-// shows will do.
-std::optional<Eigen::Vector2d> Aims::free_spot_among(const std::vector<Eigen::Vector3d>& others,
-                                                     double from_y_mm) const {
+// The middles of the cubes that stand somewhere. `lost`: with those that are not seen any more, where they were.
+std::vector<Eigen::Vector3d> Aims::standing_but(std::string_view held, bool lost) const {
+  std::vector<Eigen::Vector3d> centres;
+  for (const auto& [name, sighting] : scene_.sightings().all()) {
+    const bool there = lost || scene_.sightings().remembered(name, options_.grace_looks);
+    if (there && name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
+  }
+  return standing(std::move(centres), scene_.grip_mm(), domain_.cube_mm());
+}
+
+// Where a cube may stand that this one hides.
+std::vector<Eigen::Vector3d> Aims::behind(double x_mm, double y_mm) const {
+  std::vector<Eigen::Vector3d> places;
+  for (const double cubes : hiding_cubes) {
+    const Eigen::Vector3d stood(x_mm, y_mm, domain_.cube_mm() / 2);
+    places.emplace_back(stood + cubes * domain_.cube_mm() * scene_.view()->away());
+  }
+  return places;
+}
+
+// An object is laid down where it hides nothing and is not hidden. Where no such spot is free, one may be where another
+// was lost, which is more likely elsewhere; else one that the camera shows will do.
+std::optional<Eigen::Vector2d> Aims::free_spot_among(std::string_view held,
+                                                     const std::vector<Eigen::Vector3d>& to_show) const {
   const double cube = domain_.cube_mm();
   SightLines lines;
   for (const Eigen::Vector3d& eye : scene_.view()->eyes()) lines.eyes_mm.emplace_back(eye.head<2>());
@@ -77,37 +105,34 @@ std::optional<Eigen::Vector2d> Aims::free_spot_among(const std::vector<Eigen::Ve
   const Shown shown = [&](const Eigen::Vector2d& spot) {
     return scene_.view()->shows(on_table(spot.x(), spot.y(), cube), lines.mark_half_mm);
   };
-  const Shown in_sight = [&](const Eigen::Vector2d& spot) {
-    const Eigen::Vector3d centre(spot.x(), spot.y(), cube / 2);
-    const auto crosses = [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); };
-    return shown(spot) && std::ranges::none_of(others, crosses);
-  };
-  std::vector<Eigen::Vector2d> occupied;
-  for (const Eigen::Vector3d& other : others) occupied.emplace_back(other.head<2>());
+  const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
+  const double from_y_mm = grip ? grip->y() : 0;
   const TableArea area = TableArea::of(options_.row, cube);
-  const std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, from_y_mm, in_sight);
-  return spot ? spot : free_spot(area, occupied, from_y_mm, shown);
-}
-
-// The middles of the cubes that stand somewhere.
-std::vector<Eigen::Vector3d> Aims::standing_but(std::string_view held) const {
-  std::vector<Eigen::Vector3d> centres;
-  for (const auto& [name, sighting] : scene_.sightings().all()) {
-    if (name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
+  for (const bool lost : {true, false}) {
+    const std::vector<Eigen::Vector3d> others = standing_but(held, lost);
+    const Shown in_sight = [&](const Eigen::Vector2d& spot) {
+      const Eigen::Vector3d centre(spot.x(), spot.y(), cube / 2);
+      const auto crosses = [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); };
+      return shown(spot) && std::ranges::none_of(others, crosses) && std::ranges::none_of(to_show, crosses);
+    };
+    const std::optional<Eigen::Vector2d> spot = free_spot(area, on_the_table(others), from_y_mm, in_sight);
+    if (spot) return spot;
   }
-  return standing(std::move(centres), scene_.grip_mm(), domain_.cube_mm());
+  return free_spot(area, on_the_table(standing_but(held, true)), from_y_mm, shown);
 }
 
 double Aims::clear_height_mm() const {
   double highest_mm = 0;
-  for (const Eigen::Vector3d& centre : standing_but("")) highest_mm = std::max(highest_mm, centre.z());
+  for (const Eigen::Vector3d& centre : standing_but("", true)) highest_mm = std::max(highest_mm, centre.z());
   return highest_mm + clearing * domain_.cube_mm();
 }
 
-Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
+Result<Eigen::Vector3d> Aims::free_spot_for(const Datum& target) {
+  const std::string_view held = target[1].text();
   if (!spot_) {
-    const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
-    spot_ = free_spot_among(standing_but(held), grip ? grip->y() : 0);
+    std::vector<Eigen::Vector3d> to_show;
+    if (target.size() == 4) to_show = behind(target[2].number(), target[3].number());
+    spot_ = free_spot_among(held, to_show);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
   return on_table(spot_->x(), spot_->y(), held_edge_mm(held));
@@ -134,7 +159,7 @@ Result<Aim> Aims::at(const Datum& target) {
   if (target.is_form("on-top") && target.size() == 3) {
     wanted = on_top_of(target[2].text(), held);
   } else if (target.is_form("free-spot")) {
-    wanted = free_spot_for(held);
+    wanted = free_spot_for(target);
   } else if (target.is_form("at-place") && target.size() == 3) {
     const Datum* spot = domain_.spot(target[2].text());
     if (!spot) return fail("unknown-place", "perception has no (spot PLACE X Y) for this place", target[2]);

@@ -20,7 +20,8 @@ class Aims {
   Aims(const CoordinatorOptions& options, const TaskDomain& domain, const Scene& scene)
       : options_(options), domain_(domain), scene_(scene) {}
 
-  // A new operation: a free spot is chosen anew.
+  // A new operation: a free spot is chosen anew. One that is (free-spot HELD X Y) leaves in sight what stands behind
+  // there.
   void reset() { spot_.reset(); }
   // Failures: unseen (with the mark that is), no-room, unknown-place, bad-target.
   Result<Aim> at(const Datum& target);
@@ -34,9 +35,11 @@ class Aims {
   Result<Eigen::Vector3d> grip() const;
   double held_edge_mm(std::string_view held) const;
   Result<Eigen::Vector3d> on_top_of(std::string_view lower, std::string_view held) const;
-  std::vector<Eigen::Vector3d> standing_but(std::string_view held) const;
-  Result<Eigen::Vector3d> free_spot_for(std::string_view held);
-  std::optional<Eigen::Vector2d> free_spot_among(const std::vector<Eigen::Vector3d>& others, double from_y_mm) const;
+  std::vector<Eigen::Vector3d> standing_but(std::string_view held, bool lost) const;
+  Result<Eigen::Vector3d> free_spot_for(const Datum& target);
+  std::vector<Eigen::Vector3d> behind(double x_mm, double y_mm) const;
+  std::optional<Eigen::Vector2d> free_spot_among(std::string_view held,
+                                                 const std::vector<Eigen::Vector3d>& to_show) const;
   Eigen::Vector3d on_table(double x_mm, double y_mm, double edge_mm) const;
 
   const CoordinatorOptions& options_;

@@ -7,14 +7,17 @@ namespace pizarra::coordinator {
 
 bool Rescues::is_held(double closed_mm) const { return domain_.edge_like(closed_mm).has_value(); }
 
+// The object is not known, so its mark does not say how it is held: the gripper alone is aimed.
 Task<Result<void>> Rescues::lay_down(std::string object) {
+  return lay_down_at(list("free-spot"_sym, "held"_sym), std::move(object));
+}
+
+Task<Result<void>> Rescues::lay_down_at(Datum spot, std::string object) {
   if (!is_held(scene_.opening_mm().value_or(0))) co_return Result<void>();
   const Result<double> closed = co_await arm_.grip(0);
   if (!closed) co_return fail(closed);
   if (!is_held(*closed)) co_return Result<void>();
   co_await story_.tell("servo", "laying down what the gripper holds", Datum::symbol(object));
-  // The object is not known, so its mark does not say how it is held: the gripper alone is aimed.
-  const Datum spot = list("free-spot"_sym, "held"_sym);
   // It may be held askew and touch the table early: it is let go wherever the way down ended.
   const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),
                                 list("lower"_sym, spot)};
@@ -33,9 +36,14 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
   const std::vector<Datum> grasp{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
                                  list("align"_sym, name), list("lower"_sym, name), list("close"_sym),
                                  list("raise"_sym)};
+  // A missing object may be anywhere behind where it stood, and is not to be hidden again.
+  const Sighting* seen = scene_.sightings().find(object);
+  if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), name);
+  const Eigen::Vector3d stood = scene_.centre_mm(object, *seen);
+  const Datum spot = list("free-spot"_sym, "held"_sym, stood.x(), stood.y());
   const Result<void> grasped = co_await runner_.improvise(grasp);
   if (!grasped) co_return grasped;
-  const Result<void> laid = co_await lay_down(object);
+  const Result<void> laid = co_await lay_down_at(spot, object);
   co_return laid;
 }
 

@@ -27,6 +27,7 @@ class Rescues {
   Task<Result<void>> loosen(Datum operation);
 
  private:
+  Task<Result<void>> lay_down_at(Datum spot, std::string object);
   // Whether fingers that closed so far have something as wide as a cube between them. Where they meet on an edge they
   // close further; across a cube's edges they jam wider.
   bool is_held(double closed_mm) const;

@@ -476,6 +476,23 @@ TEST(CrowdedCell, LaysWhatItSetsAsideWhereItHidesTheMissingCubeNoMore) {
   EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
 }
 
+// Two hide it, so that it does not show either while one of them is held up.
+TEST(CrowdedCell, LaysWhatItSetsAsideAwayFromWhereItStood) {
+  FakeCell cell("blocks.scm", {{"circle", {420, -100, 30}}, {"triangle", {470, -50, 30}}, {"square", {470, 60, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {385, 0, 30};
+  const auto hides = [&cell](const std::string& name) {
+    const Eigen::Vector3d& at = cell.cubes[name];
+    return at.z() < 120 && at.x() > 420 && std::abs(at.y()) < 70;
+  };
+  cell.covered = [&](const std::string& name) { return name == "circle" && (hides("triangle") || hides("square")); };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+}
+
 // A coordinator that was killed has seen nothing of it, and its plan tells that it was there.
 TEST(CrowdedCell, LooksAfterARestartBehindACubeThatStandsAlone) {
   FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {450, 160, 30}}});
