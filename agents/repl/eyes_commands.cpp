@@ -1,11 +1,11 @@
-// What the prompt says of the eyes: where they see the objects, and what their answers have no room for.
+#include "agents/repl/eyes_commands.hpp"
 
 #include <fmt/format.h>
 #include <set>
 
-#include "agents/repl/interpreter.hpp"
+#include "agents/repl/present_agents.hpp"
+#include "agents/repl/role_commands.hpp"
 #include "agents/runtime/declared.hpp"
-#include "lisp/reader.hpp"
 
 namespace pizarra::repl {
 
@@ -57,67 +57,10 @@ std::string seen_by_eyes(std::string_view name, const std::vector<Fact>& looks) 
   return text;
 }
 
-}  // namespace
-
-Task<Evaluation> Interpreter::objects(Datum) {
-  const Result<std::vector<Fact>> learned =
-      co_await runtime::facts_if_declared(context_.board, read_pattern("(learned ? ? ? ? ? ? ? ? ?)"));
-  if (!learned) co_return show(learned.error());
-  const std::vector<Fact> places = co_await facts_of(context_.board, read_pattern("(place ? ? ? ? ?)"));
-  const std::vector<Fact> looks = co_await facts_of(context_.board, read_pattern("(look ? ? ? ?)"));
-  const std::string coordinator = co_await serving(runtime::coordinator_role());
-  const bool pursued = co_await is_agent(coordinator);
-  if (learned->empty()) output_("nothing has been learned");
-  std::set<std::string> said;
-  for (const Fact& object : *learned) {
-    const std::string name(object.datum[2].text());
-    if (!said.insert(name).second) continue;
-    std::string where = place_of(name, places);
-    if (where.empty()) where = seen_by_eyes(name, looks);
-    const std::string to_follow = pursued ? "it is followed from the first goal on"
-                                          : fmt::format("({} (track \"{}\")) follows it", object.datum[1].text(), name);
-    output_(fmt::format("  {:14} {}", name, where.empty() ? "learned; " + to_follow : where));
-  }
-  const std::vector<Fact> alike = co_await facts_of(context_.board, read_pattern("(look-alike ? ? ? ? ?)"));
-  for (const Fact& fact : alike) output_(std::string(fact.datum[5].text()));
-  const std::vector<Fact> damaged = co_await facts_of(context_.board, read_pattern("(objects-damaged ? ? ? ?)"));
-  for (const Fact& fact : damaged) output_(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
-  co_return Evaluation::done;
-}
-
-Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operation, Datum answer) {
-  const bool learns = operation.is_form("learn");
-  const bool looks = learns || operation.is_form("find");
-  const bool lasts = operation.is_form("track") || operation.is_form("connect");
-  const Datum eyes = Datum::symbol(agent);
-  std::vector<Datum> out;
-  if (!looks && !lasts) co_return out;
-  // Others may have operations of these names, as an arm learns where it stands.
-  const std::vector<Fact> are_eyes = co_await facts_of(context_.board, list("agent"_sym, eyes, "vision"_sym, "?"_sym));
-  if (are_eyes.empty()) co_return out;
-  if (lasts) out = co_await remarks_on_mode(eyes);
-  if (lasts) {
-    const std::string blind = co_await why_blind(eyes);
-    if (!blind.empty()) out.push_back(Datum::string(blind));
-  }
-  if (!looks || answer.size() != 1) co_return out;
-  const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
-  const std::vector<Fact> failures = co_await facts_of(context_.board, failed);
-  for (const Fact& fact : failures) out.push_back(fact.datum[5]);
-  if (!learns || !out.empty()) co_return out;
-  const Datum& name = operation.items().back();
-  const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
-  const std::vector<Fact> alike = co_await facts_of(context_.board, any_alike);
-  for (const Fact& fact : alike) {
-    if (fact.datum[2] == name || fact.datum[3] == name) out.push_back(fact.datum[5]);
-  }
-  co_return out;
-}
-
 // A mode belongs to who asked for it, which here is the prompt.
-Task<std::vector<Datum>> Interpreter::remarks_on_mode(Datum eyes) {
-  const Datum held = list("vision-held"_sym, eyes, Datum::symbol(context_.name), "?"_sym);
-  const std::vector<Fact> ours = co_await facts_of(context_.board, held);
+Task<std::vector<Datum>> remarks_on_mode(runtime::AgentContext& context, Datum eyes) {
+  const Datum held = list("vision-held"_sym, eyes, Datum::symbol(context.name), "?"_sym);
+  const std::vector<Fact> ours = co_await facts_of(context.board, held);
   std::vector<Datum> out;
   if (ours.empty()) co_return out;
   const std::string sentence =
@@ -126,19 +69,77 @@ Task<std::vector<Datum>> Interpreter::remarks_on_mode(Datum eyes) {
   co_return out;
 }
 
-Task<std::string> Interpreter::why_blind(Datum eyes) {
+// Why these eyes have no images though somebody wants them, once that is known; empty: they have, or have no camera.
+Task<std::string> why_blind(runtime::AgentContext& context, Datum eyes) {
   const Datum state = list("camera-state"_sym, eyes, "?state"_sym, "?trouble"_sym);
-  const std::vector<Fact> cameras = co_await facts_of(context_.board, state);
+  const std::vector<Fact> cameras = co_await facts_of(context.board, state);
   if (cameras.empty()) co_return "";
   const Datum settled =
       list("and"_sym, state, list("/="_sym, "?state"_sym, "closed"_sym), list("/="_sym, "?state"_sym, "opening"_sym));
-  const Time deadline = context_.executor.now() + longest_opening;
+  const Time deadline = context.executor.now() + longest_opening;
   Query query = query_from_datum(settled).value();
-  const Result<Answer> camera = co_await await_answer(context_.board, std::move(query), deadline, context_.executor);
+  const Result<Answer> camera = co_await await_answer(context.board, std::move(query), deadline, context.executor);
   if (!camera) co_return fmt::format("{} has no images yet: its camera is being opened", eyes.text());
   const bool lost = camera->bindings.find("?state")->is_symbol("lost");
   if (!lost) co_return "";
   co_return fmt::format("{} has no images: {}", eyes.text(), camera->bindings.find("?trouble")->text());
+}
+
+}  // namespace
+
+Task<Evaluation> list_objects(Prompt& prompt, Typed) {
+  const Result<std::vector<Fact>> learned =
+      co_await runtime::facts_if_declared(prompt.board, read_pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+  if (!learned) co_return prompt.show(learned.error());
+  const std::vector<Fact> places = co_await facts_of(prompt.board, read_pattern("(place ? ? ? ? ?)"));
+  const std::vector<Fact> looks = co_await facts_of(prompt.board, read_pattern("(look ? ? ? ?)"));
+  const std::string coordinator = co_await coordinator_of_prompts(prompt.board);
+  const bool pursued = co_await is_present(prompt.board, coordinator);
+  if (learned->empty()) prompt.print("nothing has been learned");
+  std::set<std::string> said;
+  for (const Fact& object : *learned) {
+    const std::string name(object.datum[2].text());
+    if (!said.insert(name).second) continue;
+    std::string where = place_of(name, places);
+    if (where.empty()) where = seen_by_eyes(name, looks);
+    const std::string to_follow = pursued ? "it is followed from the first goal on"
+                                          : fmt::format("({} (track \"{}\")) follows it", object.datum[1].text(), name);
+    prompt.print(fmt::format("  {:14} {}", name, where.empty() ? "learned; " + to_follow : where));
+  }
+  const std::vector<Fact> alike = co_await facts_of(prompt.board, read_pattern("(look-alike ? ? ? ? ?)"));
+  for (const Fact& fact : alike) prompt.print(std::string(fact.datum[5].text()));
+  const std::vector<Fact> damaged = co_await facts_of(prompt.board, read_pattern("(objects-damaged ? ? ? ?)"));
+  for (const Fact& fact : damaged) prompt.print(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
+  co_return Evaluation::done;
+}
+
+Task<std::vector<Datum>> remarks_on(runtime::AgentContext& context, std::string agent, Datum operation, Datum answer) {
+  const bool learns = operation.is_form("learn");
+  const bool looks = learns || operation.is_form("find");
+  const bool lasts = operation.is_form("track") || operation.is_form("connect");
+  const Datum eyes = Datum::symbol(agent);
+  std::vector<Datum> out;
+  if (!looks && !lasts) co_return out;
+  // Others may have operations of these names, as an arm learns where it stands.
+  const std::vector<Fact> are_eyes = co_await facts_of(context.board, list("agent"_sym, eyes, "vision"_sym, "?"_sym));
+  if (are_eyes.empty()) co_return out;
+  if (lasts) out = co_await remarks_on_mode(context, eyes);
+  if (lasts) {
+    const std::string blind = co_await why_blind(context, eyes);
+    if (!blind.empty()) out.push_back(Datum::string(blind));
+  }
+  if (!looks || answer.size() != 1) co_return out;
+  const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
+  const std::vector<Fact> failures = co_await facts_of(context.board, failed);
+  for (const Fact& fact : failures) out.push_back(fact.datum[5]);
+  if (!learns || !out.empty()) co_return out;
+  const Datum& name = operation.items().back();
+  const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  const std::vector<Fact> alike = co_await facts_of(context.board, any_alike);
+  for (const Fact& fact : alike) {
+    if (fact.datum[2] == name || fact.datum[3] == name) out.push_back(fact.datum[5]);
+  }
+  co_return out;
 }
 
 }  // namespace pizarra::repl

@@ -1,9 +1,9 @@
-// Names of agents in the tree of contexts: what the prompt shows of them, and changes in them.
+#include "agents/repl/name_commands.hpp"
 
 #include <fmt/format.h>
 
-#include "agents/repl/commands.hpp"
-#include "agents/runtime/naming.hpp"
+#include "agents/repl/trading.hpp"
+#include "agents/runtime/declared.hpp"
 #include "lisp/json.hpp"
 #include "lisp/nearest.hpp"
 
@@ -37,30 +37,27 @@ std::string entry_json(const runtime::NamedEntry& entry) {
 
 }  // namespace
 
-// (bind PATH AGENT), (rebind PATH AGENT)
-Task<Evaluation> Interpreter::name_agent(Datum form) {
-  const std::string command(form.head());
-  const std::optional<runtime::Path> path = form.size() == 3 ? path_from(form[1]) : std::nullopt;
-  if (!path || !form[2].is_symbol()) co_return usage(command);
-  const Result<runtime::Reference> agent = co_await agent_called(std::string(form[2].text()));
-  if (!agent) co_return show(agent.error());
+Task<Evaluation> NameCommands::bind(Typed typed) {
+  const std::optional<runtime::Path> path = typed.form.size() == 3 ? path_from(typed.form[1]) : std::nullopt;
+  if (!path || !typed.form[2].is_symbol()) co_return prompt_.misused(typed);
+  const Result<runtime::Reference> agent = co_await agent_called(std::string(typed.form[2].text()));
+  if (!agent) co_return prompt_.show(agent.error());
   const Result<void> declared = co_await naming_.declare();
-  if (!declared) co_return show(declared.error());
+  if (!declared) co_return prompt_.show(declared.error());
   Result<void> named;
-  if (form.is_form("bind")) {
+  if (typed.form.is_form("bind")) {
     named = co_await naming_.bind(*path, *agent);
   } else {
     named = co_await naming_.rebind(*path, *agent);
   }
-  if (!named) co_return show(named.error());
-  say(fmt::format("{} is {} for as long as this prompt lives", runtime::path_text(*path), agent->agent),
-      entry_json({*path, *agent}));
+  if (!named) co_return prompt_.show(named.error());
+  prompt_.say(fmt::format("{} is {} for as long as this prompt lives", runtime::path_text(*path), agent->agent),
+              entry_json({*path, *agent}));
   co_return Evaluation::done;
 }
 
-// What is present under this name.
-Task<Result<runtime::Reference>> Interpreter::agent_called(std::string name) {
-  const Result<std::vector<Fact>> agents = co_await context_.board.facts(read_pattern("(agent ? ? ?)"));
+Task<Result<runtime::Reference>> NameCommands::agent_called(std::string name) {
+  const Result<std::vector<Fact>> agents = co_await prompt_.board.facts(read_pattern("(agent ? ? ?)"));
   if (!agents) co_return fail(agents);
   std::vector<std::string> known;
   for (const Fact& agent : *agents) {
@@ -72,44 +69,81 @@ Task<Result<runtime::Reference>> Interpreter::agent_called(std::string name) {
   co_return fail("absent", fmt::format("no agent {} is present{}", name, hint), Datum::symbol(name));
 }
 
-Task<Evaluation> Interpreter::unbind(Datum form) {
-  const std::optional<runtime::Path> path = form.size() == 2 ? path_from(form[1]) : std::nullopt;
-  if (!path) co_return usage("unbind");
+Task<Evaluation> NameCommands::unbind(Typed typed) {
+  const std::optional<runtime::Path> path = typed.form.size() == 2 ? path_from(typed.form[1]) : std::nullopt;
+  if (!path) co_return prompt_.misused(typed);
   const Result<void> declared = co_await naming_.declare();
-  if (!declared) co_return show(declared.error());
+  if (!declared) co_return prompt_.show(declared.error());
   const Result<runtime::Reference> bound = co_await naming_.resolve(*path);
-  if (!bound) co_return show(bound.error());
+  if (!bound) co_return prompt_.show(bound.error());
   const Result<void> unbound = co_await naming_.unbind(*path);
-  if (!unbound) co_return show(unbound.error());
-  say(fmt::format("{} is nobody", runtime::path_text(*path)),
-      fmt::format("{{\"unbound\":{}}}", json_string(runtime::path_text(*path))));
+  if (!unbound) co_return prompt_.show(unbound.error());
+  prompt_.say(fmt::format("{} is nobody", runtime::path_text(*path)),
+              fmt::format("{{\"unbound\":{}}}", json_string(runtime::path_text(*path))));
   co_return Evaluation::done;
 }
 
-Task<Evaluation> Interpreter::resolve(Datum form) {
-  const std::optional<runtime::Path> path = form.size() == 2 ? path_from(form[1]) : std::nullopt;
-  if (!path) co_return usage("resolve");
+Task<Evaluation> NameCommands::resolve(Typed typed) {
+  const std::optional<runtime::Path> path = typed.form.size() == 2 ? path_from(typed.form[1]) : std::nullopt;
+  if (!path) co_return prompt_.misused(typed);
   const Result<void> declared = co_await naming_.declare();
-  if (!declared) co_return show(declared.error());
+  if (!declared) co_return prompt_.show(declared.error());
   const Result<runtime::Reference> bound = co_await naming_.resolve(*path);
-  if (!bound) co_return show(bound.error());
-  say(fmt::format("{} ({})", bound->agent, bound->kind), entry_json({*path, *bound}));
+  if (!bound) co_return prompt_.show(bound.error());
+  prompt_.say(fmt::format("{} ({})", bound->agent, bound->kind), entry_json({*path, *bound}));
   co_return Evaluation::done;
 }
 
-// (list), (list PATH)
-Task<Evaluation> Interpreter::list_names(Datum form) {
+Task<Evaluation> NameCommands::list_names(Typed typed) {
   const std::optional<runtime::Path> path =
-      form.size() == 2 ? path_from(form[1]) : std::optional<runtime::Path>(runtime::Path());
-  if (form.size() > 2 || !path) co_return usage("list");
+      typed.form.size() == 2 ? path_from(typed.form[1]) : std::optional<runtime::Path>(runtime::Path());
+  if (typed.form.size() > 2 || !path) co_return prompt_.misused(typed);
   const Result<void> declared = co_await naming_.declare();
-  if (!declared) co_return show(declared.error());
+  if (!declared) co_return prompt_.show(declared.error());
   const Result<runtime::Listing> listing = co_await naming_.list(*path);
-  if (!listing) co_return show(listing.error());
-  for (const runtime::NamedEntry& entry : listing->entries) say(entry_text(entry), entry_json(entry));
-  if (listing->entries.empty()) output_("nothing is bound there");
-  if (listing->cut) output_(fmt::format("the first {} of them", listing->entries.size()));
+  if (!listing) co_return prompt_.show(listing.error());
+  for (const runtime::NamedEntry& entry : listing->entries) prompt_.say(entry_text(entry), entry_json(entry));
+  if (listing->entries.empty()) prompt_.print("nothing is bound there");
+  if (listing->cut) prompt_.print(fmt::format("the first {} of them", listing->entries.size()));
   co_return Evaluation::done;
+}
+
+Task<Evaluation> NameCommands::find(Typed typed) {
+  if (typed.form.size() < 2 || !typed.form[1].is_symbol()) co_return prompt_.misused(typed);
+  const Result<std::vector<Wish>> wishes = wishes_from(typed.form);
+  if (!wishes) co_return prompt_.show(wishes.error(), Evaluation::malformed);
+  const Result<runtime::Listing> bound = co_await naming_.find(std::string(typed.form[1].text()));
+  const bool nobody = !bound && bound.error().symbol == "undeclared-relation";
+  if (!bound && !nobody) co_return prompt_.show(bound.error());
+  const Result<std::vector<Fact>> agents = co_await prompt_.board.facts(read_pattern("(agent ? ? ?)"));
+  if (!agents) co_return prompt_.show(agents.error());
+  const Result<std::vector<Fact>> told =
+      co_await runtime::facts_if_declared(prompt_.board, read_pattern("(property ? ? ?)"));
+  if (!told) co_return prompt_.show(told.error());
+  std::map<std::string, std::map<std::string, Datum>> properties;
+  for (const Fact& fact : *agents) properties[std::string(fact.datum[1].text())]["host"] = fact.datum[3];
+  for (const Fact& fact : *told) {
+    properties[std::string(fact.datum[1].text())][std::string(fact.datum[2].text())] = fact.datum[3];
+  }
+  std::map<std::string, std::string> paths;
+  const std::vector<runtime::NamedEntry> entries = nobody ? std::vector<runtime::NamedEntry>() : bound->entries;
+  for (const runtime::NamedEntry& entry : entries) {
+    std::string& all = paths[entry.reference->agent];
+    all += (all.empty() ? "" : ", ") + runtime::path_text(entry.path);
+  }
+  bool any = false;
+  for (const auto& [agent, named] : paths) {
+    const std::optional<std::string> met = met_by(*wishes, properties[agent]);
+    if (!met) continue;
+    any = true;
+    prompt_.say(fmt::format("  {} as {}{}{}", agent, named, met->empty() ? "" : ": ", *met),
+                fmt::format("{{\"agent\":{},\"path\":{},\"properties\":{}}}", json_string(agent), json_string(named),
+                            json_string(*met)));
+  }
+  if (any) co_return Evaluation::done;
+  const std::string none = fmt::format("no {} that is bound has all of this", typed.form[1].text());
+  const Failure failure{"not-found", none, typed.form[1], {}};
+  co_return prompt_.show(failure);
 }
 
 }  // namespace pizarra::repl

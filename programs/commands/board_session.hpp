@@ -46,7 +46,7 @@ using Preparation = std::function<Task<Result<void>>(Board&)>;
 
 // How a word is to talk.
 struct Manner {
-  repl::Interpreter::Patience patience = repl::Interpreter::Patience::ended;
+  repl::Patience patience = repl::Patience::ended;
   repl::Style style = repl::Style::text;
   bool stay = false;    // until interrupted, also when the forms are done
   bool present = true;  // as an agent, which one must be to ask others

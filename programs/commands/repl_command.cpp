@@ -28,7 +28,7 @@ bool is_script(const ReplChoices& choices) { return !choices.forms.empty() || is
 
 // A person goes on typing while a goal is pursued; a script waits.
 Manner manner_of(const ReplChoices& choices) {
-  return {.patience = is_script(choices) ? repl::Interpreter::Patience::ended : repl::Interpreter::Patience::accepted};
+  return {.patience = is_script(choices) ? repl::Patience::ended : repl::Patience::accepted};
 }
 
 // A script finds everybody at work; who runs but a few agents teaches for himself.

@@ -42,7 +42,7 @@ struct Recorded {
       : board(std::move(recorded)),
         context{fmt::format("replay-{}", getpid()), "localhost", executor, *board, Random(1)},
         service(context, runtime::contract_from_text("(contract replay)").value()),
-        interpreter(context, service, output, repl::Interpreter::Patience::ended, style) {}
+        interpreter(context, service, output, repl::Patience::ended, style) {}
   std::unique_ptr<memory::RecordedBoard> board;
   runtime::AgentContext context;
   runtime::Service service;

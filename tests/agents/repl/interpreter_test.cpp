@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "agents/repl/commands.hpp"
 #include "agents/repl/terminal.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -59,8 +58,8 @@ class Repl : public testing::Test {
   runtime::AgentContext context{"user", "localhost", executor, *view, Random(1)};
   runtime::Service service{context, runtime::contract_from_text("(contract user)").value()};
   std::string shown;
-  Interpreter interpreter{context, service, [this](const std::string& line) { shown += line + '\n'; },
-                          Interpreter::Patience::ended, style_};
+  Interpreter interpreter{context, service, [this](const std::string& line) { shown += line + '\n'; }, Patience::ended,
+                          style_};
   Job presence;
 };
 
@@ -371,7 +370,7 @@ TEST_F(JsonRepl, FailuresAreObjectsWithTheSameOutcome) {
 
 TEST_F(Repl, ACommandNeedsNoParenthesesOfItsOwn) {
   EXPECT_EQ(type("help"), Evaluation::done);
-  for (const Command& command : Command::all()) {
+  for (const Command& command : interpreter.commands()) {
     EXPECT_NE(shown.find(command.usage), std::string::npos) << command.name;
   }
   EXPECT_NE(shown.find("(robot (get-control))"), std::string::npos) << shown;
