@@ -135,7 +135,7 @@ Task<Result<void>> CameraSurvey::align_pixels(Eigen::Vector2d wanted_px) {
     const Eigen::Vector2d error = wanted_px - newest.seen.head<2>();
     const ServoPixels errors{error.x(), error.y(), 0};
     const int state = std::abs(error.x()) > aligned_px ? 1 : 3;
-    co_await runner_.tell_servo(state, mark, errors);
+    co_await servo_.tell(state, mark, errors);
     const Eigen::Vector3d way = map->way_for(error);
     const double part = std::min(1.0, longest_way_mm / way.norm());
     const Eigen::Vector3d to = within_room(newest.tool.translation() + part * way);

@@ -17,13 +17,14 @@ class CameraSurvey {
  public:
   // All outlive it.
   CameraSurvey(const CoordinatorOptions& options, const TaskDomain& domain, Surroundings& surroundings, Story& story,
-               Arm& arm, Eyes& eyes, TaskRunner& runner, const Vigil& vigil)
+               Arm& arm, Eyes& eyes, ServoLoop& servo, TaskRunner& runner, const Vigil& vigil)
       : options_(options),
         domain_(domain),
         surroundings_(surroundings),
         story_(story),
         arm_(arm),
         eyes_(eyes),
+        servo_(servo),
         runner_(runner),
         vigil_(vigil) {}
 
@@ -50,6 +51,7 @@ class CameraSurvey {
   Story& story_;
   Arm& arm_;
   Eyes& eyes_;
+  ServoLoop& servo_;
   TaskRunner& runner_;
   const Vigil& vigil_;
 };

@@ -1,7 +1,8 @@
+#include "agents/coordinator/act/servo_loop.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
-#include "agents/coordinator/act/task_runner.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
@@ -21,7 +22,14 @@ double tenths(double value) { return std::round(value * 10) / 10; }
 
 }  // namespace
 
-Task<Result<Revision>> TaskRunner::tell_servo(int state, const Datum& target, ServoPixels errors) {
+Result<void> may_move(const Surroundings& surroundings, const Vigil& vigil) {
+  if (!surroundings.scene().camera().known()) {
+    return fail("camera-doubtful", "the camera may have been moved: where things are is not known well enough");
+  }
+  return vigil.check(surroundings.beliefs());
+}
+
+Task<Result<Revision>> ServoLoop::tell(int state, const Datum& target, ServoPixels errors) {
   Transaction transaction;
   transaction.tell(
       list("servo"_sym, state, target_name(target), tenths(errors.x_px), tenths(errors.y_px), tenths(errors.depth_mm)),
@@ -31,7 +39,7 @@ Task<Result<Revision>> TaskRunner::tell_servo(int state, const Datum& target, Se
 
 // Sideways all the way that is missing, where turning and stretching did not bring it. Over the table it goes lower
 // where it does not come there at its height, as long as it passes over all that stands.
-Task<Result<void>> TaskRunner::go_straight(Aim aim, ServoCommand stalled) {
+Task<Result<void>> ServoLoop::go_straight(Aim aim, ServoCommand stalled) {
   const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
   if (!grip) co_return fail(grip);
   Eigen::Vector3d there = *grip + aim.wanted_mm - aim.followed_mm;
@@ -51,11 +59,11 @@ Task<Result<void>> TaskRunner::go_straight(Aim aim, ServoCommand stalled) {
 
 // Look, decide, move; nothing is remembered from look to look but the last command, to tell when a target runs away and
 // when the arm does not come on by turning and stretching.
-Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
+Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   int unseen = 0;
   ServoCommand before{0, ServoCommand::Motion::done, 0};
   for (int i = 0; i < most_looks; ++i) {
-    const Result<void> fine = check();
+    const Result<void> fine = may_move(surroundings_, vigil_);
     if (!fine) co_return fine;
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
@@ -71,7 +79,7 @@ Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
                                             options_.travel_height_mm);
     const ServoCommand command = servo_command(errors, options_.servo, descend);
     const ServoPixels told = servo_pixels(*aim, *surroundings_.scene().view());
-    co_await tell_servo(command.state, target, told);
+    co_await tell(command.state, target, told);
     if (command.state < 3 && before.state >= 3) {
       const std::string sentence = fmt::format("{} was moved during the approach: following it", write(target));
       co_await story_.tell("servo", sentence, target_name(target));

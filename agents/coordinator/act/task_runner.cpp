@@ -31,13 +31,6 @@ Task<Result<Revision>> TaskRunner::tell(const Datum& fact) {
   return commit(context_.board, context_.executor, std::move(transaction));
 }
 
-Result<void> TaskRunner::check() const {
-  if (!surroundings_.scene().camera().known()) {
-    return fail("camera-doubtful", "the camera may have been moved: where things are is not known well enough");
-  }
-  return vigil_.check(surroundings_.beliefs());
-}
-
 Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation) {
   const Result<std::vector<Datum>> steps = domain_.micro_tasks().expand(operation.name);
   if (!steps) co_return fail(steps);
@@ -62,7 +55,7 @@ Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
 
 Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Result<void> fine = check();
+    const Result<void> fine = may_move(surroundings_, vigil_);
     if (!fine) co_return fine;
     co_await tell(list("micro-task"_sym, i, steps[i], "running"_sym));
     const Result<void> done = co_await run_step(steps[i]);
@@ -77,14 +70,14 @@ Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
 Task<Result<void>> TaskRunner::run_step(Datum step) {
   const std::string_view name = step.head();
   if (name == "raise") return raise();
-  if (name == "align") return servo(step[1], false);
-  if (name == "lower") return servo(step[1], true);
+  if (name == "align") return servo_.run(step[1], false);
+  if (name == "lower") return servo_.run(step[1], true);
   if (name == "close") return close();
   if (name == "release") return release();
   if (name == "turn-fingers") return turn_fingers(std::string(step[1].text()));
   if (name == "square-up") return arm_.face(0);
-  if (name == "make-room") return make_room(std::string(step[1].text()));
-  if (name == "push-over") return push_over(std::string(step[1].text()));
+  if (name == "make-room") return pushes_.make_room(std::string(step[1].text()));
+  if (name == "push-over") return pushes_.push_over(std::string(step[1].text()));
   if (name == "check-held" && options_.open_loop) return raise();
   if (name == "check-held") return check_held(std::string(step[1].text()));
   return open(aims_.opening_around(step[1].text(), options_.gripper.openings.wide_mm));

@@ -10,69 +10,58 @@
 // grasped), lost-sight, no-convergence, no-effect (all was done and the eyes do not see its effect), no-room, absent,
 // and the robot's own.
 
-#include "agents/coordinator/act/aim.hpp"
-#include "agents/coordinator/act/arm.hpp"
-#include "agents/coordinator/geometry/elbow_room.hpp"
-#include "agents/coordinator/perceive/vision_client.hpp"
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/act/pushes.hpp"
+#include "agents/coordinator/act/servo_loop.hpp"
 
 namespace pizarra::coordinator {
 
 class TaskRunner {
  public:
   TaskRunner(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-             const runtime::Service& service, Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes,
-             Vigil& vigil)
+             Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, Vigil& vigil, Aims& aims, ServoLoop& servo,
+             Pushes& pushes)
       : context_(context),
         options_(options),
         domain_(domain),
-        service_(service),
         surroundings_(surroundings),
         story_(story),
         arm_(arm),
         eyes_(eyes),
         vigil_(vigil),
-        aims_(options, domain, surroundings.scene()) {}
+        aims_(aims),
+        servo_(servo),
+        pushes_(pushes) {}
 
   Task<Result<void>> run(std::size_t index, GroundOperation operation);
   // Micro-tasks that belong to no operation: nothing has to go on holding meanwhile.
   Task<Result<void>> improvise(std::vector<Datum> steps);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
   Task<Result<void>> raise();
-  // What the servo makes up for: (servo STATE TARGET ERR-X ERR-Y ERR-D).
-  Task<Result<Revision>> tell_servo(int state, const Datum& target, ServoPixels errors);
 
  private:
   // By as much, inwards where the arm does not reach as high.
   Task<Result<void>> go_up(double missing_mm);
   Task<Result<void>> run_steps(std::vector<Datum> steps);
   Task<Result<void>> run_step(Datum step);
-  Task<Result<void>> servo(Datum target, bool descend);
-  Task<Result<void>> go_straight(Aim aim, ServoCommand stalled);
   Task<Result<void>> open(double opening_mm);
   Task<Result<void>> turn_fingers(std::string object);
   Task<Result<void>> close();
   Task<Result<void>> release();
-  Task<Result<void>> make_room(std::string object);
-  Task<Result<void>> push_over(std::string object);
-  Task<Result<void>> push_along(Push push, double height_mm);
-  ElbowRoom elbow_room() const;
-  std::optional<Push> push_for(std::string_view object) const;
   Task<Result<void>> check_held(std::string object);
   Task<Result<void>> await_effects(GroundOperation operation);
   Task<Result<Revision>> tell(const Datum& fact);
-  Result<void> check() const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
-  const runtime::Service& service_;
   Surroundings& surroundings_;
   Story& story_;
   Arm& arm_;
   Eyes& eyes_;
   Vigil& vigil_;
-  Aims aims_;
+  Aims& aims_;
+  ServoLoop& servo_;
+  Pushes& pushes_;
 };
 
 }  // namespace pizarra::coordinator

@@ -23,9 +23,12 @@ struct Life {
         eyes(context, options, roles, surroundings, story),
         changes(context, roles, surroundings, eyes, story, service),
         planning(context, options, domain, roles, surroundings),
-        runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
+        aims(options, domain, surroundings.scene()),
+        servo(context, options, service, surroundings, story, arm, eyes, vigil, aims),
+        pushes(options, domain, surroundings, story, arm, vigil),
+        runner(context, options, domain, surroundings, story, arm, eyes, vigil, aims, servo, pushes),
         rescues(domain, surroundings.scene(), story, arm, runner, options.gripper.openings.wide_mm),
-        survey(options, domain, surroundings, story, arm, eyes, runner, vigil),
+        survey(options, domain, surroundings, story, arm, eyes, servo, runner, vigil),
         goal(context, story, vigil),
         plan(planning, story),
         differences(surroundings, story),
@@ -46,6 +49,9 @@ struct Life {
   Eyes eyes;
   RoleChanges changes;
   Planning planning;
+  Aims aims;
+  ServoLoop servo;
+  Pushes pushes;
   TaskRunner runner;
   Rescues rescues;
   CameraSurvey survey;

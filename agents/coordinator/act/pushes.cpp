@@ -1,7 +1,9 @@
+#include "agents/coordinator/act/pushes.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/coordinator/act/task_runner.hpp"
+#include "agents/coordinator/act/servo_loop.hpp"
 
 namespace pizarra::coordinator {
 
@@ -19,7 +21,7 @@ constexpr double usual_percent = 100;
 
 }  // namespace
 
-ElbowRoom TaskRunner::elbow_room() const {
+ElbowRoom Pushes::elbow_room() const {
   ElbowRoom room;
   room.cube_mm = domain_.cube_mm();
   room.finger_mm = options_.gripper.finger_mm;
@@ -34,7 +36,7 @@ ElbowRoom TaskRunner::elbow_room() const {
   return room;
 }
 
-std::optional<Push> TaskRunner::push_for(std::string_view object) const {
+std::optional<Push> Pushes::push_for(std::string_view object) const {
   const Sightings& sightings = surroundings_.scene().sightings();
   const Sighting* target = sightings.find(object);
   if (!target || target->place_mm.z() > highest_pile * domain_.cube_mm()) return std::nullopt;
@@ -46,7 +48,7 @@ std::optional<Push> TaskRunner::push_for(std::string_view object) const {
   return push_for_room(elbow_room(), surroundings_.scene().centre_mm(std::string(object), *target), others);
 }
 
-Task<Result<void>> TaskRunner::make_room(std::string object) {
+Task<Result<void>> Pushes::make_room(std::string object) {
   const std::optional<Push> push = push_for(object);
   if (!push) co_return Result<void>();
   const std::string sentence = fmt::format("{} stands too close to its neighbour: pushing it out of the row", object);
@@ -55,7 +57,7 @@ Task<Result<void>> TaskRunner::make_room(std::string object) {
   co_return pushed;
 }
 
-Task<Result<void>> TaskRunner::push_over(std::string object) {
+Task<Result<void>> Pushes::push_over(std::string object) {
   const Sighting* seen = surroundings_.scene().sightings().find(object);
   if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
   const double cube = domain_.cube_mm();
@@ -67,10 +69,10 @@ Task<Result<void>> TaskRunner::push_over(std::string object) {
   co_return pushed;
 }
 
-Task<Result<void>> TaskRunner::push_along(Push push, double height_mm) {
+Task<Result<void>> Pushes::push_along(Push push, double height_mm) {
   const double pusher_mm = ElbowRoom().pusher_mm;
-  const Result<void> narrowed = co_await open(pusher_mm);
-  if (!narrowed) co_return narrowed;
+  const Result<double> narrowed = co_await arm_.grip(pusher_mm);
+  if (!narrowed) co_return fail(narrowed);
   const double high = options_.travel_height_mm;
   const Eigen::Vector3d ways[] = {{push.from_mm.x(), push.from_mm.y(), high},
                                   {push.from_mm.x(), push.from_mm.y(), height_mm},
@@ -78,7 +80,7 @@ Task<Result<void>> TaskRunner::push_along(Push push, double height_mm) {
                                   {push.to_mm.x(), push.to_mm.y(), high}};
   Result<void> done = co_await arm_.face(0);
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
-    done = check();
+    done = may_move(surroundings_, vigil_);
     if (!done) break;
     const bool pushes = i == 2;
     const Datum speed = list("speed"_sym, pushes ? careful_percent : usual_percent);

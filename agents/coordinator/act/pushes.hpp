@@ -1,0 +1,43 @@
+#pragma once
+
+// Objects pushed with the closed fingers: out of a row, where a neighbour stands too close for the fingers, or over, so
+// that they lie otherwise.
+//
+//   Pushes pushes(options, domain, surroundings, story, arm, vigil);
+//   Result<void> done = co_await pushes.make_room("circle");       // nothing where there is room
+//
+// Failures: interrupted, difference, camera-doubtful (see may_move in servo_loop.hpp), lost-sight, and the robot's own.
+
+#include <optional>
+#include <string>
+
+#include "agents/coordinator/act/arm.hpp"
+#include "agents/coordinator/geometry/elbow_room.hpp"
+#include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/plan/vigil.hpp"
+
+namespace pizarra::coordinator {
+
+class Pushes {
+ public:
+  Pushes(const CoordinatorOptions& options, const TaskDomain& domain, const Surroundings& surroundings, Story& story,
+         Arm& arm, Vigil& vigil)
+      : options_(options), domain_(domain), surroundings_(surroundings), story_(story), arm_(arm), vigil_(vigil) {}
+
+  Task<Result<void>> make_room(std::string object);
+  Task<Result<void>> push_over(std::string object);
+
+ private:
+  Task<Result<void>> push_along(Push push, double height_mm);
+  ElbowRoom elbow_room() const;
+  std::optional<Push> push_for(std::string_view object) const;
+
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  const Surroundings& surroundings_;
+  Story& story_;
+  Arm& arm_;
+  Vigil& vigil_;
+};
+
+}  // namespace pizarra::coordinator

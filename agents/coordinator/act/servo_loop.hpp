@@ -1,0 +1,54 @@
+#pragma once
+
+// The visual servo: look, decide, move, until the end effector is where a target wants it (states 1 to 4 of the
+// thesis).
+//
+//   ServoLoop servo(context, options, service, surroundings, story, arm, eyes, vigil, aims);
+//   Result<void> there = co_await servo.run(target, false);      // true: goes down to it
+//
+// Failures: interrupted, difference, camera-doubtful (see may_move), lost-sight, no-convergence, those of the aim
+// (no-room, unknown-place), and the robot's own.
+
+#include "agents/coordinator/act/aim.hpp"
+#include "agents/coordinator/act/arm.hpp"
+#include "agents/coordinator/perceive/vision_client.hpp"
+#include "agents/coordinator/plan/vigil.hpp"
+
+namespace pizarra::coordinator {
+
+// Before every motion of a task. Failures: those of Vigil::check(); camera-doubtful: it may have been moved.
+Result<void> may_move(const Surroundings& surroundings, const Vigil& vigil);
+
+class ServoLoop {
+ public:
+  ServoLoop(runtime::AgentContext& context, const CoordinatorOptions& options, const runtime::Service& service,
+            Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, const Vigil& vigil, Aims& aims)
+      : context_(context),
+        options_(options),
+        service_(service),
+        surroundings_(surroundings),
+        story_(story),
+        arm_(arm),
+        eyes_(eyes),
+        vigil_(vigil),
+        aims_(aims) {}
+
+  Task<Result<void>> run(Datum target, bool descend);
+  // What the servo makes up for: (servo STATE TARGET ERR-X ERR-Y ERR-D).
+  Task<Result<Revision>> tell(int state, const Datum& target, ServoPixels errors);
+
+ private:
+  Task<Result<void>> go_straight(Aim aim, ServoCommand stalled);
+
+  runtime::AgentContext& context_;
+  const CoordinatorOptions& options_;
+  const runtime::Service& service_;
+  Surroundings& surroundings_;
+  Story& story_;
+  Arm& arm_;
+  Eyes& eyes_;
+  const Vigil& vigil_;
+  Aims& aims_;
+};
+
+}  // namespace pizarra::coordinator
