@@ -115,7 +115,7 @@ std::optional<Eigen::Vector2d> Aims::free_spot_among(std::string_view held,
       const auto crosses = [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); };
       return shown(spot) && std::ranges::none_of(others, crosses) && std::ranges::none_of(to_show, crosses);
     };
-    const std::optional<Eigen::Vector2d> spot = free_spot(area, on_the_table(others), from_y_mm, in_sight);
+    std::optional<Eigen::Vector2d> spot = free_spot(area, on_the_table(others), from_y_mm, in_sight);
     if (spot) return spot;
   }
   return free_spot(area, on_the_table(standing_but(held, true)), from_y_mm, shown);
