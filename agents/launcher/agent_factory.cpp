@@ -43,6 +43,7 @@ class BuiltRobot : public BuiltAgent {
              robot::RobotOptions options, simulation::Link& link, std::string_view simulated)
       : device_(make_cell_arm(context.executor, line, model, link, simulated)),
         agent_(std::move(context), device_->driver(), model, options) {}
+  Task<void> stand_still() override { return agent_.stand_still(); }
 
  private:
   runtime::Agent& agent() override { return agent_; }

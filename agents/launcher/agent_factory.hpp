@@ -48,6 +48,8 @@ class BuiltAgent {
   // Runs the agent until destroyed; when the agent ends by itself, the reason stays in ended().
   Task<void> run();
   const Result<void>* ended() const { return ended_ ? &*ended_ : nullptr; }
+  // For a process that is to end: answers when nothing moves that this agent set in motion.
+  virtual Task<void> stand_still() { co_return; }
 
  protected:
   virtual runtime::Agent& agent() = 0;

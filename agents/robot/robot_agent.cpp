@@ -47,6 +47,22 @@ RobotAgent::~RobotAgent() = default;
 
 Task<Result<void>> RobotAgent::run() { return state_->run(); }
 
+Task<void> RobotAgent::stand_still() {
+  constexpr Duration look_pause = 20ms;
+  constexpr int looks = 5;  // an order on its way may yet begin
+  if (!state_->control.running()) co_return;
+  Failure why{"stopped", "the robot agent was ended during this motion, and stopped the arm", {}, {}};
+  state_->control.stop_at_once(std::move(why));
+  // A board that is away keeps the motion from ending, and not the arm from standing.
+  int stood = 0;
+  while (state_->control.running() && stood < looks) {
+    co_await sleep(state_->context.executor, look_pause);
+    const Result<arm::ArmReading> reading = co_await state_->control.read();
+    const bool stands = reading && !reading->moving && !reading->gripper_moving;
+    stood = stands ? stood + 1 : 0;
+  }
+}
+
 Task<Result<void>> RobotAgent::State::run() {
   // At once: what an earlier life of this agent began may go on, and its name is taken for as long as its lease. One
   // that is not there yet is waited for below.

@@ -40,6 +40,9 @@ class RobotAgent : public runtime::Agent {
   RobotAgent(runtime::AgentContext context, arm::ArmDriver& driver, arm::ArmModel model, RobotOptions options = {});
   ~RobotAgent() override;
   Task<Result<void>> run() override;
+  // For a process that is to end: stops the motion in hand, which then fails with `stopped`, and answers when it has
+  // ended. Most controllers would carry it out to its end. At rest it does nothing.
+  Task<void> stand_still();
 
  private:
   struct State;

@@ -36,6 +36,8 @@ struct ProcessChoices {
 
 // A board that is there answers sooner.
 constexpr Duration unremarkable = 1s;
+// Less than `up` waits before it kills.
+constexpr Duration standing_patience = 2s;
 
 Task<void> say_what_is_awaited(Executor& executor, const client::RemoteBoard& board, const std::string& address) {
   co_await sleep(executor, unremarkable);
@@ -70,7 +72,13 @@ int run_agent(const ProcessChoices& choices) {
     camera = executor.spawn(launcher::log_camera_news(**board, name, stderr));
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
-  if (signals.received()) return exit_reached;
+  if (signals.received()) {
+    bool too_long = false;
+    executor.call_at(executor.now() + standing_patience, [&too_long] { too_long = true; });
+    const Job standing = executor.spawn((*agent)->stand_still());
+    executor.run_until([&] { return standing.done() || too_long; });
+    return exit_reached;
+  }
   const Result<void>* ended = (*agent)->ended();
   if (ended == nullptr || *ended) return exit_failed;
   // Started again on that board it would be refused again.

@@ -29,6 +29,7 @@ class RobotLife {
       : board_(std::move(board)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, options) {
     job_ = executor.spawn(live());
   }
+  RobotAgent& agent() { return agent_; }
   std::optional<Result<void>> ended;
 
  private:

@@ -86,6 +86,25 @@ TEST_F(Robot, RestartedAgentStopsTheArmAtOnceAndSaysSo) {
   EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"STOPPED_AT_RESTART\")");
 }
 
+TEST_F(Robot, StopsTheMotionInHandBeforeItsProcessEnds) {
+  call("(speed 1)");
+  const std::string cut_off = ask("(turn right 90)");
+  executor.run_for(1s);
+  EXPECT_TRUE(arm.moving());
+  const Job standing = executor.spawn(life->agent().stand_still());
+  executor.run_for(500ms);
+  EXPECT_TRUE(standing.done());
+  EXPECT_FALSE(arm.moving());
+  EXPECT_TRUE(reply(cut_off).starts_with("(fail stopped \"the robot agent was ended")) << reply(cut_off);
+}
+
+TEST_F(Robot, HasNothingToStopAtRestBeforeItsProcessEnds) {
+  const Job standing = executor.spawn(life->agent().stand_still());
+  executor.run_for(1ms);
+  EXPECT_TRUE(standing.done());
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
+}
+
 TEST_F(Robot, WhatAPersonMovesByThePendantIsLetAlone) {
   call("(speed 1)");
   ask("(turn right 90)");

@@ -268,6 +268,16 @@ TEST_F(RobotBeforeSilence, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond)
   EXPECT_EQ(arm.at(), stood) << "nothing goes on before it is asked for";
 }
 
+// `down` ends the board and the agent at once.
+TEST_F(RobotBeforeSilence, AnAgentThatIsEndedWaitsForTheArmToStandAndNotForTheBoard) {
+  begin_motion();
+  muted = true;
+  const Job standing = executor.spawn(life->agent().stand_still());
+  executor.run_for(200ms);
+  EXPECT_TRUE(standing.done());
+  EXPECT_FALSE(arm.moving());
+}
+
 TEST_F(RobotBeforeSilence, AJogThatItStoppedDoesNotGoOnThoughTheHandNeverLetGo) {
   int count = 0;
   const auto hold_for = [&](Duration time) {
