@@ -117,6 +117,12 @@ Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& obje
   co_await transact(std::move(transaction));
 }
 
+Task<void> VisionFacts::tell_streams(std::vector<Datum> facts) {
+  Transaction transaction;
+  for (const Datum& fact : facts) transaction.tell(fact, {}, service_->presence());
+  co_await transact(std::move(transaction));
+}
+
 Task<void> VisionFacts::unsay() {
   told_tracks_.clear();
   Transaction transaction;

@@ -46,11 +46,11 @@ class VisionFacts {
   // Retracts what was told of earlier frames: of tracking, and of tags.
   Task<void> unsay();
   Task<void> unsay_tags();
-
-  // As it is.
-  Task<void> transact(Transaction transaction);
+  // Streams have the agent's name already, so these facts do not begin with it.
+  Task<void> tell_streams(std::vector<Datum> facts);
 
  private:
+  Task<void> transact(Transaction transaction);
   void add(Transaction& transaction, const std::vector<Datum>& facts) const;
   // The facts of a relation, as many arguments as they may have besides the agent's name.
   void retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const;

@@ -89,10 +89,15 @@ std::vector<std::string> ModeHolders::clients() const {
 
 std::vector<Datum> ModeHolders::facts() const {
   std::vector<Datum> out;
+  const auto hold = [&](const std::string& client, Datum mode) {
+    out.push_back(list("vision-held"_sym, Datum::symbol(client), std::move(mode)));
+  };
   for (const auto& [client, held] : clients_) {
-    if (held.connected) out.push_back(list("vision-held"_sym, Datum::symbol(client), "connected"_sym));
-    if (!held.tracked.empty()) out.push_back(list("vision-held"_sym, Datum::symbol(client), "tracking"_sym));
+    if (held.connected) hold(client, "connected"_sym);
+    if (!held.tracked.empty()) hold(client, "tracking"_sym);
   }
+  if (learning()) hold(learning_, "learning"_sym);
+  for (const std::string& client : finding_) hold(client, "finding"_sym);
   return out;
 }
 

@@ -45,15 +45,23 @@ class ModeHolders {
   // As MarkTracker::rename().
   void rename(const Renames& renames);
 
-  // The modes that this client holds go on without it, as anybody's. False where it holds none.
+  // One learns, and then nobody tracks. Several find at once, where they look at the same frame.
+  void begin_learning(const std::string& client) { learning_ = client; }
+  void end_learning() { learning_.clear(); }
+  bool learning() const { return !learning_.empty(); }
+  void begin_finding(const std::string& client) { finding_.push_back(client); }
+  void end_finding(const std::string& client) { std::erase(finding_, client); }
+  bool finding() const { return !finding_.empty(); }
+
+  // What this client connected and tracks goes on without it, as anybody's. False where it holds none.
   bool keep(const std::string& client);
 
-  // Those who hold anything and can die.
+  // Those who are connected or track, and can die.
   std::vector<std::string> clients() const;
   // False where it held nothing.
   bool let_go(const std::string& client) { return clients_.erase(client) > 0; }
 
-  // (vision-held CLIENT connected) and (vision-held CLIENT tracking).
+  // (vision-held CLIENT MODE) of each: connected, tracking, learning, finding.
   std::vector<Datum> facts() const;
 
  private:
@@ -67,6 +75,8 @@ class ModeHolders {
   }
 
   std::map<std::string, Held> clients_;
+  std::string learning_;  // empty: nobody
+  std::vector<std::string> finding_;
 };
 
 }  // namespace pizarra::vision

@@ -1,23 +1,19 @@
 #include "agents/vision/agent/vision_agent.hpp"
 
-#include <algorithm>
-#include <cassert>
+#include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
 
+#include "agents/vision/agent/frame_pace.hpp"
 #include "agents/vision/agent/vision_contract.hpp"
 #include "agents/vision/agent/vision_state.hpp"
 
 namespace pizarra::vision {
 namespace {
 
-// Checks the names of the client and of the objects: all strings are names of objects.
-Result<void> check_names(const Fact& request) {
-  Result<void> good = ModeHolders::check_client(request.teller);
-  for (const Datum& argument : request.datum[3].items()) {
-    if (good && argument.is_string()) good = check_object_name(argument.text());
-  }
-  return good;
-}
+constexpr Duration state_check = 1s;
+constexpr Duration rest_check = 1s;
+// Of an agent that was busy itself the frame that came meanwhile is looked at first.
+constexpr Duration grace = 20ms;
 
 }  // namespace
 
@@ -33,23 +29,31 @@ VisionAgent::State::State(runtime::AgentContext agent_context, camera::StereoCam
                           Streams* image_streams, VisionOptions vision_options)
     : context(std::move(agent_context)),
       options(std::move(vision_options)),
-      camera(stereo_camera),
-      streams(image_streams),
-      memory(context, options.objects_directory),
+      known(context, options.objects_directory, holders, presence, facts,
+            [this](const Renames& renames) {
+              search.rename(renames);
+              tracking.rename(renames);
+            }),
+      pictures(context, stereo_camera, image_streams),
       feed(
           context.executor, stereo_camera, [this](camera::StereoFrame frame) { return on_frame(std::move(frame)); },
           [this] { return camera_changed(); }),
-      turns_changed(context.executor) {}
+      search(context.executor, feed, known,
+             [this](const camera::StereoFrame& frame) {
+               tracking.was_passed_over(frame);
+               show(frame, {});
+             }),
+      state(stereo_camera, feed, holders, tracking, pictures, facts) {}
 
 Task<Result<void>> VisionAgent::State::run() {
   // However the run ends, nothing of it goes on.
   struct Ending {
     State& state;
     ~Ending() {
-      state.again = Job();
+      state.looking_around = Job();
       state.silence = Job();
-      state.showing = Job();
-      state.reading = Job();
+      state.pictures.stop();
+      state.tags.stop();
       state.service.reset();
       state.feed.abandon();
     }
@@ -62,53 +66,101 @@ Task<Result<void>> VisionAgent::State::run() {
   service.emplace(context, std::move(*contract));
   const Result<void> started = co_await service->start();
   if (!started) co_return started;
-  const Result<void> recalled = co_await memory.recall();
+  const Result<void> recalled = co_await known.recall();
   if (!recalled) co_return recalled;
-  co_await tell_state();
-  co_await tell_objects();
+  co_await state.tell();
+  co_await known.tell();
   if (!tags.empty()) feed.start();
-  again = context.executor.spawn(tell_state_again());
+  looking_around = context.executor.spawn(look_around());
   silence = context.executor.spawn(tell_silence());
   runtime::RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   const Result<void> served = co_await service->serve_requests(std::move(handler));
   co_return served;
 }
 
-const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::string_view word) {
-  using enum TurnQueue::Kind;
-  static constexpr Operation operations[] = {
-      {.word = "learn", .turn = learning, .run = &State::learn},
-      {.word = "find", .turn = beside, .run = &State::find},
-      {.word = "track", .turn = brief, .run = &State::track},
-      {.word = "end-track", .turn = beside, .run = &State::end_track},
-      {.word = "get-objects", .turn = {}, .run = &State::get_objects},
-      {.word = "connect", .turn = beside, .run = &State::connect},
-      {.word = "disconnect", .turn = beside, .run = &State::disconnect},
-      {.word = "keep", .turn = beside, .run = &State::keep_modes},
-      {.word = "accept", .turn = beside, .run = &State::accept},
-      {.word = "reject", .turn = beside, .run = &State::reject},
-      {.word = "forget", .turn = brief, .run = &State::forget},
-      {.word = "rename", .turn = brief, .run = &State::rename},
-      {.word = "learn-from", .turn = brief, .run = &State::learn_from},
-  };
-  const auto found = std::ranges::find(operations, word, &Operation::word);
-  assert(found != std::end(operations) && "the contract offers no others");
-  return *found;
+Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
+  std::vector<TrackSighting> sightings;
+  const bool tracks = !holders.finding() && tracking.is_due(frame);
+  if (tracks) sightings = tracking.look_at(frame, *feed.model());
+  tags.look_at(frame, *feed.model());
+  pictures.publish(frame);
+  // A frame that was taken for finds is shown by the find, with what it found.
+  if (!holders.finding()) show(frame, sightings);
+  if (!tracks || !holders.connected()) co_return;
+  co_await facts.tell_look(frame.number, sightings);
 }
 
-Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
-  const Time came = context.executor.now();
-  const Datum& asked_for = request.datum[3];
-  const Operation& operation = operation_called(asked_for.head());
-  const Result<void> named = check_names(request);
-  if (!named) co_return fail(named);
-  Result<std::unique_ptr<Turn>> turn;
-  if (operation.turn) turn = co_await take_turn(request.teller, *operation.turn);
-  if (!turn) co_return fail(turn);
-  const std::string name = asked_for.size() > 1 ? std::string(asked_for.items().back().text()) : "";
-  Asked asked{request.teller, asked_for, name, came};
-  const Result<Datum> answer = co_await (this->*operation.run)(std::move(asked));
-  co_return answer;
+Task<void> VisionAgent::State::tell_silence() {
+  FramePace pace;
+  Time last = context.executor.now();
+  while (true) {
+    const Duration patience = tracking.empty() && tags.empty() ? rest_check : pace.patience();
+    const Result<camera::StereoFrame> frame = co_await feed.next(last, patience);
+    if (frame) {
+      last = frame->captured;
+      pace.came(last);
+      continue;
+    }
+    if (feed.state() != CameraFeed::State::open) pace.rest();
+    co_await sleep(context.executor, grace);
+    const bool silent = feed.state() == CameraFeed::State::open && feed.latest() <= last;
+    if (!silent) continue;
+    co_await tell_missed();
+    co_await tags.tell_none(feed.frame_number(), feed.latest());
+  }
+}
+
+Task<void> VisionAgent::State::tell_missed() {
+  if (holders.finding()) co_return;
+  const std::vector<TrackSighting> sightings = tracking.miss_all(context.executor.now());
+  if (sightings.empty() || !holders.connected()) co_return;
+  co_await facts.tell_look(feed.frame_number(), sightings);
+}
+
+void VisionAgent::State::show(const camera::StereoFrame& frame, std::vector<TrackSighting> sightings) {
+  if (!pictures.person_watches()) return;
+  Annotation annotation;
+  annotation.sightings = std::move(sightings);
+  search.add_to(annotation);
+  annotation.status =
+      fmt::format("frame {}   {}{}", frame.number, state.mode(), holders.connected() ? "" : " (not connected)");
+  pictures.begin_showing(frame, std::move(annotation));
+}
+
+Task<void> VisionAgent::State::camera_changed() {
+  co_await state.tell();
+  if (feed.state() == CameraFeed::State::open) co_return;
+  tracking.camera_is_gone();
+  co_await facts.unsay();
+  tags.stop();
+  co_await facts.unsay_tags();
+}
+
+Task<void> VisionAgent::State::follow_holders() {
+  tracking.keep_only(holders.tracked());
+  turns.wake();
+  co_await rest_or_go_on();
+  if (!tracking.empty() && holders.connected()) co_return;
+  co_await facts.unsay();
+}
+
+Task<void> VisionAgent::State::rest_or_go_on() {
+  const bool busy = holders.learning() || holders.finding() || !tracking.empty() || !tags.empty();
+  if (!busy && !holders.connected()) feed.stop();
+  co_await state.tell();
+}
+
+Task<void> VisionAgent::State::look_around() {
+  while (true) {
+    co_await sleep(context.executor, state_check);
+    const bool lost = facts.lost();
+    const bool news = lost || state.has_news();
+    if (news) co_await state.tell();
+    if (lost) co_await known.tell();
+    co_await known.follow_memory();
+    const bool let_go = co_await presence.let_dead_go(holders);
+    if (let_go) co_await follow_holders();
+  }
 }
 
 }  // namespace pizarra::vision

@@ -1,6 +1,7 @@
 // What a client asks of the eyes.
 
 #include <algorithm>
+#include <cassert>
 #include <fmt/format.h>
 
 #include "agents/vision/agent/reply_text.hpp"
@@ -9,10 +10,53 @@
 namespace pizarra::vision {
 namespace {
 
-constexpr Duration longest_frame_wait = 3s;
-constexpr int frames_to_find = 3;
+// Checks the names of the client and of the objects: all strings are names of objects.
+Result<void> check_names(const Fact& request) {
+  Result<void> good = ModeHolders::check_client(request.teller);
+  for (const Datum& argument : request.datum[3].items()) {
+    if (good && argument.is_string()) good = check_object_name(argument.text());
+  }
+  return good;
+}
 
 }  // namespace
+
+const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::string_view word) {
+  using enum TurnQueue::Kind;
+  static constexpr Operation operations[] = {
+      {.word = "learn", .turn = learning, .run = &State::learn},
+      {.word = "find", .turn = beside, .run = &State::find},
+      {.word = "track", .turn = brief, .run = &State::track},
+      {.word = "end-track", .turn = beside, .run = &State::end_track},
+      {.word = "get-objects", .turn = {}, .run = &State::get_objects},
+      {.word = "connect", .turn = beside, .run = &State::connect},
+      {.word = "disconnect", .turn = beside, .run = &State::disconnect},
+      {.word = "keep", .turn = beside, .run = &State::keep_modes},
+      {.word = "accept", .turn = beside, .run = &State::accept},
+      {.word = "reject", .turn = beside, .run = &State::reject},
+      {.word = "forget", .turn = brief, .run = &State::forget},
+      {.word = "rename", .turn = brief, .run = &State::rename},
+      {.word = "learn-from", .turn = brief, .run = &State::learn_from},
+  };
+  const auto found = std::ranges::find(operations, word, &Operation::word);
+  assert(found != std::end(operations) && "the contract offers no others");
+  return *found;
+}
+
+Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
+  const Time came = context.executor.now();
+  const Datum& asked_for = request.datum[3];
+  const Operation& operation = operation_called(asked_for.head());
+  const Result<void> named = check_names(request);
+  if (!named) co_return fail(named);
+  Result<std::unique_ptr<ClientTurns::Turn>> turn;
+  if (operation.turn) turn = co_await turns.take(request.teller, *operation.turn);
+  if (!turn) co_return fail(turn);
+  const std::string name = asked_for.size() > 1 ? std::string(asked_for.items().back().text()) : "";
+  Asked asked{request.teller, asked_for, name, came};
+  const Result<Datum> answer = co_await (this->*operation.run)(std::move(asked));
+  co_return answer;
+}
 
 Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
   const Datum symbol = Datum::symbol(why.symbol);
@@ -23,104 +67,61 @@ Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure 
 
 Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
   const auto& [client, operation, name, came] = asked;
-  co_await begin_learning(client);
+  holders.begin_learning(client);
+  feed.start();
+  co_await state.tell();
   const cv::Point2d click(operation[1].number(), operation[2].number());
   std::optional<std::uint64_t> clicked;
   if (operation.size() > 4) clicked = static_cast<std::uint64_t>(std::max<std::int64_t>(0, operation[3].integer()));
-  Result<LearnedSample> sample = co_await learn_sample(name, click, clicked, came);
-  Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
-  if (sample) {
-    ObjectChange keep = KeepSample{name, std::move(*sample)};
-    kept = co_await change_objects(std::move(keep));
-  }
-  const std::optional<int> number = kept ? number_of(name, *kept) : std::nullopt;
-  if (number) {
-    to_accept.add({client, name, *number, *kept, context.executor.now() + SamplesToAccept::lease});
-    co_await tell_objects();
-  }
-  co_await end_learning();
+  Result<LearnedSample> sample = co_await search.learn(name, click, clicked, came);
+  Result<void> kept = sample ? Result<void>() : fail(sample);
+  if (sample) kept = co_await known.keep(client, name, std::move(*sample));
+  holders.end_learning();
+  search.forget_learning();
+  co_await rest_or_go_on();
   if (kept) co_return list(learn_reply(name, true));
   const std::string text = learn_reply(name, false);
   const Result<Datum> answer = co_await answer_failed(text, kept.error());
   co_return answer;
 }
 
-Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, cv::Point2d click,
-                                                             std::optional<std::uint64_t> clicked, Time asked) {
-  learner.emplace(name, click, objects);
-  Time after = asked;
-  if (clicked) {
-    const Result<camera::StereoFrame> shown = feed.kept(*clicked);
-    if (!shown) co_return fail(shown);
-    after = shown->captured - Duration(1);
-  }
-  while (!learner->done()) {
-    auto taken = clicked ? feed.next_in_turn(after, longest_frame_wait) : feed.next(after, longest_frame_wait);
-    const Result<camera::StereoFrame> frame = co_await taken;
-    if (!frame) co_return fail(frame);
-    after = frame->captured;
-    const GreyPair grey = grey_pair(*frame);
-    StereoSight sight(grey.left, grey.right, *feed.model());
-    const Result<void> fed = learner->feed(sight);
-    if (!fed) co_return fail(fed);
-  }
-  co_return learner->sample();
-}
-
 Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
   const auto& [client, operation, name, came] = asked;
-  co_await let_tracking_look();
-  co_await begin_finding(client);
+  const Time deadline = context.executor.now() + ClientTurns::longest_wait;
+  co_await tracking.let_look(deadline);
+  holders.begin_finding(client);
+  feed.start();
+  co_await state.tell();
   // Another agent may just have forgotten or renamed it.
-  co_await follow_memory();
-  const Result<SeenMark> found = co_await find_mark(name, came);
-  co_await end_finding(client);
-  if (found) co_return list(find_reply(name, found->centre));
+  co_await known.follow_memory();
+  const Result<FoundMark> found = co_await search.find(name, came);
+  if (found) {
+    std::vector<Datum> told{found_fact(feed.frame_number(), *found)};
+    co_await facts.tell(std::move(told));
+  }
+  holders.end_finding(client);
+  co_await rest_or_go_on();
+  if (found) co_return list(find_reply(name, found->pair.left.centre));
   const std::string text = find_reply(name, std::nullopt);
   const Result<Datum> answer = co_await answer_failed(text, found.error());
   co_return answer;
 }
 
-Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name, Time asked) {
-  if (objects.find(name) == nullptr) co_return fail(not_known(name));
-  Failure why;
-  Time after = asked;
-  for (int i = 0; i < frames_to_find; ++i) {
-    const Result<camera::StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
-    if (!frame) co_return fail(frame);
-    after = frame->captured;
-    tracking_is_next = tracking_is_next || frame->left != tracked_image;
-    // It may have been forgotten meanwhile.
-    const LearnedObject* object = objects.find(name);
-    if (object == nullptr) co_return fail(not_known(name));
-    const GreyPair grey = grey_pair(*frame);
-    StereoSight sight(grey.left, grey.right, *feed.model());
-    const Result<FoundMark> found = finder.find(sight, *object, context.executor.now());
-    begin_showing(*frame, {});
-    if (!found) why = found.error();
-    if (!found) continue;
-    std::vector<Datum> told{found_fact(frame->number, *found)};
-    co_await facts.tell(std::move(told));
-    co_return found->pair.left;
-  }
-  co_return fail(why);
-}
-
 Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
-  const std::string holder = co_await holder_for(asked.client);
-  const LearnedObject* object = objects.find(asked.name);
-  if (object == nullptr) co_return fail(not_known(asked.name));
-  if (!holders.tracked().contains(object->name)) tracking_asked = asked.came;
-  const LearnedObject* end_effector = objects.find(end_effector_name);
+  const std::string holder = co_await presence.holder_for(asked.client);
+  const LearnedObject* object = known.objects().find(asked.name);
+  if (object == nullptr) co_return fail(known.not_known(asked.name));
+  if (!holders.tracked().contains(object->name)) tracking.look_only_after(asked.came);
+  const LearnedObject* end_effector = known.objects().find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;
-    const Result<void> added = tracker.add(*each, finder.place_of(each->name));
+    const Result<void> added = tracking.add(*each, search.place_of(each->name));
     if (!added) co_return fail(added);
     holders.track(holder, each->name);
   }
   holders.connect(holder);
   feed.start();
-  co_await tell_state();
+  co_await state.tell();
   co_return Datum();
 }
 
@@ -136,10 +137,10 @@ Task<Result<Datum>> VisionAgent::State::end_track(Asked asked) {
 }
 
 Task<Result<Datum>> VisionAgent::State::connect(Asked asked) {
-  const std::string holder = co_await holder_for(asked.client);
+  const std::string holder = co_await presence.holder_for(asked.client);
   holders.connect(holder);
   feed.start();
-  co_await tell_state();
+  co_await state.tell();
   co_return Datum();
 }
 
@@ -150,15 +151,19 @@ Task<Result<Datum>> VisionAgent::State::disconnect(Asked asked) {
 }
 
 Task<Result<Datum>> VisionAgent::State::keep_modes(Asked asked) {
-  const std::string holder = co_await holder_for(asked.client);
+  const std::string holder = co_await presence.holder_for(asked.client);
   if (!holders.keep(holder)) co_return fail("nothing-held", "the client is neither connected nor tracking", "keep"_sym);
-  co_await tell_holders();
+  co_await state.tell_holders();
   co_return Datum();
 }
 
 Task<Result<Datum>> VisionAgent::State::get_objects(Asked) {
-  co_await follow_memory();
-  co_return list(get_reply(objects));
+  co_await known.follow_memory();
+  co_return list(get_reply(known.objects()));
+}
+
+Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
+  return known.rename(asked.client, std::string(asked.operation[1].text()), asked.name);
 }
 
 }  // namespace pizarra::vision

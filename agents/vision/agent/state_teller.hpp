@@ -1,0 +1,42 @@
+#pragma once
+
+// Tells what the eyes are doing, for whom, and how their camera is.
+//
+//   StateTeller state(camera, feed, holders, tracking, pictures, facts);
+//   co_await state.tell();                       // something of it has changed
+//   if (state.has_news()) co_await state.tell();   // the camera has dropped frames since
+//   state.mode();                                // "tracking"
+
+#include "agents/vision/agent/camera_feed.hpp"
+#include "agents/vision/agent/fact_teller.hpp"
+#include "agents/vision/agent/mode_holders.hpp"
+#include "agents/vision/agent/picture_streams.hpp"
+#include "agents/vision/agent/tracking.hpp"
+
+namespace pizarra::vision {
+
+class StateTeller {
+ public:
+  // All outlive it.
+  StateTeller(camera::StereoCamera& camera, const CameraFeed& feed, const ModeHolders& holders,
+              const Tracking& tracking, const PictureStreams& pictures, VisionFacts& facts)
+      : camera_(camera), feed_(feed), holders_(holders), tracking_(tracking), pictures_(pictures), facts_(facts) {}
+
+  // idle, capturing, learning, finding, tracking
+  std::string_view mode() const;
+  Task<void> tell();
+  // Of this only who holds what.
+  Task<void> tell_holders();
+  bool has_news() const { return told_drops_ != camera_.drops(); }
+
+ private:
+  camera::StereoCamera& camera_;
+  const CameraFeed& feed_;
+  const ModeHolders& holders_;
+  const Tracking& tracking_;
+  const PictureStreams& pictures_;
+  VisionFacts& facts_;
+  camera::CameraDrops told_drops_;
+};
+
+}  // namespace pizarra::vision

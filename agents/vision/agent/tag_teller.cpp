@@ -1,0 +1,45 @@
+#include "agents/vision/agent/tag_teller.hpp"
+
+#include "agents/vision/agent/grey_pair.hpp"
+
+namespace pizarra::vision {
+namespace {
+
+// In virtual time; what a pair of 640 x 480 takes.
+constexpr Duration reading_cost = 20ms;
+
+// A look at one frame, which may outlive whoever began it.
+struct TagReading {
+  camera::StereoFrame frame;
+  camera::StereoModel model;
+  TagsInView tags;
+  std::vector<FoundMark> seen = {};
+
+  void read() {
+    const GreyPair grey = grey_pair(frame);
+    const StereoSight sight(grey.left, grey.right, model);
+    seen = tags.at(sight);
+  }
+};
+
+}  // namespace
+
+void TagTeller::look_at(const camera::StereoFrame& frame, const camera::StereoModel& model) {
+  if (!tags_.empty() && reading_.done()) reading_ = executor_.spawn(read(frame, model));
+}
+
+Task<void> TagTeller::read(camera::StereoFrame frame, camera::StereoModel model) {
+  const auto look = std::make_shared<TagReading>(std::move(frame), std::move(model), tags_);
+  std::function<void(const std::function<bool()>&)> read = [look](const std::function<bool()>& cancelled) {
+    if (!cancelled()) look->read();
+  };
+  co_await executor_.offload(std::move(read), reading_cost);
+  co_await facts_.tell_tags(look->frame.number, look->frame.captured, std::move(look->seen));
+}
+
+Task<void> TagTeller::tell_none(std::uint64_t frame, Time captured) {
+  const std::vector<FoundMark> none;
+  if (!tags_.empty()) co_await facts_.tell_tags(frame, captured, none);
+}
+
+}  // namespace pizarra::vision

@@ -1,0 +1,38 @@
+#pragma once
+
+// Tells the tags in view, although nobody has asked for them. However long a look takes, one is in hand, away from the
+// executor's thread; frames that come meanwhile are not looked at.
+//
+//   TagTeller tags(executor, facts, options.tags);
+//   tags.look_at(frame, model);           // each frame
+//   co_await tags.tell_none(number, captured);         // no frame came any more
+//   tags.stop();                          // before it is destroyed, where a look may be in hand
+
+#include "agents/vision/agent/fact_teller.hpp"
+#include "agents/vision/sight/tags_in_view.hpp"
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra::vision {
+
+class TagTeller {
+ public:
+  // `facts` outlives it.
+  TagTeller(Executor& executor, VisionFacts& facts, std::span<const SizedFamily> families)
+      : executor_(executor), facts_(facts), tags_(families) {}
+
+  // Nothing is to be told.
+  bool empty() const { return tags_.empty(); }
+  void look_at(const camera::StereoFrame& frame, const camera::StereoModel& model);
+  Task<void> tell_none(std::uint64_t frame, Time captured);
+  void stop() { reading_ = Job(); }
+
+ private:
+  Task<void> read(camera::StereoFrame frame, camera::StereoModel model);
+
+  Executor& executor_;
+  VisionFacts& facts_;
+  const TagsInView tags_;
+  Job reading_;
+};
+
+}  // namespace pizarra::vision
