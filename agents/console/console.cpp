@@ -11,6 +11,7 @@ namespace {
 constexpr Duration longest_goodbye = 1s;
 constexpr std::string_view bearer = "Bearer ";
 constexpr std::size_t web_socket_key_size = 24;
+constexpr std::string_view lanes_path = "/socket/";
 
 HttpAnswer plain(unsigned status, std::string sentence) {
   return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
@@ -28,6 +29,15 @@ std::string content_policy(const std::vector<std::string>& sockets) {
 bool asks_for_web_socket(const HttpRequest& request) {
   return request.method == "GET" && (request.upgrade == "websocket" || request.upgrade == "WebSocket") &&
          request.web_socket_version == "13" && request.web_socket_key.size() == web_socket_key_size;
+}
+
+// Nothing: a page that was let in asks for one.
+std::optional<HttpAnswer> why_no_connection(const HttpRequest& request,
+                                            const std::optional<Access::Admitted>& session) {
+  if (!session) return plain(403, "no session: open the address that the console printed");
+  if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
+  if (request.origin.empty()) return plain(403, "only the page may connect");
+  return std::nullopt;
 }
 
 HttpAnswer web_socket_answer(const HttpRequest& request) {
@@ -129,6 +139,7 @@ HttpAnswer Console::answer(const HttpRequest& request) {
   if (foreign) return with_headers(plain(403, "pages of another origin are not served"));
   if (request.path == "/session") return with_headers(exchange(request));
   if (request.path == "/socket") return with_headers(open_page(request));
+  if (request.path.starts_with(lanes_path)) return with_headers(open_lane(request));
   if (request.method != "GET" && request.method != "HEAD") return with_headers(plain(405, "that cannot be done here"));
   const PageFile* file = page_.find(request.path);
   if (file == nullptr) return with_headers(plain(404, "there is nothing here"));
@@ -165,12 +176,28 @@ HttpAnswer Console::log_out(const HttpRequest& request) {
 HttpAnswer Console::open_page(const HttpRequest& request) {
   if (request.method == "DELETE") return log_out(request);
   const std::optional<Access::Admitted> session = access_->admitted(request.cookies, setup_.executor.now());
-  if (!session) return plain(403, "no session: open the address that the console printed");
-  if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
-  if (request.origin.empty()) return plain(403, "only the page may connect");
+  if (std::optional<HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
   if (pages_.size() >= max_pages) return plain(503, "too many pages are open");
   HttpAnswer answer = web_socket_answer(request);
   answer.upgraded = [this, session = *session](UpgradedSocket socket) { admit(std::move(socket), session); };
+  return answer;
+}
+
+// /socket/N is one more connection of page N, for its images: where that is a page of the same session.
+HttpAnswer Console::open_lane(const HttpRequest& request) {
+  const std::optional<Access::Admitted> session = access_->admitted(request.cookies, setup_.executor.now());
+  if (std::optional<HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
+  const auto page = std::ranges::find_if(pages_, [&](const auto& entry) {
+    return request.path.substr(lanes_path.size()) == std::to_string(entry.first) &&
+           entry.second.session == session->number;
+  });
+  if (page == pages_.end()) return plain(404, "there is no such page of this session");
+  if (!page->second.live->takes_lane()) return plain(503, "this page has all its connections");
+  HttpAnswer answer = web_socket_answer(request);
+  answer.upgraded = [this, number = page->first](UpgradedSocket socket) {
+    const auto still = pages_.find(number);
+    if (still != pages_.end()) still->second.live->add_lane(std::move(socket));
+  };
   return answer;
 }
 
@@ -218,7 +245,7 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
     pages_.erase(number);
     if (pages_.empty()) emptied_.set();
   };
-  Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), session.until, ended};
+  Session::Setup setup{setup_.executor, images_, setup_.cell, number, name, std::move(*board), session.until, ended};
   setup.pictures = setup_.pictures;
   setup.truth = &truth_;
   setup.kept = kept_.get();

@@ -90,6 +90,7 @@ class Console {
   HttpAnswer answer(const HttpRequest& request);
   HttpAnswer exchange(const HttpRequest& request);
   HttpAnswer open_page(const HttpRequest& request);
+  HttpAnswer open_lane(const HttpRequest& request);
   HttpAnswer open_viewer(const HttpRequest& request);
   HttpAnswer log_out(const HttpRequest& request);
   std::string host() const;

@@ -16,7 +16,7 @@ namespace pizarra::console {
 
 namespace {
 
-constexpr unsigned max_connections = 64;
+constexpr unsigned max_connections = 160;
 constexpr unsigned silence_seconds = 10;
 constexpr std::size_t head_bytes = 16 << 10;
 constexpr const char* tls_versions = "SECURE128:-VERS-TLS-ALL:+VERS-TLS1.3:+VERS-TLS1.2";

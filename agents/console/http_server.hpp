@@ -9,7 +9,7 @@
 //   (*server)->port();
 //
 // No request has a body: one that says it has is refused, as is one whose head does not fit into 16 kB. A connection
-// that says nothing for ten seconds ends; 64 are open at once at most.
+// that says nothing for ten seconds ends; 160 are open at once at most.
 
 #include <functional>
 #include <memory>

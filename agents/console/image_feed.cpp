@@ -12,8 +12,8 @@ namespace pizarra::console {
 namespace {
 
 constexpr int jpeg_quality = 80;
-constexpr int light_quality = 40;
-constexpr int light_width = 320;
+constexpr int light_quality = 35;
+constexpr int light_width = 240;
 constexpr Duration encoding_cost = 3ms;
 
 std::string jpeg_of(const cv::Mat& pixels, int quality) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread. Only the newest frame
-// is encoded: a frame that comes meanwhile replaces the one that waits. A page on a slow line gets a light picture: 320
+// is encoded: a frame that comes meanwhile replaces the one that waits. A page on a slow line gets a light picture: 240
 // px wide at most, and of less quality.
 //
 //   ImageFeeds feeds(executor, streams);

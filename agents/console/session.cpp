@@ -21,7 +21,7 @@ std::string reach_text(const ReachOutline& reach) {
 }
 
 // `truth`: whether there is any to lay over what is believed.
-std::string hello_text(const CellView& cell, const std::string& name, bool truth) {
+std::string hello_text(const CellView& cell, int page, const std::string& name, bool truth) {
   std::string arms;
   for (const auto& [arm, model] : cell.arms) arms += (arms.empty() ? "" : ",") + json_string(arm);
   std::string reaches;
@@ -36,9 +36,10 @@ std::string hello_text(const CellView& cell, const std::string& name, bool truth
   }
   return fmt::format(
       "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"reaches\":{{{}}},\"camera\":{},\"cube\":{:.1f},\"truth\":{"
-      "}}}"
-      "}}",
-      json_string(name), json_string(cell.name), arms, reaches, camera, cell.cube_mm, truth);
+      "},"
+      "\"images\":{{\"path\":\"/socket/{}\",\"lanes\":{}}}}}}}",
+      json_string(name), json_string(cell.name), arms, reaches, camera, cell.cube_mm, truth, page,
+      PageImages::max_lanes);
 }
 
 }  // namespace
@@ -91,7 +92,6 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"method", {number, number}, &Session::method},
                                           {"look", {name}, &Session::look},
                                           {"look-away", {name}, &Session::look_away},
-                                          {"drawn", {name}, &Session::drawn},
                                           {"heard", {number}, &Session::heard}};
   return verbs;
 }
@@ -102,7 +102,8 @@ Session::Session(Setup setup, UpgradedSocket socket)
       service_(context_, runtime::contract_from_text(std::string("(contract console ") + reads_of_pages + ")").value()),
       caller_(context_, service_),
       room_(setup_.executor),
-      hands_changed_(setup_.executor) {
+      hands_changed_(setup_.executor),
+      images_(std::make_unique<PageImages>(setup_.executor, setup_.images, pulse_)) {
   WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
                            .room = [this] { room_.set(); },
                            .ended = [this] { leave(); }};
@@ -114,6 +115,10 @@ Session::Session(Setup setup, UpgradedSocket socket)
 }
 
 Session::~Session() = default;
+
+void Session::add_lane(UpgradedSocket socket) {
+  if (takes_lane()) images_->add_lane(std::move(socket));
+}
 
 void Session::leave() {
   if (leaving_) return;
@@ -130,7 +135,7 @@ void Session::leave() {
   letting_go_ = Job();
   watches_.clear();
   requests_.clear();
-  streams_.clear();
+  images_.reset();
   closing_ = setup_.executor.spawn(close_board());
 }
 
@@ -149,7 +154,7 @@ Task<void> Session::open() {
     co_return;
   }
   co_await declare_wishes();
-  say(hello_text(setup_.cell, setup_.name, setup_.truth != nullptr && setup_.truth->is_there()));
+  say(hello_text(setup_.cell, setup_.number, setup_.name, setup_.truth != nullptr && setup_.truth->is_there()));
   beating_ = setup_.executor.spawn(keep_beating());
 }
 

@@ -24,17 +24,16 @@
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
 //   (work N)                    what went on since the console began (kept_changes.hpp)
 //   (method N SECONDS)          what the components are and how they are connected, as seen for so long
-//   (look STREAM), (look-away STREAM), (drawn STREAM)            images; each that was drawn makes room for the next
+//   (look STREAM), (look-away STREAM)                            images, on the lanes that it opens (page_images.hpp)
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
 // {"work":"servo","changes":[...]} some at a time,
-// {"pulse":STAMP,"deadline":MS,"rtt":MS}; images as
-// binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it; one that was asked for as
-// `(picture N NUMBER CAPTURED-US WIDTH HEIGHT)`.
+// {"pulse":STAMP,"deadline":MS,"rtt":MS}; a picture
+// that was asked for as binary: a line `(picture N NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it.
 //
-// Bounds: 64 watches, 16 requests in hand, 4 streams, images under way (four of each, 64 kB of all). A page that does
-// not take in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
+// Bounds: 64 watches, 16 requests in hand, those of the images. A page that does not take in what it is told, some
+// 256 kB of it, has its watches wait: the board resynchronises them.
 
 #include <deque>
 #include <functional>
@@ -44,9 +43,9 @@
 #include <string>
 #include <vector>
 
-#include "agents/console/image_feed.hpp"
 #include "agents/console/instruments.hpp"
 #include "agents/console/kept_changes.hpp"
+#include "agents/console/page_images.hpp"
 #include "agents/console/picture_store.hpp"
 #include "agents/console/pulse.hpp"
 #include "agents/console/reach_outline.hpp"
@@ -73,10 +72,6 @@ class Session {
  public:
   static constexpr std::size_t max_watches = 64;
   static constexpr std::size_t max_requests = 16;
-  static constexpr std::size_t max_looks = 4;
-  // As many images as the round trip needs are under way of a stream, and this many bytes of all.
-  static constexpr std::size_t max_images_under_way = 4;
-  static constexpr std::size_t max_image_bytes_under_way = 64 << 10;
   // The most that a reply waits behind, the system's own buffers for the page included.
   static constexpr std::size_t max_unheard_bytes = 256 << 10;
 
@@ -84,6 +79,7 @@ class Session {
     Executor& executor;
     ImageFeeds& images;
     const CellView& cell;
+    int number;        // of the page; its lanes are opened by it
     std::string name;  // on the board
     std::unique_ptr<Board> board;
     Time until;                   // the page is let go then
@@ -100,23 +96,14 @@ class Session {
   Session& operator=(const Session&) = delete;
   ~Session();
 
+  // One more connection of the page, for its images, while it takes one.
+  bool takes_lane() const { return !leaving_ && images_->takes_lane(); }
+  void add_lane(UpgradedSocket socket);
   // As if the page had gone.
   void leave();
 
  private:
   struct Verb;
-  // What is under way of one stream.
-  struct Stream {
-    struct UnderWay {
-      std::size_t bytes;
-      Time sent;
-    };
-    std::shared_ptr<const ImageFeeds::Picture> newest;  // not sent yet
-    std::deque<UnderWay> under_way;
-    std::size_t full_bytes = 0;  // of the newest of each that was sent
-    std::size_t light_bytes = 0;
-    std::unique_ptr<ImageFeeds::Look> look;
-  };
   using Number = std::int64_t;
   // A jog that the page holds on to. The page's word counts while it is younger than the deadline.
   struct Jog {
@@ -157,12 +144,8 @@ class Session {
   void method(const Datum& form);
   void look(const Datum& form);
   void look_away(const Datum& form);
-  void drawn(const Datum& form);
   void heard(const Datum& form);
   void say_fact(std::string text);
-  void show_newest(const std::string& name, Stream& stream);
-  std::size_t images_at_once() const;
-  void weigh_line(const Stream& stream, Duration took);
 
   Task<void> open();
   Task<void> run_out();
@@ -208,10 +191,7 @@ class Session {
   WaitList hands_changed_;
   std::optional<Jog> jog_;
   std::int64_t holds_told_ = 0;
-  std::map<std::string, std::unique_ptr<Stream>> streams_;
-  std::size_t image_bytes_under_way_ = 0;
-  Duration image_wait_{};  // how much longer than the line an image took, smoothed
-  bool light_images_ = false;
+  std::unique_ptr<PageImages> images_;
   std::unique_ptr<TruthFeed::Look> truth_;
   std::unique_ptr<WebSocket> socket_;
   Job opening_;

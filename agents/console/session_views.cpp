@@ -215,73 +215,9 @@ Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
 }
 
 void Session::look(const Datum& form) {
-  const std::string name(form[1].text());
-  if (streams_.contains(name)) return;
-  if (streams_.size() >= max_looks) return socket_->close(1008, "too many streams");
-  Stream& stream = *streams_.emplace(name, std::make_unique<Stream>()).first->second;
-  stream.look = setup_.images.look(name, [this, name, &stream](const auto& picture) {
-    stream.newest = picture;
-    show_newest(name, stream);
-  });
-  stream.look->set_light(light_images_);
+  if (!images_->look(std::string(form[1].text()))) socket_->close(1008, "too many streams");
 }
 
-void Session::look_away(const Datum& form) {
-  const auto stream = streams_.find(std::string(form[1].text()));
-  if (stream == streams_.end()) return;
-  for (const Stream::UnderWay& sent : stream->second->under_way) image_bytes_under_way_ -= sent.bytes;
-  streams_.erase(stream);
-}
-
-void Session::drawn(const Datum& form) {
-  const auto stream = streams_.find(std::string(form[1].text()));
-  if (stream == streams_.end() || stream->second->under_way.empty()) return;
-  const Stream::UnderWay sent = stream->second->under_way.front();
-  stream->second->under_way.pop_front();
-  image_bytes_under_way_ -= sent.bytes;
-  weigh_line(*stream->second, setup_.executor.now() - sent.sent);
-  // Those that waited for this one come first.
-  for (auto& [name, other] : streams_) {
-    if (other != stream->second) show_newest(name, *other);
-  }
-  show_newest(stream->first, *stream->second);
-}
-
-std::size_t Session::images_at_once() const {
-  constexpr Duration usual_period = 100ms;
-  const Duration line = pulse_.line().value_or(Duration(0));
-  return std::min<std::size_t>(max_images_under_way, 2 + static_cast<std::size_t>(line / usual_period));
-}
-
-// Light pictures where images wait for the line, and full ones again where they would hardly wait.
-void Session::weigh_line(const Stream& stream, Duration took) {
-  constexpr Duration too_long = 150ms;
-  constexpr Duration short_enough = 40ms;
-  constexpr int smoothing = 8;
-  const Duration waited = std::max(Duration(0), took - pulse_.line().value_or(Duration(0)));
-  image_wait_ += (waited - image_wait_) / smoothing;
-  const bool known = stream.full_bytes > 0 && stream.light_bytes > 0;
-  const double larger = known ? static_cast<double>(stream.full_bytes) / static_cast<double>(stream.light_bytes) : 1;
-  const bool full_would_do =
-      static_cast<double>(image_wait_.count()) * larger < static_cast<double>(short_enough.count());
-  const bool light = light_images_ ? !full_would_do : image_wait_ > too_long;
-  if (light == light_images_) return;
-  light_images_ = light;
-  for (const auto& [name, each] : streams_) each->look->set_light(light);
-}
-
-void Session::show_newest(const std::string& name, Stream& stream) {
-  if (!stream.newest || stream.under_way.size() >= images_at_once()) return;
-  const bool light = (light_images_ && !stream.newest->light.empty()) || stream.newest->jpeg.empty();
-  const std::string& jpeg = light ? stream.newest->light : stream.newest->jpeg;
-  if (image_bytes_under_way_ > 0 && image_bytes_under_way_ + jpeg.size() > max_image_bytes_under_way) return;
-  const auto picture = std::exchange(stream.newest, nullptr);
-  (light ? stream.light_bytes : stream.full_bytes) = jpeg.size();
-  stream.under_way.push_back({jpeg.size(), setup_.executor.now()});
-  image_bytes_under_way_ += jpeg.size();
-  std::string message = fmt::format("(image {} {} {} {} {})\n", name, picture->number,
-                                    picture->captured.time_since_epoch().count(), picture->width, picture->height);
-  socket_->send(WebSocket::Class::images, message += jpeg);
-}
+void Session::look_away(const Datum& form) { images_->look_away(std::string(form[1].text())); }
 
 }  // namespace pizarra::console

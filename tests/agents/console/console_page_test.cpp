@@ -210,50 +210,6 @@ TEST_F(ConsoleTest, ASlowReaderSlowsNobodyAndIsResynchronised) {
   EXPECT_LT(of_slow.bytes, rounds * bulk.size() / 2) << "what had become void was not kept for it";
 }
 
-TEST_F(ConsoleTest, ShowsTheNewestImageAndNoMoreThanTwoThatWereNotDrawn) {
-  const auto client = page(cookie());
-  const auto publish = [&](std::uint64_t number) {
-    auto image = std::make_shared<Image>();
-    image->width = 64;
-    image->height = 48;
-    image->channels = 3;
-    image->pixels.assign(64 * 48 * 3, 90);
-    streams_.publish("eyes", {.number = number, .captured = executor_.now(), .image = image});
-  };
-  serve([&] {
-    client->send_frame(RawClient::text, "(look eyes)");
-    return true;
-  });
-  executor_.run_until([&] { return streams_.watched("eyes") || tick(); });
-  // The first picture of a process takes as long as it takes to load what encodes it.
-  publish(1);
-  const auto first = serve([&] { return client->read_frame(); });
-  for (std::uint64_t number = 2; number <= 100; ++number) {
-    publish(number);
-    run(executor_, [](Executor& executor) -> Task<bool> {
-      co_await sleep(executor, 2ms);
-      co_return true;
-    }(executor_));
-  }
-  const auto number_of = [](const RawClient::Frame& frame) {
-    const std::string line = frame.payload.substr(0, frame.payload.find('\n'));
-    return read_one(line).value()[2].integer();
-  };
-  const auto second = serve([&] { return client->read_frame(); });
-  ASSERT_TRUE(first && second);
-  EXPECT_EQ(first->kind, RawClient::binary);
-  EXPECT_EQ(first->payload.substr(first->payload.find('\n') + 1, 2), "\xff\xd8");
-  EXPECT_LT(number_of(*second), 100);
-  const auto third = serve([&] {
-    client->send_frame(RawClient::text, "(drawn eyes)");
-    return client->read_frame();
-  });
-  ASSERT_TRUE(third);
-  EXPECT_EQ(number_of(*third), 100);
-  client->send_frame(RawClient::text, "(look-away eyes)");
-  executor_.run_until([&] { return !streams_.watched("eyes") || tick(); });
-}
-
 TEST_F(ConsoleTest, OpensSoManyPagesAndNoMore) {
   const std::string own = cookie();
   std::vector<std::unique_ptr<RawClient>> clients;

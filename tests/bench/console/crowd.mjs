@@ -43,16 +43,21 @@ const gather = () =>
         let there = 0;
         for (let i = 0; i < watchers; ++i) {
           const takes = i >= stalled;
-          const socket = new WebSocket(`ws://${location.host}/socket`);
-          socket.binaryType = 'arraybuffer';
-          window.sockets.push(socket);
+          const open = (path) => {
+            const opened = new WebSocket(`ws://${location.host}${path}`);
+            opened.binaryType = 'arraybuffer';
+            window.sockets.push(opened);
+            return opened;
+          };
+          const openLane = (path) => {
+            const lane = open(path);
+            lane.onmessage = () => takes && lane.send('(drawn 0)');
+          };
+          const socket = open('/socket');
           socket.onmessage = ({ data }) => {
-            if (typeof data !== 'string') {
-              const name = new TextDecoder().decode(new Uint8Array(data, 0, 60)).split(' ')[1];
-              return takes && socket.send(`(drawn ${name})`);
-            }
             const message = JSON.parse(data);
             if (message.hello) {
+              for (let lane = 0; lane < message.hello.images.lanes; ++lane) openLane(message.hello.images.path);
               for (const words of [
                 '(look vision-colour)',
                 '(look vision-annotated)',

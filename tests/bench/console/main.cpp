@@ -53,7 +53,7 @@ Measured over_loopback(const Choices& choices) {
   return measure(measure_command(choices, folder.path()));
 }
 
-// As `ssh -L` brings a console to another machine: its own loopback there, and one connection over the line.
+// The console's loopback, brought to another machine: each connection of the browser is one over the line.
 Measured over_the_line(const Choices& choices) {
   if (const std::string why = network::Network::unavailable(); !why.empty()) return {.values = {}, .trouble = why};
   const TemporaryFolder folder;

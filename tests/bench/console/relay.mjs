@@ -1,4 +1,4 @@
-// node relay.mjs FROM-HOST FROM-PORT TO-HOST TO-PORT: connections to the one go on to the other, as `ssh -L` has them.
+// node relay.mjs FROM-HOST FROM-PORT TO-HOST TO-PORT: each connection to the one goes on to the other, as one of its own.
 
 import { connect, createServer } from 'node:net';
 

@@ -1,11 +1,26 @@
-// The page's one connection: questions that live on, requests that are answered, images. It comes back by itself.
+// The page's connection: questions that live on, requests that are answered; images come on lanes beside it. It comes
+// back by itself.
 //
 //   connection.follow('(place ?name ?x ?y ?z ?f)', (answers) => ...)   all that holds, whenever that changes
 //   await connection.request('coordinator', '(why)')                    the reply's values; throws a failure
 //   connection.look('vision-colour', (picture) => ...)
 
+import { ImageLanes, socketAt } from './image_lanes.js';
 import { LiveAnswers } from './live_answers.js';
 import { read, text, write, sym } from './datum.js';
+
+const longestLate = 5e6; // microseconds
+
+// Of `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)` or `(picture REQUEST ...)`, a newline and a JPEG: what it is of, and
+// the picture, if it is one.
+async function pictureIn(message) {
+  const bytes = new Uint8Array(message);
+  const end = bytes.indexOf(10);
+  const [, of, number, captured, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
+  const blob = new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' });
+  const bitmap = await createImageBitmap(blob).catch(() => null);
+  return [of, bitmap && { bitmap, number, captured, width, height }];
+}
 
 export class Connection {
   #socket = null;
@@ -13,6 +28,8 @@ export class Connection {
   #watches = new Map();
   #requests = new Map();
   #looks = new Map();
+  #lanes = new ImageLanes((message) => this.#drawImage(message));
+  #newest = new Map(); // of each stream, when what is shown was captured
   #shared = new Map(); // what is followed, by its query
   #pause = 500;
   #heard = 0;
@@ -45,16 +62,16 @@ export class Connection {
 
   #connect() {
     this.onState('connecting');
-    const socket = new WebSocket(`${location.protocol.replace('http', 'ws')}//${location.host}/socket`);
-    socket.binaryType = 'arraybuffer';
+    const socket = socketAt('/socket');
     socket.onmessage = (event) =>
-      typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#show(event.data);
+      typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#showKept(event.data);
     socket.onclose = () => this.#lost();
     this.#socket = socket;
   }
 
   async #lost() {
     this.#socket = null;
+    this.#lanes.close();
     this.#heard = 0;
     this.#stamp = 0;
     for (const answered of this.#asked.values()) answered({ error: { symbol: 'unreachable' } });
@@ -83,6 +100,7 @@ export class Connection {
       this.#pause = 500;
       this.onHello(message.hello);
       this.onState('live');
+      this.#lanes.open(message.hello.images);
       for (const [number, watch] of this.#watches) this.#ask(number, watch);
       for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
       if (this.#laid) this.#say(sym('truth'));
@@ -312,25 +330,25 @@ export class Connection {
     return kept;
   }
 
-  // `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, or `(picture REQUEST ...)` of one that was asked for; a newline, a
-  // JPEG.
-  async #show(buffer) {
-    const bytes = new Uint8Array(buffer);
-    const end = bytes.indexOf(10);
-    const [kind, of, number, captured, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
-    const bitmap = await createImageBitmap(new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' })).catch(
-      () => null,
-    );
-    if (text(kind) === 'picture') {
-      const kept = { values: [{ bitmap, number, captured, width, height }] };
-      return this.#requests.get(of)?.take(bitmap ? kept : { error: { sentence: 'what was kept is no picture' } });
-    }
-    const name = text(of);
+  // One that was asked for.
+  async #showKept(message) {
+    const [request, picture] = await pictureIn(message);
+    const kept = picture ? { values: [picture] } : { error: { sentence: 'what was kept is no picture' } };
+    this.#requests.get(request)?.take(kept);
+  }
+
+  // Where a newer one is shown already, it came too late. A clock that was set back makes all of them older.
+  async #drawImage(message) {
+    const [name, picture] = await pictureIn(message);
     // A hidden page draws nothing, and so is sent nothing.
-    requestAnimationFrame(() => {
-      if (bitmap) this.#looks.get(name)?.({ bitmap, number, captured, width, height });
-      bitmap?.close();
-      this.#say(sym('drawn'), sym(name));
-    });
+    await new Promise(requestAnimationFrame);
+    if (!picture) return;
+    const { captured } = picture;
+    const newest = this.#newest.get(text(name)) ?? 0;
+    if (captured >= newest || newest - captured > longestLate) {
+      this.#newest.set(text(name), captured);
+      this.#looks.get(text(name))?.(picture);
+    }
+    picture.bitmap.close();
   }
 }

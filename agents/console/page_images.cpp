@@ -1,0 +1,136 @@
+#include "agents/console/page_images.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "lisp/reader.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr ReadLimits word_limits{.bytes = 64, .depth = 2, .elements = 4};
+
+// Of the two that a picture may have, the one that is wanted.
+const std::string& sent_jpeg(const ImageFeeds::Picture& picture, bool light) {
+  if (picture.jpeg.empty()) return picture.light;
+  return light && !picture.light.empty() ? picture.light : picture.jpeg;
+}
+
+}  // namespace
+
+PageImages::PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse)
+    : executor_(executor), feeds_(feeds), pulse_(pulse) {}
+PageImages::~PageImages() = default;
+
+bool PageImages::look(const std::string& name) {
+  if (streams_.contains(name)) return true;
+  if (streams_.size() >= max_streams) return false;
+  Stream& stream = streams_[name];
+  stream.look = feeds_.look(name, [this, &stream](const auto& picture) {
+    stream.newest = picture;
+    send_what_waits();
+  });
+  stream.look->set_light(light_);
+  return true;
+}
+
+void PageImages::look_away(const std::string& name) { streams_.erase(name); }
+
+void PageImages::add_lane(UpgradedSocket socket) {
+  if (!takes_lane()) return;
+  const auto lane = lanes_.emplace(lanes_.end());
+  WebSocket::Events events{.text = [this, lane](std::string_view message) { hear(*lane, message); },
+                           .room = [] {},
+                           .ended =
+                               [this, lane] {
+                                 lanes_.erase(lane);
+                                 send_what_waits();
+                               }};
+  lane->socket = std::make_unique<WebSocket>(executor_, std::move(socket), std::move(events));
+  send_what_waits();
+}
+
+void PageImages::hear(Lane& lane, std::string_view message) {
+  const Result<Datum> form = read_one(message, word_limits);
+  const bool understood = form && form->is_form("drawn") && form->size() == 2 && (*form)[1].is_integer();
+  if (!understood || lane.stream.empty()) return lane.socket->close(1008, "not understood");
+  const Duration drawing = std::clamp<std::int64_t>((*form)[1].integer(), 0, 60'000) * 1ms;
+  const Duration without_image = pulse_.round_trip().value_or(Duration(0));
+  lane.waited = std::max(Duration(0), executor_.now() - lane.sent - drawing - without_image);
+  weigh_line(lane.waited);
+  lane.stream.clear();
+  send_what_waits();
+}
+
+void PageImages::send_what_waits() {
+  while (Lane* lane = free_lane()) {
+    auto* next = next_stream();
+    if (next == nullptr) return;
+    send(*lane, next->first, next->second);
+  }
+}
+
+// The one that was the quickest lately: one that lost a packet sends slowly for a while.
+PageImages::Lane* PageImages::free_lane() {
+  Lane* quickest = nullptr;
+  for (Lane& lane : lanes_) {
+    if (lane.stream.empty() && (quickest == nullptr || lane.waited < quickest->waited)) quickest = &lane;
+  }
+  return quickest;
+}
+
+// The one that was sent least lately, of those that have an image which may go.
+std::pair<const std::string, PageImages::Stream>* PageImages::next_stream() {
+  std::pair<const std::string, Stream>* next = nullptr;
+  const std::size_t bytes = bytes_under_way();
+  for (auto& entry : streams_) {
+    const auto& [name, stream] = entry;
+    if (!stream.newest || under_way(name) >= most_under_way()) continue;
+    const bool fits = bytes == 0 || bytes + sent_jpeg(*stream.newest, light_).size() <= max_bytes_under_way;
+    if (fits && (next == nullptr || stream.sent < next->second.sent)) next = &entry;
+  }
+  return next;
+}
+
+std::size_t PageImages::under_way(const std::string& stream) const {
+  return static_cast<std::size_t>(std::ranges::count(lanes_, stream, &Lane::stream));
+}
+
+std::size_t PageImages::bytes_under_way() const {
+  std::size_t bytes = 0;
+  for (const Lane& lane : lanes_) bytes += lane.stream.empty() ? 0 : lane.bytes;
+  return bytes;
+}
+
+std::size_t PageImages::most_under_way() const {
+  constexpr Duration longest_near = 50ms;
+  const Duration line = pulse_.line().value_or(Duration(0));
+  return line > longest_near ? max_under_way : 2;
+}
+
+void PageImages::send(Lane& lane, const std::string& name, Stream& stream) {
+  const auto picture = std::exchange(stream.newest, nullptr);
+  const std::string& jpeg = sent_jpeg(*picture, light_);
+  stream.sent = executor_.now();
+  lane.stream = name;
+  lane.bytes = jpeg.size();
+  lane.sent = stream.sent;
+  lane.socket->send(WebSocket::Class::images,
+                    fmt::format("(image {} {} {} {} {})\n{}", name, picture->number,
+                                picture->captured.time_since_epoch().count(), picture->width, picture->height, jpeg));
+}
+
+// Light images where they wait for the line, and full ones, which are several times larger, where light ones hardly
+// wait.
+void PageImages::weigh_line(Duration waited) {
+  constexpr Duration hardly = 15ms;
+  constexpr int smoothing = 8;
+  wait_ += (waited - wait_) / smoothing;
+  const bool light = light_ ? wait_ > hardly : wait_ > too_long;
+  if (light == light_) return;
+  light_ = light;
+  for (auto& [name, each] : streams_) each.look->set_light(light);
+}
+
+}  // namespace pizarra::console

@@ -1,0 +1,81 @@
+#pragma once
+
+// The images of one page, on lanes: connections of their own beside the page's. A lane carries one image at a time. So
+// a lost packet holds one image back, and neither the images after it nor what the page and the console say.
+//
+//   PageImages images(executor, feeds, pulse);
+//   images.add_lane(std::move(upgraded));      // the page has opened it
+//   images.look("vision-colour");              // its newest image goes whenever a lane is free
+//
+// On a lane the page is told an image as binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG
+// behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn.
+//
+// Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way of
+// all, where it is more than one image. Images are light (image_feed.hpp) until full ones are known to hardly wait.
+
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "agents/console/image_feed.hpp"
+#include "agents/console/pulse.hpp"
+#include "agents/console/web_socket.hpp"
+
+namespace pizarra::console {
+
+class PageImages {
+ public:
+  static constexpr std::size_t max_streams = 4;
+  static constexpr std::size_t max_lanes = 8;
+  static constexpr std::size_t max_under_way = 4;  // of a stream
+  static constexpr std::size_t max_bytes_under_way = 64 << 10;
+
+  // `pulse` measures the line to the page; all outlive this.
+  PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse);
+  PageImages(const PageImages&) = delete;
+  PageImages& operator=(const PageImages&) = delete;
+  ~PageImages();
+
+  // False: it is one stream too many.
+  bool look(const std::string& stream);
+  void look_away(const std::string& stream);
+  bool takes_lane() const { return lanes_.size() < max_lanes; }
+  void add_lane(UpgradedSocket socket);
+
+ private:
+  static constexpr Duration too_long = 150ms;
+  struct Stream {
+    std::shared_ptr<const ImageFeeds::Picture> newest;  // not sent yet
+    Time sent{};                                        // the one before it
+    std::unique_ptr<ImageFeeds::Look> look;
+  };
+  struct Lane {
+    std::unique_ptr<WebSocket> socket;
+    std::string stream = {};  // of the image that is under way; empty: none is
+    std::size_t bytes = 0;
+    Time sent{};
+    Duration waited{};  // how much longer the one before it was under way than a word
+  };
+
+  void hear(Lane& lane, std::string_view message);
+  void send_what_waits();
+  Lane* free_lane();
+  std::pair<const std::string, Stream>* next_stream();
+  std::size_t under_way(const std::string& stream) const;
+  std::size_t most_under_way() const;
+  std::size_t bytes_under_way() const;
+  void send(Lane& lane, const std::string& name, Stream& stream);
+  void weigh_line(Duration waited);
+
+  Executor& executor_;
+  ImageFeeds& feeds_;
+  const Pulse& pulse_;
+  std::map<std::string, Stream> streams_;
+  std::list<Lane> lanes_;
+  // The same of all lanes, smoothed. It is long until it is known to be short.
+  Duration wait_ = too_long;
+  bool light_ = true;
+};
+
+}  // namespace pizarra::console
