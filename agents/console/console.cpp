@@ -99,7 +99,7 @@ Result<void> Console::keep_pictures() {
 Result<void> Console::keep_changes() {
   Result<std::unique_ptr<Board>> board = setup_.board(setup_.name + "-changes", "");
   if (!board) return fail(board);
-  kept_ = std::make_unique<KeptChanges>(setup_.executor, std::move(*board));
+  kept_ = std::make_unique<KeptChanges>(setup_.executor, std::move(*board), setup_.journal);
   return {};
 }
 

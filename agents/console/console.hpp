@@ -59,6 +59,7 @@ class Console {
     std::string name;         // pages are called NAME-1, NAME-2 ... on the board
     std::string page_folder;  // of what page/build.mjs made
     int port = 0;
+    std::string journal = {};  // of the board, a file that can be read here; empty: there is none
     std::optional<Abroad> abroad = std::nullopt;
     std::function<void(const std::string& address)> next_address = nullptr;  // the last one has been used
     std::optional<Foxglove> foxglove = std::nullopt;

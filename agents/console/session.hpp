@@ -22,7 +22,7 @@
 //   (hold-on STAMP), (release)                   what keeps it moving, said every 50 ms, and what ends it
 //   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp)
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
-//   (work N)                    what went on since the console began (kept_changes.hpp)
+//   (work N)                    what went on so far (kept_changes.hpp)
 //   (method N SECONDS)          what the components are and how they are connected, as seen for so long
 //   (look STREAM), (look-away STREAM)                            images, on the lanes that it opens (page_images.hpp)
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
@@ -86,7 +86,7 @@ class Session {
     std::function<void()> ended;  // it has left the board; this may be destroyed
     const PictureStore* pictures = nullptr;
     TruthFeed* truth = nullptr;
-    const KeptChanges* kept = nullptr;
+    KeptChanges* kept = nullptr;
     const Instruments* instruments = nullptr;
     Instruments::Connect connect = nullptr;  // others on the board with this page's rights
   };

@@ -57,6 +57,7 @@ void Session::work(const Datum& form) { begin_request(form[1].integer(), show_wo
 
 Task<void> Session::show_work(Number number) {
   if (setup_.kept != nullptr) {
+    co_await setup_.kept->read();
     co_await say_kept("servo", KeptChanges::servo_pattern(), setup_.kept->servo());
     co_await say_kept("sightings", KeptChanges::sighting_pattern(), setup_.kept->sightings());
   }

@@ -181,6 +181,8 @@ Result<void> RunDirectory::save(const RunState& state) const {
 
 void RunDirectory::remove_state() const { std::remove(file(state_name).c_str()); }
 
+std::string file_of(const RunState& run, const std::string& name) { return path_of(run.cell, run.host) + "/" + name; }
+
 bool still_runs(const RunState& state) {
   const std::string path = path_of(state.cell, state.host);
   const Result<RunState> now = load(path + "/" + state_name);

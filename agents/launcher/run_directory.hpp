@@ -56,6 +56,8 @@ class RunDirectory {
   std::shared_ptr<const int> lock_;  // the file that is locked, closed with the last copy
 };
 
+// A file of that run.
+std::string file_of(const RunState& run, const std::string& name);
 // Whether the supervisor that said this state lives.
 bool still_runs(const RunState& state);
 // Every cell of this user whose supervisor lives.

@@ -59,6 +59,11 @@ void add_console_options(CLI::App& command, ConsoleChoices& choices) {
   listen->needs(abroad("--certificate", choices.certificate, "The certificate of that name, a PEM file"));
   listen->needs(abroad("--certificate-key", choices.certificate_key, "Its key, a PEM file that nobody else may read"));
   listen->needs(abroad("--keys", choices.keys, "The folder of the operators' secrets and tokens (keys token)"));
+  command
+      .add_option("--journal", choices.journal,
+                  "The board's journal, if this machine has the file: what the servo did and the eyes saw is shown\n"
+                  "from its beginning on; default: that of the cell that runs here")
+      ->check(CLI::ExistingFile);
   command.add_option("--pictures", choices.pictures,
                      "The folder in which pictures of the past are kept; default: one that goes with the console");
   command.add_option("--pictures-mb", choices.pictures_mb, "How much of them at most; 0: none are kept")

@@ -31,6 +31,7 @@ struct ConsoleChoices {
   std::string certificate;
   std::string certificate_key;
   std::string keys;      // the folder of the operators' keys and tokens
+  std::string journal;   // of the board; empty: that of the cell that runs here
   std::string pictures;  // the folder; empty: one of its own, gone with it
   int pictures_mb = static_cast<int>(console::PictureStore::usual_bytes / 1'000'000);
 

@@ -66,6 +66,11 @@ Result<std::optional<forms::CellDescription>> file_of_running(const ConsoleChoic
   return std::nullopt;
 }
 
+std::string journal_of(const ConsoleChoices& choices, const Destination& to) {
+  if (!choices.journal.empty() || !to.run) return choices.journal;
+  return launcher::file_of(*to.run, "board.journal");
+}
+
 void print_address(const std::string& address) {
   fmt::print("{}\n", address);
   std::fflush(stdout);
@@ -214,6 +219,7 @@ int console_of_running_cell(const ConsoleChoices& choices) {
                 .name = {},
                 .page_folder = {},
                 .port = choices.port,
+                .journal = journal_of(choices, *to),
                 .abroad = *abroad,
                 .foxglove = choices.viewers(),
                 .truth = world ? truth_of_world(*world) : nullptr,

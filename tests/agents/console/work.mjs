@@ -1,5 +1,5 @@
 // node work.mjs PIZARRA-CELL PIZARRA-BOARD SCRATCH: what happened over time in one picture: as far back as the journal
-// goes, live and at a moment that has gone by, by pointer and by keys.
+// goes, live and at a moment that has gone by, by pointer and by keys; also where the console began later.
 
 import { join } from 'node:path';
 import { expect, expectAccessible, launch, openPage, ownFolder, start, storyBoard, text } from './browser.mjs';
@@ -47,6 +47,17 @@ await showsApproach();
 expect((await inLane('Servo')) === 44 + 4, 'each of its states once, also of before the page was opened');
 expect((await inLane('Sightings')) === 4, 'what came into sight and went');
 expect((await inLane('Faults')) === 86, 'what failed, and who went');
+// So does a console that is begun when all of it is over.
+const later = start([cell, 'console', '--board', told.at, '--journal', join(folder, 'journal')], folder);
+const laterPage = await openPage(browser, await later.line);
+await laterPage.waitForSelector('body[data-state=live]');
+const inLaterLane = (lane) => laterPage.locator(`#work .mark[data-lane=${lane}]`).evaluateAll((marks) => marks.map((mark) => mark.getAttribute('aria-label')));
+await laterPage.waitForSelector('#work .mark[data-lane=Sightings]');
+await laterPage.waitForFunction(() => [...document.querySelectorAll('#work .mark[data-lane=Servo] title')].some((title) => /servo fine: circle/.test(title.textContent)));
+expect(counted(await inLaterLane('Sightings')) === 4, 'by the journal, what came into sight and went before the console began');
+expect((await inLaterLane('Servo')).some((label) => /servo align x: circle/.test(label)), 'and what the servo did');
+expect((await later.end()) === 0, 'it ends in order');
+await laterPage.close();
 expect((await labels()).some((label) => /^Goals, .*goal 1 reached: \(on circle triangle\)/.test(label)), 'the goal and its outcome');
 expect((await page.locator('#work .mark').count()) < 60, 'and never more marks than can be told apart');
 

@@ -1,5 +1,5 @@
-// The states of the servo and how long each lasted, and what came into sight and went: as the console has kept them since
-// it began, and from then on live.
+// The states of the servo and how long each lasted, and what came into sight and went: as the console has read and kept
+// them, and from then on live.
 //
 //   const changes = new WorkChanges(connection, changed);
 //   changes.servo(until), changes.sightings(until)      [{ answer, until }, ...], told until that time
