@@ -56,8 +56,8 @@ void PageImages::hear(Lane& lane, std::string_view message) {
   const bool understood = form && form->is_form("drawn") && form->size() == 2 && (*form)[1].is_integer();
   if (!understood || lane.stream.empty()) return lane.socket->close(1008, "not understood");
   const Duration drawing = std::clamp<std::int64_t>((*form)[1].integer(), 0, 60'000) * 1ms;
-  const Duration without_image = pulse_.round_trip().value_or(Duration(0));
-  lane.waited = std::max(Duration(0), executor_.now() - lane.sent - drawing - without_image);
+  const Duration line = pulse_.line().value_or(Duration(0));
+  lane.waited = std::max(Duration(0), executor_.now() - lane.sent - drawing - line);
   weigh_line(lane.waited);
   lane.stream.clear();
   send_what_waits();
@@ -124,7 +124,7 @@ void PageImages::send(Lane& lane, const std::string& name, Stream& stream) {
 // Light images where they wait for the line, and full ones, which are several times larger, where light ones hardly
 // wait.
 void PageImages::weigh_line(Duration waited) {
-  constexpr Duration hardly = 15ms;
+  constexpr Duration hardly = 20ms;
   constexpr int smoothing = 8;
   wait_ += (waited - wait_) / smoothing;
   const bool light = light_ ? wait_ > hardly : wait_ > too_long;

@@ -55,7 +55,7 @@ class PageImages {
     std::string stream = {};  // of the image that is under way; empty: none is
     std::size_t bytes = 0;
     Time sent{};
-    Duration waited{};  // how much longer the one before it was under way than a word
+    Duration waited{};  // how much longer than the line takes the one before it was under way
   };
 
   void hear(Lane& lane, std::string_view message);
