@@ -33,12 +33,15 @@ Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) 
       co_await plan_.tell(goal.number, std::move(*plan));
       co_return true;
     }
-    if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
+    const bool is_absent = plan.error().symbol == "absent";
+    if (is_verdict(plan.error()) && (proved || is_absent)) co_return fail(plan);
     proved = is_verdict(plan.error());
+    if (!proved) ++failed;
     Result<void> shown;
     if (proved) shown = co_await show_what_is_hidden(objects);
-    if (!shown) co_return fail(shown);
-    if (!proved) ++failed;
+    if (!shown && ends_search(shown.error())) co_return fail(shown);
+    // What stays hidden may be why there is no plan.
+    if (!shown) proved = false;
     if (failed == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;
     co_await sleep(context_.executor, pause);
@@ -55,14 +58,13 @@ Task<Result<void>> Replanning::show_what_is_hidden(std::vector<std::string> obje
   // seen.
   Result<void> laid;
   if (!objects.empty()) laid = co_await rescues_.lay_down(objects.front());
-  if (!laid && ends_search(laid.error())) co_return laid;
+  if (!laid) co_return laid;
   // An object that the gripper hides is believed to be where it was, and may have fallen. The second proof is made
   // on what is seen with the arm raised. What does not show then is looked for.
   surroundings_.doubt_hidden();
   Result<void> raised;
   if (search_.arm_stands_low()) raised = co_await runner_.raise();
-  if (!raised && ends_search(raised.error())) co_return raised;
-  co_return Result<void>();
+  co_return raised;
 }
 
 }  // namespace pizarra::coordinator
