@@ -177,6 +177,14 @@ void say_unlearned(Figures& figures, const std::string& condition, const Told& t
                fmt::format("{} of {} answers, {} surely", told.wrong, told.answers, told.sure)});
 }
 
+void say_condition(Figures& figures, const std::string& condition, const ByWho& told) {
+  if (!not_whole.contains(condition)) return say_whole(figures, "photographs, " + condition, told, 98);
+  const Told& ours = told.at(our_shapes);
+  if (condition == "quarter-covered") say_covered(figures, condition, ours, 0.5, 98);
+  if (condition == "half-covered") say_covered(figures, condition, ours, 1.5, 90);
+  if (condition == "unlearned" || condition == "bare") say_unlearned(figures, condition, ours);
+}
+
 void say_pair(Figures& figures, const PhotographSet& set) {
   const camera::StereoModel model = photographs_pair();
   const vision::LearnedObjects objects = learn_from(set.learning, model);
@@ -223,19 +231,15 @@ void photographs(VisionBench& bench) {
                                                bench.seed, bench.photograph_scenes);
   const PhotographSet set = make_photographs(folder, bench.seed, bench.photograph_scenes);
   Judge judge(bench, set);
-  for (const Photograph& photo : set.photographs) judge.look_at(photo);
-  const auto told_of = [&](const std::string& condition) {
-    const auto found = judge.told().find(condition);
-    return found == judge.told().end() ? Told() : found->second.at(our_shapes);
-  };
-  for (const auto& [condition, told] : judge.told()) {
-    if (!not_whole.contains(condition)) say_whole(bench.figures, "photographs, " + condition, told, 98);
+  // Those of one condition lie together: its row is said as soon as they were looked at.
+  for (std::size_t i = 0; i < set.photographs.size(); ++i) {
+    const std::string& condition = set.photographs[i].condition;
+    judge.look_at(set.photographs[i]);
+    if (i + 1 == set.photographs.size() || set.photographs[i + 1].condition != condition) {
+      say_condition(bench.figures, condition, judge.told().at(condition));
+    }
   }
   say_all(bench.figures, judge.told());
-  say_covered(bench.figures, "quarter-covered", told_of("quarter-covered"), 0.5, 98);
-  say_covered(bench.figures, "half-covered", told_of("half-covered"), 1.5, 90);
-  say_unlearned(bench.figures, "unlearned", told_of("unlearned"));
-  say_unlearned(bench.figures, "bare", told_of("bare"));
   say_pair(bench.figures, set);
 }
 
