@@ -65,7 +65,7 @@ Task<Result<void>> GoalLoop::pursue_patiently(Goal goal, Duration patience) {
     const Result<void> done = co_await pursuit_.run(goal);
     const bool waits = !done && done.error().symbol == "missing-object" && patience > Duration::zero();
     if (!waits) co_return done;
-    const Failure missing = done.error();
+    const Failure& missing = done.error();
     const Result<void> there = co_await await_missing(goal.number, missing, patience);
     if (!there) co_return there;
   }
