@@ -27,8 +27,8 @@ Result<std::size_t> LogCopy::follow() {
     const Result<void> begun = begin();
     if (!begun) return fail(begun);
   }
-  const Result<std::vector<KeyValue>> came =
-      key_values_.range(keys_.entries_from(number_ + 1, true), entries_at_once, patience);
+  const std::size_t asked = at_once_;
+  const Result<std::vector<KeyValue>> came = next_entries();
   if (!came) return fail(came);
   std::size_t entries = 0;
   for (const KeyValue& value : *came) {
@@ -49,12 +49,22 @@ Result<std::size_t> LogCopy::follow() {
     if (!applied) return fail(applied);
     ++entries;
   }
+  is_behind_ = entries == asked;
   return entries;
+}
+
+Result<std::vector<KeyValue>> LogCopy::next_entries() {
+  Result<std::vector<KeyValue>> came = key_values_.range(keys_.entries_from(number_ + 1, true), at_once_, patience);
+  at_once_ = came ? std::min(at_once_ + 1, most_at_once) : std::max(at_once_ / 2, least_at_once);
+  return came;
 }
 
 Result<void> LogCopy::follow_to(std::uint64_t number) {
   while (store_ == nullptr || number_ < number) {
+    const std::size_t asked = at_once_;
     const Result<std::size_t> came = follow();
+    const bool asks_for_fewer = !came && at_once_ < asked;
+    if (asks_for_fewer) continue;
     if (!came) return fail(came);
     if (*came == 0 && number_ < number) return damaged(fmt::format("entry {} is missing", number_ + 1));
   }

@@ -23,7 +23,10 @@ class LogCopy {
  public:
   // Replies are remembered for longer than any client waits for them.
   static constexpr Duration replies_kept = 20s;
-  static constexpr std::size_t entries_at_once = 128;
+  // Entries may be large, or the line slow: half as many are asked for after an answer that did not come in time, and
+  // one more after each that did. The leader's word may be among them.
+  static constexpr std::size_t most_at_once = 128;
+  static constexpr std::size_t least_at_once = 2;
 
   // In a store of its own; or up to a moment, into an empty one of the caller's.
   LogCopy(KeyValues& key_values, LogKeys keys) : key_values_(key_values), keys_(std::move(keys)) {}
@@ -31,7 +34,9 @@ class LogCopy {
       : key_values_(key_values), keys_(std::move(keys)), into_(&into), until_(until) {}
 
   Result<std::size_t> follow();
-  // Until it has the entry with that number.
+  // Whether as many came as it asked for, so that there may be more.
+  bool is_behind() const { return is_behind_; }
+  // Until it has the entry with that number. Asks for fewer entries where an answer did not come in time.
   Result<void> follow_to(std::uint64_t number);
 
   const std::optional<Alive>& alive() const { return alive_; }
@@ -47,6 +52,7 @@ class LogCopy {
   std::string text() const;
 
  private:
+  Result<std::vector<KeyValue>> next_entries();
   Result<void> begin();
   Result<void> restore_snapshot();
   Result<void> restore(const std::string& text);
@@ -61,6 +67,8 @@ class LogCopy {
   std::unique_ptr<store::Store> own_;
   store::Store* store_ = nullptr;  // null before it begins
   std::uint64_t number_ = 0;
+  std::size_t at_once_ = most_at_once;
+  bool is_behind_ = false;
   int begun_ = 0;  // how often it had to begin anew
   journal::LineStart end_;
   std::string later_;

@@ -6,7 +6,7 @@ Result<bool> Standby::step(const std::function<Time()>& now) {
   const Result<std::size_t> came = copy_->follow();
   if (!came) return fail(came);
   // One who is far behind looks at the old first.
-  if (*came == LogCopy::entries_at_once) return false;
+  if (copy_->is_behind()) return false;
   if (copy_->alive() != seen_) {
     seen_ = copy_->alive();
     seen_at_ = now();

@@ -8,6 +8,7 @@
 //   client.transact(...);               // takes some of etcd.now
 //   etcd.trouble = 0;                   // a good day
 
+#include <limits>
 #include <list>
 #include <map>
 #include <random>
@@ -58,6 +59,7 @@ class EtcdModel {
   std::map<std::string, std::string> values;
   Time now{};
   double trouble = 0.15;
+  std::size_t bytes_in_time = std::numeric_limits<std::size_t>::max();  // of an answer, over its line
 
  private:
   std::list<KeyValues::Transaction> late_;
@@ -83,11 +85,14 @@ class ModelClient : public KeyValues {
     etcd_.let_late_ones_come();
     if (cut || etcd_.happens(etcd_.trouble)) return lost(wait);
     etcd_.now += Duration(300 + etcd_.below(2000));
+    std::size_t bytes = 0;
     std::vector<KeyValue> found;
     for (auto at = etcd_.values.lower_bound(range.from); at != etcd_.values.end() && at->first < range.to; ++at) {
       if (found.size() == most) break;
       found.push_back({at->first, at->second});
+      bytes += at->second.size();
     }
+    if (bytes > etcd_.bytes_in_time) return lost(wait);
     return found;
   }
   bool cut = false;

@@ -213,6 +213,20 @@ TEST_F(ClusterLogs, FindOutWhetherAnUnansweredEntryIsThereAndWriteItOnce) {
   }
 }
 
+TEST_F(ClusterLogs, OfLargeEntriesAreReadOverALineThatTakesAFewAtATime) {
+  const EpochValue epoch{1, "a", 1};
+  etcd_.values[keys.epoch()] = text_of(epoch);
+  etcd_.values[keys.head()] = "0";
+  ClusterLog log(client_, client_, keys, epoch, 0, "etcd://model/cell");
+  const journal::JournalGroup large{"(0 1 \"b\" (declare))" + std::string(1000, ' ') + "\n", "", true};
+  for (int n = 1; n <= 300; ++n) ASSERT_TRUE(log.append(large, true));
+  etcd_.bytes_in_time = 6000;
+  LogCopy copy(*client_, keys);
+  const Result<void> whole = copy.follow_to(300);
+  EXPECT_TRUE(whole) << describe(whole.error());
+  EXPECT_EQ(copy.number(), 300u);
+}
+
 TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
   etcd_.values[keys.epoch()] = text_of(EpochValue{1, "a", 1});
   etcd_.values[keys.head()] = "0";
