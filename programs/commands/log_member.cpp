@@ -59,6 +59,8 @@ Result<std::vector<std::string>> log_member(const cluster::LogAddress& log, cons
                                       "--heartbeat-interval=50",
                                       "--election-timeout=500",
                                       "--auto-compaction-retention=5m",
+                                      "--quota-backend-bytes=8589934592",
+                                      "--snapshot-count=10000",
                                       "--logger=zap",
                                       "--log-level=warn"};
   if (!log.certificates.empty()) add_certificates(command, std::filesystem::absolute(log.certificates).string());
