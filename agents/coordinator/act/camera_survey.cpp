@@ -151,7 +151,7 @@ Task<Result<void>> CameraSurvey::align_pixels(Eigen::Vector2d wanted_px) {
 Task<Result<void>> CameraSurvey::look_around(std::vector<Eigen::Vector3d> ways_mm) {
   const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
   if (!grip) co_return fail(grip);
-  const Eigen::Vector3d middle = *grip;
+  const Eigen::Vector3d& middle = *grip;
   for (const Eigen::Vector3d& way : ways_mm) {
     if (!surroundings_.scene().camera().unknown()) co_return Result<void>();
     const Eigen::Vector3d place = within_room(middle + way);

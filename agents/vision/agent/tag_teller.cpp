@@ -29,7 +29,7 @@ void TagTeller::look_at(const camera::StereoFrame& frame, const camera::StereoMo
 }
 
 Task<void> TagTeller::read(camera::StereoFrame frame, camera::StereoModel model) {
-  const auto look = std::make_shared<TagReading>(std::move(frame), std::move(model), tags_);
+  const auto look = std::make_shared<TagReading>(std::move(frame), model, tags_);
   std::function<void(const std::function<bool()>&)> read = [look](const std::function<bool()>& cancelled) {
     if (!cancelled()) look->read();
   };
