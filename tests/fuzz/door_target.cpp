@@ -127,8 +127,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr int inputs_of_a_board = 500;
   static int inputs = 0;
   static std::unique_ptr<DoorUnderTest> tested;
+  const std::string_view said(reinterpret_cast<const char*>(data), size);
+  // The fuzzer learns the secret from the comparison with it. An answer that repeats what was said shows no leak.
+  if (said.find(secret) != std::string_view::npos) return 0;
   if (inputs++ % inputs_of_a_board == 0) tested = std::make_unique<DoorUnderTest>();
-  check_answers(tested->answers_to({reinterpret_cast<const char*>(data), size}));
+  check_answers(tested->answers_to(said));
   tested->check_secret();
   const std::string next = tested->answers_to("(hello barrier \"t\")\n(ask (blocked somebody))\n");
   if (!next.starts_with("(welcome barrier)\n(ok")) give_up("the next device is not served", next);
