@@ -82,19 +82,18 @@ Result<std::unique_ptr<EtcdClient>> EtcdClient::open(const LogAddress& address) 
 }
 
 EtcdClient::EtcdClient(const LogAddress& address)
-    : address_(address),
-      connection_(std::make_unique<Connection>(address.certificates)),
-      member_(own_member(address.members)) {}
+    : address_(address), connection_(std::make_unique<Connection>(address.certificates)) {}
 
 EtcdClient::~EtcdClient() = default;
 
 Result<std::string> EtcdClient::post(const char* path, const std::string& body, Duration wait) {
-  const std::string& member = address_.members[member_];
+  if (!member_) member_ = own_member(address_.members);
+  const std::string& member = address_.members[*member_];
   const char* scheme = address_.certificates.empty() ? "http" : "https";
   std::string answer;
   const Result<long> status = connection_->post(fmt::format("{}://{}{}", scheme, member, path), body, wait, answer);
   if (status && *status == http_ok) return answer;
-  member_ = (member_ + 1) % address_.members.size();
+  member_ = (*member_ + 1) % address_.members.size();
   const std::string why = status ? etcd_json::error_from(answer) : status.error().sentence;
   return fail("unavailable", fmt::format("the member {} of {}: {}", member, address_.text, why));
 }

@@ -9,6 +9,7 @@
 // stays.
 
 #include <memory>
+#include <optional>
 
 #include "blackboard/cluster/key_values.hpp"
 #include "blackboard/cluster/log_address.hpp"
@@ -32,7 +33,7 @@ class EtcdClient : public KeyValues {
 
   const LogAddress address_;
   std::unique_ptr<Connection> connection_;
-  std::size_t member_;
+  std::optional<std::size_t> member_;  // found by the first request: names are resolved, which may take its time
 };
 
 }  // namespace pizarra::cluster
