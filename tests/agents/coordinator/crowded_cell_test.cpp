@@ -1,0 +1,163 @@
+// A missing cube that another one hides: what is set aside, where to, and what is tried again.
+
+#include <gtest/gtest.h>
+
+#include "tests/agents/coordinator/fake_cell.hpp"
+
+namespace pizarra::coordinator {
+namespace {
+
+TEST(CrowdedCell, SetsAsideWhatStandsBeforeThePlaceWhereAMissingCubeWasSeenLast) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+  ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
+  cell.hidden.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
+// Far out to the side the eyes look along a slanting line: what hides a cube there stands nearer the middle than it.
+TEST(CrowdedCell, LaysWhatItSetsAsideWhereItHidesTheMissingCubeNoMore) {
+  FakeCell cell("blocks.scm", {{"circle", {289, -239, 30}}, {"triangle", {450, 0, 30}}, {"square", {450, 150, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["square"] = {450, -190, 30};
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& before = cell.cubes["square"];
+    const Eigen::Vector3d& circle = cell.cubes["circle"];
+    const double looks_past = circle.y() * (1330 - before.x()) / (1330 - circle.x());
+    return name == "circle" && circle.z() < 60 && before.z() < 60 && std::abs(before.y() - looks_past) < 52;
+  };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
+}
+
+// Two hide it, so that it does not show either while one of them is held up.
+TEST(CrowdedCell, LaysWhatItSetsAsideAwayFromWhereItStood) {
+  FakeCell cell("blocks.scm", {{"circle", {420, -100, 30}}, {"triangle", {470, -50, 30}}, {"square", {470, 60, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {385, 0, 30};
+  const auto hides = [&cell](const std::string& name) {
+    const Eigen::Vector3d& at = cell.cubes[name];
+    return at.z() < 120 && at.x() > 420 && std::abs(at.y()) < 70;
+  };
+  cell.covered = [&](const std::string& name) { return name == "circle" && (hides("triangle") || hides("square")); };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+}
+
+// A coordinator that was killed has seen nothing of it, and its plan tells that it was there.
+TEST(CrowdedCell, LooksAfterARestartBehindACubeThatStandsAlone) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {450, 160, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation 0 ? running)", 30s));
+  cell.stop_coordinator();
+  cell.cubes["circle"] = {380, 140, 30};
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& square = cell.cubes["square"];
+    return name == "circle" && square.z() < 60 && std::abs(square.y() - 160) < 40;
+  };
+  cell.start_coordinator();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
+}
+
+// The plan stacks triangle on square, where it hides circle, and grasps circle next.
+TEST(CrowdedCell, SetsAsideTooWhatTheHidingCubeIsStackedOnAgain) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {480, -100, 30}}});
+  cell.start_coordinator();
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& triangle = cell.cubes["triangle"];
+    const bool before = std::abs(triangle.y() + 100) < 50 && triangle.x() > 450;
+    return name == "circle" && before && triangle.z() < 120;
+  };
+  cell.request("coordinator", "(goal (on circle triangle) (on triangle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 170s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 1);
+}
+
+TEST(CrowdedCell, RefusesWhatShowsOnlyWhileTheCubeBeforeItIsHeldUp) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell](const std::string& name) { return name == "circle" && cell.cubes["triangle"].z() < 60; };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 refused ?)", 400s));
+  EXPECT_EQ(cell.facts("(goal-state 2 refused ?)")[0][3][1], "missing-object"_sym);
+  EXPECT_LE(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 10);
+}
+
+TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereTheArmWasStoppedTheFirstTime) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+  cell.refusal = "stopped";
+  ASSERT_TRUE(cell.run_until("(event ? servo \"the rescue failed: the test has the robot refuse\" ?)", 30s));
+  cell.refusal.clear();
+  ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
+  cell.hidden.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
+TEST(CrowdedCell, LooksBehindWhatStandsBeforeAMissingCubeThoughTheEyesWereAwayForLong) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  cell.run_for(2s);
+  cell.stop_vision();
+  cell.run_for(8s);
+  cell.start_vision();
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+}
+
+TEST(CrowdedCell, RaisesTheArmFromBeforeAMissingCubeAgainWhereItWasStoppedOnTheWay) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -100, 30}}, {"square", {450, 100, 30}}});
+  cell.grip.z() = 100;
+  bool is_raised = false;
+  cell.covered = [&](const std::string& name) {
+    is_raised = is_raised || cell.grip.z() > 250;
+    return name == "circle" && !is_raised;
+  };
+  cell.start_coordinator();
+  cell.refusal = "stopped";
+  cell.request("coordinator", "(goal (on circle square))");
+  cell.run_for(2500ms);
+  EXPECT_TRUE(cell.facts("(goal-state 1 refused ?)").empty());
+  cell.refusal.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+}
+
+TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {
+  FakeCell cell("numbered-places.scm", {{"circle", {450, -200, 30}}, {"square", {450, -100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (at circle place-2) (at square place-1))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_NEAR(cell.cubes["circle"].y(), -100, 3);
+  EXPECT_NEAR(cell.cubes["square"].y(), -200, 3);
+}
+
+}  // namespace
+}  // namespace pizarra::coordinator
