@@ -1,6 +1,6 @@
 #pragma once
 
-// What a console would have kept, had it been there since the board's journal begins.
+// The changes since the board's journal begins, as a console keeps them that was there all the time.
 //
 //   const KeptChanges::Kept earlier = journalled_changes("/run/.../board.journal", [] { return false; });
 //

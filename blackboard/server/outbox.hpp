@@ -9,7 +9,8 @@
 //   outbox.owe(session.peer, reply);      // goes with others
 //   outbox.end_frame();
 //
-// What a peer does not take is lost to it: its client asks for replies again, and its watches keep their changes.
+// A frame that a peer does not take is lost to it: its client asks for the replies again, and its watches keep their
+// changes.
 
 #include <set>
 #include <string>

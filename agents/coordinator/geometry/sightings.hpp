@@ -50,8 +50,8 @@ class Sightings {
   double yaw_deg(std::string_view name) const;
   // Whether it was seen within the last `looks` looks; 1: in the newest.
   bool recent(std::string_view name, std::uint64_t looks) const;
-  // Whether it counts as there though it may be unseen: for `grace` looks, and one that is hard to see, as a mark at a
-  // slant, for twice as long as it was unseen where it lies before it was seen there again.
+  // Whether it counts as there though it may be unseen: for `grace` looks. A mark that is hard to see, as at a slant,
+  // counts for longer: twice the longest gap between two sights of it where it lies.
   static constexpr std::uint64_t most_patience = 60;
   bool remembered(std::string_view name, int grace) const;
   // For how many looks it has lain where it is.

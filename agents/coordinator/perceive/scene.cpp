@@ -174,9 +174,9 @@ std::optional<std::string> Scene::foremost(const std::set<std::string>& but) con
   return foremost;
 }
 
-// A cube that falls off a pile comes to lie within this, in cubes, and as much further as it was high up when it was
-// seen last, as in the gripper. Behind a cube that stands alone, one that was not
-// seen in any life is not looked for: it is more likely to be away.
+// A cube that falls off a pile comes to lie within this, in cubes. One that was higher up when it was seen last, as in
+// the gripper, may lie as much further. Behind a cube that stands alone, one that was not seen in any life is not looked
+// for: it is more likely to be away.
 std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but,
                                              bool was_here) const {
   constexpr double falls_within = 3;

@@ -46,8 +46,8 @@ class Surroundings {
     return beliefs_.settled() && scene_.calm() && scene_.still(objects);
   }
 
-  // The gripper's mark is not seen where it should be in view: the camera may have been moved.
   void doubt_hidden() { scene_.doubt_hidden(); }
+  // The gripper's mark is not seen where it should be in view: the camera may have been moved.
   void doubt_camera() { scene_.doubt_camera(); }
 
   // True once more than `look` looks were made, false at the deadline.

@@ -1,7 +1,7 @@
 #pragma once
 
-// What differs from what was expected, as the story tells it: the belief that holds no more, with the frame that showed
-// it, and what of the plan in hand still serves.
+// Tells the story what differs from the plan: the belief that holds no more, with the frame that showed it, and the
+// part of the plan in hand that still serves.
 //
 //   Differences differences(surroundings, story);
 //   co_await differences.tell(lost, "(STACK circle square)");      // the facts, and who expected them

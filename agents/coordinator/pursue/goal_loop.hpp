@@ -3,7 +3,7 @@
 // Goes on for ever, one goal after another. A goal may take longer than a plan: its stages are pursued one after
 // another, what is missing is waited for, and what is to be kept is built again when it falls.
 //
-//   GoalLoop loop(context, surroundings, story, eyes, planning, plan, differences, goal, pursuit, vigil);
+//   GoalLoop loop(context, surroundings, eyes, planning, plan, differences, goal, pursuit, vigil);
 //   co_await loop.resume();                     // the goal and the plan that stand on the board
 //   Job job = executor.spawn(loop.run());
 

@@ -40,7 +40,7 @@ Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) 
     Result<void> shown;
     if (proved) shown = co_await show_what_is_hidden(objects);
     if (!shown && ends_search(shown.error())) co_return fail(shown);
-    // What stays hidden may be why there is no plan.
+    // There may be no plan only because something stays hidden.
     if (!shown) proved = false;
     if (failed == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;

@@ -22,8 +22,8 @@ class MarkSearch {
   MarkSearch(Executor& executor, CameraFeed& feed, const KnownObjects& known, LookHandler on_find_look)
       : executor_(executor), feed_(feed), known_(known), on_find_look_(std::move(on_find_look)) {}
 
-  // `clicked`: the frame that was pointed at; where none is said, the next one after it was asked. What is filled in
-  // stands in the picture until forget_learning(). Failures: frame-gone, no-image, those of MarkLearner.
+  // `clicked`: the frame that was pointed at; where none is said, the next one after it was asked. The picture
+  // shows the filled-in area until forget_learning(). Failures: frame-gone, no-image, those of MarkLearner.
   Task<Result<LearnedSample>> learn(std::string name, cv::Point2d click, std::optional<std::uint64_t> clicked,
                                     Time asked);
   void forget_learning() { learner_.reset(); }

@@ -53,7 +53,7 @@ class ModeHolders {
   void end_finding(const std::string& client) { std::erase(finding_, client); }
   bool finding() const { return !finding_.empty(); }
 
-  // What this client connected and tracks goes on without it, as anybody's. False where it holds none.
+  // The client's modes go on without it, as anybody's. False where it holds none.
   bool keep(const std::string& client);
 
   // Those who are connected or track, and can die.

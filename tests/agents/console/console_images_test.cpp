@@ -1,4 +1,4 @@
-// What a page is shown of image streams, and how.
+// Which images a page is sent, and on which connections.
 
 #include <fmt/format.h>
 
