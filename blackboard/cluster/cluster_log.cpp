@@ -4,19 +4,14 @@
 
 namespace pizarra::cluster {
 
-namespace {
-
-constexpr std::size_t may_wait_bytes = 16 << 20;
-
-}  // namespace
-
 ClusterLog::ClusterLog(std::shared_ptr<KeyValues> key_values, std::shared_ptr<KeyValues> reading, LogKeys keys,
-                       EpochValue epoch, std::uint64_t head, std::string path)
+                       EpochValue epoch, std::uint64_t head, std::string path, const LogWeight& weight)
     : key_values_(std::move(key_values)),
       reading_(std::move(reading)),
       keys_(std::move(keys)),
       epoch_(std::move(epoch)),
       path_(std::move(path)),
+      space_(std::make_shared<LogSpace>(weight)),
       head_(head) {}
 
 Result<std::vector<journal::RememberedReply>> ClusterLog::recover(store::Store& store) {
@@ -38,6 +33,7 @@ Result<bool> ClusterLog::stands(const std::string& text) {
 Result<void> ClusterLog::append(const journal::JournalGroup& group, bool) {
   if (deposed_) return fail(*deposed_);
   const std::string text = text_of(head_ + 1, epoch_.number, group);
+  constexpr std::size_t largest_entry = LogSpace::largest_entry;
   if (text.size() > largest_entry) {
     return fail("journal-full",
                 fmt::format("{} takes no entry of {} bytes, {} at most", path_, text.size(), largest_entry));
@@ -47,7 +43,7 @@ Result<void> ClusterLog::append(const journal::JournalGroup& group, bool) {
     if (!written) return fail(written);
     in_doubt_ = false;
     if (*written) {
-      ++head_;
+      is_written(text);
       return {};
     }
   }
@@ -62,16 +58,19 @@ Result<void> ClusterLog::append(const journal::JournalGroup& group, bool) {
   if (!written) return fail(written);
   in_doubt_ = false;
   if (*written) {
-    ++head_;
+    is_written(text);
     return {};
   }
   deposed_ = Failure{"deposed", "another board leads the cell now, in " + path_, {}, {}};
   return fail(*deposed_);
 }
 
-journal::JournalRoom ClusterLog::room() {
-  return {.for_all = may_wait_bytes, .for_removals = may_wait_bytes, .for_passing = may_wait_bytes};
+void ClusterLog::is_written(const std::string& text) {
+  ++head_;
+  space_->wrote(text.size());
 }
+
+journal::JournalRoom ClusterLog::room() { return space_->room(path_); }
 
 Result<journal::PlayedBack> ClusterLog::read(store::Store& store, const Moment& until) const {
   Result<journal::PlayedBack> played = read_log(*reading_, keys_, store, until);

@@ -7,8 +7,8 @@
 //   auto log = std::make_shared<ClusterLog>(key_values, keys, leadership.epoch(), copy.number(), "etcd://.../blocks");
 //   JournalWriter writer(executor, log);
 //
-// Only lines about what is durable belong there (MemoryBoard::set_journal). Snapshots are taken beside it
-// (take_snapshot), because compaction here would keep a group waiting.
+// Only lines about what is durable belong there (MemoryBoard::set_journal). Snapshots are taken beside it (LogUpkeep),
+// because compaction here would keep a group waiting.
 
 #include <memory>
 
@@ -20,12 +20,9 @@ namespace pizarra::cluster {
 
 class ClusterLog : public journal::Log {
  public:
-  // Below what etcd takes in a request, 1.5 MB.
-  static constexpr std::size_t largest_entry = 1400 << 10;
-
-  // `reading` is for questions about the past, which come from another thread.
+  // `reading` is for questions about the past, which come from another thread. `weight`: of the log up to its head.
   ClusterLog(std::shared_ptr<KeyValues> key_values, std::shared_ptr<KeyValues> reading, LogKeys keys, EpochValue epoch,
-             std::uint64_t head, std::string path);
+             std::uint64_t head, std::string path, const LogWeight& weight = {});
 
   const std::string& path() const override { return path_; }
   Result<std::vector<journal::RememberedReply>> recover(store::Store& store) override;
@@ -36,16 +33,19 @@ class ClusterLog : public journal::Log {
   std::size_t group_bytes() const override { return 256 << 10; }
 
   std::uint64_t head() const { return head_; }
+  const std::shared_ptr<LogSpace>& space() const { return space_; }
 
  private:
   // Whether the entry after the head is that text; failure deposed where it is another.
   Result<bool> stands(const std::string& text);
+  void is_written(const std::string& text);
 
   const std::shared_ptr<KeyValues> key_values_;
   const std::shared_ptr<KeyValues> reading_;
   const LogKeys keys_;
   const EpochValue epoch_;
   const std::string path_;
+  const std::shared_ptr<LogSpace> space_;
   std::uint64_t head_;
   bool in_doubt_ = false;
   std::optional<Failure> deposed_;

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t most_answer_bytes = std::size_t{256} << 20;
 constexpr long http_ok = 200;
+constexpr long http_too_many = 429;
+constexpr std::uint64_t default_quota = std::uint64_t{2} << 30;  // etcd's own
 
 std::size_t take_answer(char* bytes, std::size_t, std::size_t size, void* into) {
   auto& answer = *static_cast<std::string*>(into);
@@ -49,11 +51,15 @@ class EtcdClient::Connection {
     curl_slist_free_all(headers_);
   }
 
-  // Curl's own words where there is no answer.
-  Result<long> post(const std::string& url, const std::string& body, Duration wait, std::string& answer) {
+  // Curl's own words where there is no answer. Without a body it only reads.
+  Result<long> perform(const std::string& url, const std::string* body, Duration wait, std::string& answer) {
     curl_easy_setopt(curl_, CURLOPT_URL, url.c_str());
-    curl_easy_setopt(curl_, CURLOPT_POSTFIELDS, body.data());
-    curl_easy_setopt(curl_, CURLOPT_POSTFIELDSIZE, static_cast<long>(body.size()));
+    if (body == nullptr) {
+      curl_easy_setopt(curl_, CURLOPT_HTTPGET, 1L);
+    } else {
+      curl_easy_setopt(curl_, CURLOPT_POSTFIELDS, body->data());
+      curl_easy_setopt(curl_, CURLOPT_POSTFIELDSIZE, static_cast<long>(body->size()));
+    }
     curl_easy_setopt(curl_, CURLOPT_WRITEDATA, &answer);
     curl_easy_setopt(curl_, CURLOPT_TIMEOUT_MS, static_cast<long>(wait / 1ms));
     curl_easy_setopt(curl_, CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(std::max<Duration>(wait / 2, 1ms) / 1ms));
@@ -86,16 +92,34 @@ EtcdClient::EtcdClient(const LogAddress& address)
 
 EtcdClient::~EtcdClient() = default;
 
-Result<std::string> EtcdClient::post(const char* path, const std::string& body, Duration wait) {
+std::size_t EtcdClient::answering_member() {
   if (!member_) member_ = own_member(address_.members);
-  const std::string& member = address_.members[*member_];
+  return *member_;
+}
+
+Result<std::string> EtcdClient::ask(std::size_t number, const char* path, const std::optional<std::string>& body,
+                                    Duration wait) {
+  const std::string& member = address_.members[number];
   const char* scheme = address_.certificates.empty() ? "http" : "https";
   std::string answer;
-  const Result<long> status = connection_->post(fmt::format("{}://{}{}", scheme, member, path), body, wait, answer);
+  const Result<long> status =
+      connection_->perform(fmt::format("{}://{}{}", scheme, member, path), body ? &*body : nullptr, wait, answer);
   if (status && *status == http_ok) return answer;
-  member_ = (*member_ + 1) % address_.members.size();
-  const std::string why = status ? etcd_json::error_from(answer) : status.error().sentence;
-  return fail("unavailable", fmt::format("the member {} of {}: {}", member, address_.text, why));
+  const bool full = status && *status == http_too_many;
+  const std::string why = full     ? "it has no space left, and takes nothing (alarm NOSPACE)"
+                          : status ? etcd_json::error_from(answer)
+                                   : status.error().sentence;
+  return fail("unavailable", fmt::format("the member {} of {}: {}", member, address_.text, why),
+              full ? Datum::symbol(no_space) : Datum());
+}
+
+Result<std::string> EtcdClient::post(const char* path, const std::string& body, Duration wait) {
+  const std::size_t member = answering_member();
+  Result<std::string> answer = ask(member, path, body, wait);
+  // Where there is no space, the others have none either.
+  const bool others_may_answer = !answer && !lacks_space(answer.error());
+  if (others_may_answer) member_ = (member + 1) % address_.members.size();
+  return answer;
 }
 
 Result<KeyValues::Reply> EtcdClient::transact(const Transaction& transaction, Duration wait) {
@@ -108,6 +132,58 @@ Result<std::vector<KeyValue>> EtcdClient::range(const Range& range, std::size_t 
   const Result<std::string> answer = post("/v3/kv/range", etcd_json::request(range, most), wait);
   if (!answer) return fail(answer);
   return etcd_json::range_from(*answer);
+}
+
+// A member says it among its figures, a line `NAME NUMBER` each.
+std::uint64_t EtcdClient::quota(Duration wait) {
+  if (quota_) return *quota_;
+  const Result<std::string> figures = ask(answering_member(), "/metrics", std::nullopt, wait);
+  constexpr std::string_view name = "\netcd_server_quota_backend_bytes ";
+  const std::size_t at = figures ? figures->find(name) : std::string::npos;
+  if (at == std::string::npos) return default_quota;
+  const double bytes = std::strtod(figures->c_str() + at + name.size(), nullptr);
+  if (bytes >= 1) quota_ = static_cast<std::uint64_t>(bytes);
+  return quota_.value_or(default_quota);
+}
+
+Result<KeyValues::Space> EtcdClient::space(Duration wait) {
+  const Result<std::string> answer = post("/v3/maintenance/status", "{}", wait);
+  if (!answer) return fail(answer);
+  Result<Space> space = etcd_json::space_from(*answer);
+  if (space) space->most = quota(wait);
+  return space;
+}
+
+Result<void> EtcdClient::forget_former(Duration wait) {
+  const Result<std::string> status = post("/v3/maintenance/status", "{}", wait);
+  if (!status) return fail(status);
+  const Result<std::string> revision = etcd_json::revision_from(*status);
+  if (!revision) return fail(revision);
+  const Result<std::string> done = ask(answering_member(), "/v3/kv/compaction", etcd_json::compaction(*revision), wait);
+  const bool was_done = !done && done.error().sentence.contains("has been compacted");
+  return done || was_done ? Result<void>() : fail(done);
+}
+
+// Each member has a file of its own. What one cannot do now keeps no other from it.
+Result<void> EtcdClient::close_holes(Duration wait) {
+  Result<void> all;
+  for (std::size_t member = 0; member < address_.members.size(); ++member) {
+    const Result<std::string> done = ask(member, "/v3/maintenance/defragment", "{}", wait);
+    if (!done) all = fail(done);
+  }
+  return all;
+}
+
+Result<void> EtcdClient::end_refusing(Duration wait) {
+  const Result<std::string> alarms = post("/v3/maintenance/alarm", R"({"action": "GET"})", wait);
+  if (!alarms) return fail(alarms);
+  const Result<std::vector<std::string>> requests = etcd_json::disarming(*alarms);
+  if (!requests) return fail(requests);
+  for (const std::string& request : *requests) {
+    const Result<std::string> done = post("/v3/maintenance/alarm", request, wait);
+    if (!done) return fail(done);
+  }
+  return {};
 }
 
 }  // namespace pizarra::cluster

@@ -24,15 +24,23 @@ class EtcdClient : public KeyValues {
 
   Result<Reply> transact(const Transaction& transaction, Duration wait) override;
   Result<std::vector<KeyValue>> range(const Range& range, std::size_t most, Duration wait) override;
+  Result<Space> space(Duration wait) override;
+  Result<void> forget_former(Duration wait) override;
+  Result<void> close_holes(Duration wait) override;
+  Result<void> end_refusing(Duration wait) override;
 
  private:
   class Connection;
   explicit EtcdClient(const LogAddress& address);
-  // The answer's body.
+  // The answer's body, of the member that answers requests.
   Result<std::string> post(const char* path, const std::string& body, Duration wait);
+  Result<std::string> ask(std::size_t member, const char* path, const std::optional<std::string>& body, Duration wait);
+  std::size_t answering_member();
+  std::uint64_t quota(Duration wait);
 
   const LogAddress address_;
   std::unique_ptr<Connection> connection_;
+  std::optional<std::uint64_t> quota_;
   std::optional<std::size_t> member_;  // found by the first request: names are resolved, which may take its time
 };
 

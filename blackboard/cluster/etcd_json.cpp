@@ -1,5 +1,7 @@
 #include "blackboard/cluster/etcd_json.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <nettle/base64.h>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +71,17 @@ std::optional<json> object_from(const std::string& body) {
   return read;
 }
 
+// Etcd writes large numbers as strings.
+std::optional<std::uint64_t> count_from(const json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end() || !found->is_string()) return std::nullopt;
+  const std::string& text = found->get_ref<const std::string&>();
+  std::uint64_t count = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return count;
+}
+
 }  // namespace
 
 std::string request(const KeyValues::Transaction& transaction) {
@@ -112,6 +125,45 @@ Result<std::vector<KeyValue>> range_from(const std::string& body) {
   std::vector<KeyValue> found;
   if (!form || !form->contains("header") || !add_found(*form, found)) return not_understood();
   return found;
+}
+
+Result<KeyValues::Space> space_from(const std::string& body) {
+  const std::optional<json> form = object_from(body);
+  const std::optional<std::uint64_t> taken = form ? count_from(*form, "dbSize") : std::nullopt;
+  if (!taken) return not_understood();
+  KeyValues::Space space{.taken = *taken};
+  const auto errors = form->find("errors");
+  if (errors == form->end() || !errors->is_array()) return space;
+  space.refuses = std::ranges::any_of(*errors, [](const json& error) {
+    return error.is_string() && error.get_ref<const std::string&>().contains("NOSPACE");
+  });
+  return space;
+}
+
+Result<std::string> revision_from(const std::string& body) {
+  const std::optional<json> form = object_from(body);
+  const auto header = form ? form->find("header") : json::const_iterator();
+  const bool has_one = form && header != form->end() && header->is_object() && count_from(*header, "revision");
+  if (!has_one) return not_understood();
+  return (*header)["revision"].get<std::string>();
+}
+
+std::string compaction(const std::string& revision) {
+  return json({{"revision", revision}, {"physical", true}}).dump();
+}
+
+Result<std::vector<std::string>> disarming(const std::string& body) {
+  const std::optional<json> form = object_from(body);
+  if (!form) return not_understood();
+  std::vector<std::string> requests;
+  const auto alarms = form->find("alarms");
+  if (alarms == form->end()) return requests;
+  for (const json& alarm : *alarms) {
+    const bool is_one = alarm.is_object() && alarm.contains("memberID") && alarm.value("alarm", "") == "NOSPACE";
+    if (!is_one) continue;
+    requests.push_back(json({{"action", "DEACTIVATE"}, {"memberID", alarm["memberID"]}, {"alarm", "NOSPACE"}}).dump());
+  }
+  return requests;
 }
 
 std::string error_from(const std::string& body) {

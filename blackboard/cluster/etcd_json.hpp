@@ -13,6 +13,12 @@ std::string request(const KeyValues::Range& range, std::size_t most);
 // Failure unavailable where it is not understood.
 Result<KeyValues::Reply> reply_from(const std::string& body);
 Result<std::vector<KeyValue>> range_from(const std::string& body);
+// Of the answer to a question for a member's status; the quota is not in it.
+Result<KeyValues::Space> space_from(const std::string& body);
+Result<std::string> revision_from(const std::string& body);
+std::string compaction(const std::string& revision);
+// The requests that end each alarm for lack of space that an answer lists.
+Result<std::vector<std::string>> disarming(const std::string& body);
 // What an error says, or a beginning of it.
 std::string error_from(const std::string& body);
 

@@ -9,6 +9,7 @@
 //
 // Calls wait for the answer, from any thread, one at a time for an object.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,15 +44,32 @@ class KeyValues {
     bool succeeded = false;
     std::vector<KeyValue> found = {};  // of the compared keys, where it did not
   };
+  // In bytes. What is taken has what keys were before, until that is forgotten, and holes, until they are closed.
+  struct Space {
+    std::uint64_t most = 0;
+    std::uint64_t taken = 0;
+    bool refuses = false;  // it was full, and puts nothing until refusing is ended
+  };
 
   virtual ~KeyValues() = default;
   // Failure unavailable.
   virtual Result<Reply> transact(const Transaction& transaction, Duration patience) = 0;
   // In their order, `most` at most; as of now, whoever leads. Failure unavailable.
   virtual Result<std::vector<KeyValue>> range(const Range& range, std::size_t most, Duration patience) = 0;
+
+  // For all who use the store. Failure unavailable.
+  virtual Result<Space> space(Duration patience) = 0;
+  virtual Result<void> forget_former(Duration patience) = 0;
+  // Keeps everybody waiting meanwhile.
+  virtual Result<void> close_holes(Duration patience) = 0;
+  virtual Result<void> end_refusing(Duration patience) = 0;
 };
 
 inline constexpr Duration patience = 1s;
+
+// The subject of a failure for lack of space. What was asked for may have happened even so.
+constexpr const char* no_space = "no-space";
+inline bool lacks_space(const Failure& failure) { return failure.subject.is_symbol(no_space); }
 
 // The value of one key, or nothing.
 inline Result<std::optional<std::string>> get(KeyValues& store, const std::string& key, Duration wait = patience) {

@@ -47,6 +47,8 @@ Result<std::size_t> LogCopy::follow() {
     }
     const Result<void> applied = apply(*entry);
     if (!applied) return fail(applied);
+    ++weight_.entries;
+    weight_.bytes += value.value.size();
     ++entries;
   }
   is_behind_ = entries == asked;
@@ -79,6 +81,7 @@ Result<void> LogCopy::begin() {
   end_ = {};
   later_.clear();
   replies_.clear();
+  weight_ = {};
   const Result<void> restored = restore_snapshot();
   if (!restored) store_ = nullptr;
   // A read that was not answered has changed nothing in the store.
@@ -103,6 +106,7 @@ Result<void> LogCopy::restore_snapshot() {
   if (journal::Checksum().add_words(text).value() != snapshot->sum)
     return damaged("a snapshot's checksum does not fit");
   number_ = snapshot->number;
+  weight_.snapshot_bytes = text.size();
   return restore(text);
 }
 
@@ -179,7 +183,7 @@ std::vector<journal::RememberedReply> LogCopy::replies() const {
 
 std::string LogCopy::text() const { return snapshot_text(*store_, end_, replies_); }
 
-Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t entries, std::uint64_t nonce) {
+Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce) {
   const Result<std::optional<std::string>> former = get(key_values, keys.snapshot());
   if (!former) return fail(former);
   const Result<std::optional<std::string>> head = get(key_values, keys.head());
@@ -191,7 +195,7 @@ Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint
     before = snapshot->number;
   }
   const std::uint64_t newest = *head ? std::stoull(**head) : 0;
-  if (newest < before + entries || newest == before) return false;
+  if (newest == before) return 0;
   LogCopy copy(key_values, keys);
   const Result<void> whole = copy.follow_to(newest);
   if (!whole) return fail(whole);
@@ -207,7 +211,7 @@ Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint
                                                                .deletes = std::move(gone)},
                                                               5 * patience);
   if (!turned) return fail(turned);
-  return turned->succeeded;
+  return turned->succeeded ? text.size() : 0;
 }
 
 }  // namespace pizarra::cluster

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "blackboard/cluster/log_keys.hpp"
+#include "blackboard/cluster/log_space.hpp"
 #include "blackboard/cluster/snapshot.hpp"
 #include "blackboard/store/store.hpp"
 
@@ -47,6 +48,7 @@ class LogCopy {
   const journal::LineStart& end() const { return end_; }
   const std::string& later() const { return later_; }
   std::vector<journal::RememberedReply> replies() const;
+  const LogWeight& weight() const { return weight_; }
 
   // What a snapshot of it is: text of lines.
   std::string text() const;
@@ -74,10 +76,11 @@ class LogCopy {
   std::string later_;
   std::optional<Alive> alive_;
   DatedReplies replies_;
+  LogWeight weight_;
 };
 
-// Writes a snapshot of all that the log has by now and deletes the entries before it, where at least `entries` have
-// come since the last. Any board may do so at any time. Answers whether it did.
-Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t entries, std::uint64_t nonce);
+// Writes a snapshot of all that the log has by now and deletes the entries before it. Any board may do so at any time.
+// Answers how many bytes it has; 0 where there was nothing to do, or another board was faster.
+Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce);
 
 }  // namespace pizarra::cluster

@@ -1,5 +1,7 @@
 #include "blackboard/cluster/standby.hpp"
 
+#include "blackboard/cluster/log_upkeep.hpp"
+
 namespace pizarra::cluster {
 
 Result<bool> Standby::step(const std::function<Time()>& now) {
@@ -15,7 +17,11 @@ Result<bool> Standby::step(const std::function<Time()>& now) {
   vacant_ = !seen_ || seen_->leaves;
   if (!vacant_ && !suspects_ && now() < seen_at_ + suspects_after) return false;
   Result<std::optional<Leadership>> won = Leadership::campaign(key_values_, keys_, seen_, board_, nonce_);
-  if (!won) return fail(won);
+  if (!won) {
+    // No leader is there who would see to it.
+    const Result<void> space = lacks_space(won.error()) ? make_space(key_values_) : Result<void>();
+    return fail(space ? won.error() : space.error());
+  }
   if (!*won) return false;
   won_ = std::move(**won);
   return true;

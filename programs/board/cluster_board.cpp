@@ -5,6 +5,7 @@
 
 #include "blackboard/cluster/cluster_log.hpp"
 #include "blackboard/cluster/etcd_client.hpp"
+#include "blackboard/cluster/log_upkeep.hpp"
 #include "blackboard/cluster/standby.hpp"
 #include "blackboard/server/kept_board.hpp"
 #include "blackboard/server/sessions.hpp"
@@ -21,9 +22,6 @@ using cluster::EtcdClient;
 using cluster::Leadership;
 using cluster::Standby;
 
-// Entries between two snapshots.
-constexpr std::uint64_t entries_a_snapshot = 10'000;
-constexpr Duration looks_for_snapshot_every = 1s;
 // Each epoch gives out leases of its own.
 constexpr int bits_of_leases = 40;
 
@@ -125,7 +123,7 @@ class Leading {
   }
   Task<void> confirm();
   Task<void> catch_up();
-  Task<void> take_snapshots();
+  Task<void> keep_in_space(std::shared_ptr<cluster::LogSpace> space);
   void heard(const Result<Revision>& up_to, Time sent);
   void end(const Failure& failure);
   void keep_past(const store::Store& store, const std::shared_ptr<const journal::Log>& log);
@@ -141,6 +139,7 @@ class Leading {
   wire::GatedTransport gated_;
   cluster::Term term_;
   Troubles troubles_;
+  Troubles upkeep_troubles_;
   bool leaves_ = false;
   std::optional<Failure> deposed_;
   std::optional<Failure> broken_;
@@ -205,17 +204,20 @@ Task<void> Leading::catch_up() {
   }
 }
 
-Task<void> Leading::take_snapshots() {
+Task<void> Leading::keep_in_space(std::shared_ptr<cluster::LogSpace> space) {
   Result<std::unique_ptr<EtcdClient>> opened = EtcdClient::open(choices_.log);
   if (!opened) co_return;
-  const std::shared_ptr<EtcdClient> client = std::move(*opened);
+  const auto upkeep =
+      std::make_shared<cluster::LogUpkeep>(std::shared_ptr<EtcdClient>(std::move(*opened)), keys_, std::move(space));
   while (true) {
-    co_await sleep(executor_, looks_for_snapshot_every);
+    co_await sleep(executor_, cluster::upkeep_every);
+    const auto kept = std::make_shared<Result<void>>();
     // What could not be done now is tried again.
-    Work work = [client, keys = keys_](const std::function<bool()>&) {
-      (void)cluster::take_snapshot(*client, keys, entries_a_snapshot, server::Sessions::random_number());
+    Work work = [upkeep, kept, now = executor_.now()](const std::function<bool()>&) {
+      *kept = upkeep->step(now, server::Sessions::random_number());
     };
     co_await executor_.offload(std::move(work), Duration::zero());
+    upkeep_troubles_.note(*kept);
   }
 }
 
@@ -255,9 +257,9 @@ void Leading::keep_past(const store::Store& store, const std::shared_ptr<const j
 std::optional<int> Leading::serve() {
   Result<std::unique_ptr<EtcdClient>> reading = EtcdClient::open(choices_.log);
   if (!reading) return complain(reading.error(), bad_address);
-  const auto log =
-      std::make_shared<cluster::ClusterLog>(client_, std::shared_ptr<EtcdClient>(std::move(*reading)), keys_,
-                                            leadership_->epoch(), standby_->copy().number(), choices_.log.text);
+  const auto log = std::make_shared<cluster::ClusterLog>(client_, std::shared_ptr<EtcdClient>(std::move(*reading)),
+                                                         keys_, leadership_->epoch(), standby_->copy().number(),
+                                                         choices_.log.text, standby_->copy().weight());
   std::vector<journal::RememberedReply> replies = standby_->copy().replies();
   std::unique_ptr<store::Store> store = standby_->copy().take_store();
   store->restore_counters(leadership_->first_revision(), leadership_->first_fact());
@@ -269,7 +271,7 @@ std::optional<int> Leading::serve() {
   store::JournalSink all;
   if (past_ != nullptr) all = [this](std::string_view line) { past_->add(line); };
   kept_->lead(std::move(store), leadership_->epoch().number << bits_of_leases, std::move(replies), log, std::move(all));
-  const Job snapshots = executor_.spawn(take_snapshots());
+  const Job upkeep = executor_.spawn(keep_in_space(log->space()));
   bool may_serve = false;
   executor_.call_at(serves_at_, [&] { may_serve = true; });
   executor_.run_until([&] { return may_serve; });

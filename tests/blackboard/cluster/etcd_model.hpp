@@ -12,6 +12,7 @@
 #include <list>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "blackboard/cluster/key_values.hpp"
 
@@ -38,18 +39,39 @@ class EtcdModel {
     if (!reply.succeeded) return reply;
     reply.found.clear();
     for (const KeyValues::Range& range : transaction.deletes) {
-      if (range.from < range.to) values.erase(values.lower_bound(range.from), values.lower_bound(range.to));
+      if (range.from >= range.to) continue;
+      const auto from = values.lower_bound(range.from);
+      const auto to = values.lower_bound(range.to);
+      for (auto at = from; at != to; ++at) former_bytes_ += at->second.size();
+      values.erase(from, to);
     }
-    for (const KeyValue& put : transaction.puts) values[put.key] = put.value;
+    for (const KeyValue& put : transaction.puts) {
+      std::string& value = values[put.key];
+      former_bytes_ += value.size();
+      value = put.value;
+      const std::uint64_t in_holes = std::min<std::uint64_t>(holes_, put.value.size());
+      holes_ -= in_holes;
+      space.taken += put.value.size() - in_holes;
+    }
     return reply;
   }
+  // Whether it puts none of that: from when it was full on, until that is ended. As etcd, it does not count holes.
+  bool refuses(const KeyValues::Transaction& transaction) {
+    std::uint64_t bytes = 0;
+    for (const KeyValue& put : transaction.puts) bytes += put.value.size();
+    space.refuses = space.refuses || space.taken + bytes > space.most;
+    return space.refuses && bytes > 0;
+  }
+  void forget_former() { holes_ += std::exchange(former_bytes_, 0); }
+  void close_holes() { space.taken -= std::exchange(holes_, 0); }
+
   void let_late_ones_come() {
     for (auto late = late_.begin(); late != late_.end();) {
       if (!happens(0.2)) {
         ++late;
         continue;
       }
-      apply(*late);
+      if (!refuses(*late)) apply(*late);
       late = late_.erase(late);
     }
   }
@@ -60,8 +82,11 @@ class EtcdModel {
   Time now{};
   double trouble = 0.15;
   std::size_t bytes_in_time = std::numeric_limits<std::size_t>::max();  // of an answer, over its line
+  KeyValues::Space space{.most = std::uint64_t{2} << 30};
 
  private:
+  std::uint64_t former_bytes_ = 0;
+  std::uint64_t holes_ = 0;
   std::list<KeyValues::Transaction> late_;
 };
 
@@ -72,6 +97,7 @@ class ModelClient : public KeyValues {
   Result<Reply> transact(const Transaction& transaction, Duration wait) override {
     etcd_.let_late_ones_come();
     if (cut) return lost(wait);
+    if (etcd_.refuses(transaction)) return fail("unavailable", "no space", Datum::symbol(no_space));
     if (!etcd_.happens(etcd_.trouble)) {
       etcd_.now += Duration(500 + etcd_.below(4000));
       return etcd_.apply(transaction);
@@ -94,6 +120,25 @@ class ModelClient : public KeyValues {
     }
     if (bytes > etcd_.bytes_in_time) return lost(wait);
     return found;
+  }
+  Result<Space> space(Duration wait) override {
+    if (cut || etcd_.happens(etcd_.trouble)) return lost(wait);
+    return etcd_.space;
+  }
+  Result<void> forget_former(Duration wait) override {
+    if (cut || etcd_.happens(etcd_.trouble)) return lost(wait);
+    etcd_.forget_former();
+    return {};
+  }
+  Result<void> close_holes(Duration wait) override {
+    if (cut) return lost(wait);
+    etcd_.close_holes();
+    return {};
+  }
+  Result<void> end_refusing(Duration wait) override {
+    if (cut) return lost(wait);
+    etcd_.space.refuses = false;
+    return {};
   }
   bool cut = false;
 

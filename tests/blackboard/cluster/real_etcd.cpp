@@ -49,7 +49,7 @@ int free_port() {
 
 bool RealEtcd::is_installed() { return access(program, X_OK) == 0; }
 
-RealEtcd::RealEtcd(const std::string& certificates)
+RealEtcd::RealEtcd(const std::string& certificates, const std::vector<std::string>& more)
     : port_(free_port()), folder_(fmt::format("{}etcd-{}", scratch_folder(), port_)) {
   const std::string client = fmt::format("{}://127.0.0.1:{}", certificates.empty() ? "http" : "https", port_);
   const std::string peer = fmt::format("http://127.0.0.1:{}", free_port());
@@ -68,6 +68,7 @@ RealEtcd::RealEtcd(const std::string& certificates)
                  {"--cert-file=" + certificates + "/server.crt", "--key-file=" + certificates + "/server.key",
                   "--trusted-ca-file=" + certificates + "/ca.crt", "--client-cert-auth"});
   }
+  words.insert(words.end(), more.begin(), more.end());
   pid_ = fork();
   if (pid_ != 0) return;
   const int log = open((folder_ + ".log").c_str(), O_WRONLY | O_CREAT, 0600);

@@ -9,6 +9,7 @@
 
 #include <string>
 #include <sys/types.h>
+#include <vector>
 
 namespace pizarra::cluster {
 
@@ -22,7 +23,7 @@ class RealEtcd {
   static bool is_installed();
   // With certificates of that folder, where one is named: server.crt and server.key, and ca.crt, by which a client must
   // be known too.
-  explicit RealEtcd(const std::string& certificates = "");
+  explicit RealEtcd(const std::string& certificates = "", const std::vector<std::string>& more = {});
   RealEtcd(const RealEtcd&) = delete;
   RealEtcd& operator=(const RealEtcd&) = delete;
   ~RealEtcd();

@@ -41,7 +41,7 @@ class ModelBoard {
     } else {
       answer();
     }
-    if (leads_ && etcd_.happens(0.02)) (void)take_snapshot(*client_, cell_keys, 1, etcd_.random());
+    if (leads_ && etcd_.happens(0.02)) (void)take_snapshot(*client_, cell_keys, etcd_.random());
   }
   // Power off and on.
   void begin() {
