@@ -29,6 +29,8 @@ constexpr double suspicious = 1.35;
 constexpr double least_off_px = 0.2;
 // The largest ratio of the changes of size on all axes, of a mark that is nearer or farther away.
 constexpr double similar_scales = 1.03;
+// The least ratio of its areas where more of a mark is to be seen than was.
+constexpr double least_growth = 1.02;
 // From the centre of a triangle to its corners, in standard deviations.
 const double corner_reach = std::sqrt(8.0);
 // Of the motion that covering makes, how much is left unexplained where much is covered: by how the shape is.
@@ -182,6 +184,11 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double m
     if (hidden_ && by_covering > 1 / sure && explained) return Look::covered;
   }
   return Look::turned;
+}
+
+bool WholeMark::is_less_than(const SeenMark& now) const {
+  const double area = axes_[0].spread * axes_[1].spread;
+  return now.width_px * now.height_px > least_growth * area;
 }
 
 void WholeMark::follow(Axis& axis, const Axis& now, const Evidence& seen, double covering, double seconds,

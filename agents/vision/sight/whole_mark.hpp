@@ -33,6 +33,8 @@ class WholeMark {
   // `most_off_px`: how far off a centre may be that is told. `smaller`: a pair sees that less of it is to be seen, so
   // that it is covered unless its motion speaks against that.
   Look look_at(const SeenMark& now, Time captured, double most_off_px, bool smaller = false) const;
+  // By its area, and by more than noise makes.
+  bool is_less_than(const SeenMark& now) const;
   void follow(const SeenMark& now, Time captured);
   void wait(Time captured);
   bool moves() const;

@@ -110,7 +110,8 @@ Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const Learn
   if (now.left.tag) return {};
   Look out;
   if (now.right) out.face = face_size(model, object, now);
-  if (now.right) out.may_be_off_px = may_be_off_by_learned_px(object, *out.face, now.left);
+  const double by_learned_px = now.right ? may_be_off_by_learned_px(object, *out.face, now.left) : 0;
+  out.may_be_off_px = by_learned_px;
   if (!now.right) {
     // A mark that the pair has just seen is no farther away than it was.
     const bool size_known = left_ && face_;
@@ -127,10 +128,19 @@ Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const Learn
     return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
   };
   out.whole = is_it(left_, now.left) && (!now.right || is_it(right_, *now.right));
+  // More is to be seen than is remembered, and all that was learned: what is remembered was covered.
+  const bool is_all = now.right && by_learned_px <= most_off_px;
+  out.anew = !out.whole && is_all && left_ && left_->is_less_than(now.left);
+  if (out.anew) return {.whole = true, .anew = true, .may_be_off_px = by_learned_px, .face = out.face};
   return out;
 }
 
 void Wholeness::follow(const SeenPair& now, const Look& look, Time captured) {
+  if (look.anew) {
+    left_.reset();
+    right_.reset();
+    face_.reset();
+  }
   // A part of what was lost, or a copy of another size: neither is what it looks like while it is whole.
   if (now.left.tag || (!left_ && look.smaller)) return;
   remember(left_, now.left, captured);

@@ -114,6 +114,23 @@ TEST_P(Resting, HandUnderWhichTheMarkWasTurnedAndPutElsewhereUncoversItThere) {
   }
 }
 
+// What looks larger by a cover, as one image shows less of it than the other, is no measure for the mark.
+TEST_P(Resting, HandThatCoversAPartFromTheFirstLookOnUncoversIt) {
+  for (int i = 0; i < 6; ++i) {
+    CoveredMark one{std::get<0>(GetParam()), mark.random.bits()};
+    one.most_off_px = 10;
+    const Hand hand{mark.random.uniform(0, 360), 0, bright, one.disparity() + mark.random.uniform(1, 12)};
+    const double edge = mark.random.uniform(2, 9);
+    SCOPED_TRACE(testing::Message() << "from " << hand.from_deg << " degrees to " << edge << " px, "
+                                    << hand.disparity_px - one.disparity() << " px nearer");
+    one.put_hand(hand, edge);
+    for (int n = 0; n < 200; ++n) one.look();
+    one.scene.blots.clear();
+    for (int n = 0; n < 10; ++n) one.look();
+    EXPECT_TRUE(one.seen_by_pair) << "by the pair";
+  }
+}
+
 std::string resting_name(const testing::TestParamInfo<Resting::ParamType>& one) {
   std::string name = std::get<0>(one.param);
   std::erase(name, '-');
