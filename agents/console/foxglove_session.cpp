@@ -50,6 +50,16 @@ json list_in(const json& object, const char* name) {
   return found != object.end() && found->is_array() ? *found : json::array();
 }
 
+// The name of the stream whose kind comes first; none where none is of these kinds.
+std::string best_stream(const std::map<FactId, Fact>& streams, std::span<const std::string_view> kinds) {
+  for (const std::string_view kind : kinds) {
+    const auto is_of_kind = [kind](const auto& entry) { return entry.second.datum[2].text() == kind; };
+    const auto found = std::ranges::find_if(streams, is_of_kind);
+    if (found != streams.end()) return std::string(found->second.datum[1].text());
+  }
+  return {};
+}
+
 template <class Number>
 void append_little_endian(std::string& bytes, Number number) {
   for (std::size_t i = 0; i < sizeof number; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
@@ -94,9 +104,7 @@ void FoxgloveSession::hear(std::string_view message) {
   const bool readable = said.is_object() && said.contains("op") && said["op"].is_string();
   if (!readable) return refuse("this is no operation of foxglove.websocket.v1");
   if (said["op"] == "subscribe") {
-    for (const json& wanted : list_in(said, "subscriptions")) {
-      subscribe(number_in(wanted, "id"), number_in(wanted, "channelId"));
-    }
+    subscribe(list_in(said, "subscriptions"));
   } else if (said["op"] == "unsubscribe") {
     for (const json& number : list_in(said, "subscriptionIds")) {
       if (const auto subscription = number_in(number)) subscriptions_.erase(*subscription);
@@ -106,21 +114,38 @@ void FoxgloveSession::hear(std::string_view message) {
   }
 }
 
-void FoxgloveSession::subscribe(std::optional<std::uint32_t> subscription, std::optional<std::uint32_t> channel) {
-  if (!subscription) return refuse("a subscription needs an id: a whole number of 32 bits");
+// One refusal a message: a viewer that asks for a thousand is not answered a thousand times.
+void FoxgloveSession::subscribe(const json& subscriptions) {
+  std::optional<std::string_view> refused;
+  if (subscriptions.size() > max_subscriptions) refused = "there are too many subscriptions in one message";
+  if (!refused) {
+    for (const json& wanted : subscriptions) {
+      const auto why = subscribe(number_in(wanted, "id"), number_in(wanted, "channelId"));
+      if (!refused) refused = why;
+    }
+  }
+  if (refused) refuse(*refused);
+}
+
+std::optional<std::string_view> FoxgloveSession::subscribe(std::optional<std::uint32_t> subscription,
+                                                           std::optional<std::uint32_t> channel) {
+  if (!subscription) return "a subscription needs an id: a whole number of 32 bits";
   const std::size_t of_facts = foxglove_channels().size();
-  if (!channel || *channel >= of_facts + foxglove_images().size()) return refuse("there is no such channel");
+  if (!channel || *channel >= of_facts + foxglove_images().size()) return "there is no such channel";
+  // One whose watch failed may be asked for again.
+  std::erase_if(subscriptions_, [](const auto& entry) { return std::ranges::all_of(entry.second, &Job::done); });
   const Numbers numbers{*subscription, *channel};
-  if (subscriptions_.contains(numbers.subscription)) return refuse("there is a subscription of this id already");
-  if (subscriptions_.size() >= max_subscriptions) return refuse("there are too many subscriptions");
+  if (subscriptions_.contains(numbers.subscription)) return "there is a subscription of this id already";
+  if (subscriptions_.size() >= max_subscriptions) return "there are too many subscriptions";
   std::vector<Job>& jobs = subscriptions_[numbers.subscription];
   if (numbers.channel >= of_facts) {
     jobs.push_back(setup_.executor.spawn(follow_images(numbers)));
-    return;
+    return std::nullopt;
   }
   for (const std::string_view pattern : foxglove_patterns(numbers.channel)) {
     jobs.push_back(setup_.executor.spawn(follow(numbers, query_for(read_one(pattern).value()))));
   }
+  return std::nullopt;
 }
 
 Task<void> FoxgloveSession::follow(Numbers numbers, Query query) {
@@ -141,7 +166,8 @@ Task<void> FoxgloveSession::follow(Numbers numbers, Query query) {
   }
 }
 
-// A look follows its stream from one publisher to the next; a better kind takes its place.
+// A look follows its stream from one publisher to the next. Of several streams the one of the best kind is shown, as
+// long as it stands.
 Task<void> FoxgloveSession::follow_images(Numbers numbers) {
   Query streams = query_for(list("stream"_sym, "?name"_sym, "?kind"_sym, "?place"_sym));
   const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(*setup_.board, std::move(streams));
@@ -150,7 +176,8 @@ Task<void> FoxgloveSession::follow_images(Numbers numbers) {
     co_return;
   }
   const std::span<const std::string_view> kinds = foxglove_images()[numbers.channel - foxglove_channels().size()].kinds;
-  auto best = kinds.end();
+  Standing standing;
+  std::string shown;
   std::unique_ptr<ImageFeeds::Look> looking;
   while (true) {
     const Result<Change> change = co_await (*watch)->next();
@@ -158,13 +185,14 @@ Task<void> FoxgloveSession::follow_images(Numbers numbers) {
       refuse(change.error().sentence);
       co_return;
     }
-    for (const Answer& answer : change->added) {
-      const Datum& fact = answer.facts.front().datum;
-      const auto kind = std::find(kinds.begin(), best, fact[2].text());
-      if (kind == best) continue;
-      best = kind;
-      looking = look(numbers, std::string(fact[1].text()));
-    }
+    if (change->resynchronised) standing.clear();
+    for (const Answer& answer : change->removed) standing.erase(answer.facts.front().id);
+    for (const Answer& answer : change->added) standing.emplace(answer.facts.front().id, answer.facts.front());
+    const std::string best = best_stream(standing, kinds);
+    if (best == shown) continue;
+    shown = best;
+    looking.reset();
+    if (!best.empty()) looking = look(numbers, best);
   }
 }
 

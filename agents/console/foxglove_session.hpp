@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,7 +53,10 @@ class FoxgloveSession {
   };
 
   void hear(std::string_view message);
-  void subscribe(std::optional<std::uint32_t> subscription, std::optional<std::uint32_t> channel);
+  void subscribe(const nlohmann::json& subscriptions);
+  // What is wrong with it.
+  std::optional<std::string_view> subscribe(std::optional<std::uint32_t> subscription,
+                                            std::optional<std::uint32_t> channel);
   void say(std::string text);
   void refuse(std::string_view sentence);
   void send(const Numbers& numbers, Time when, std::string_view json);

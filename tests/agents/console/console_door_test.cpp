@@ -128,5 +128,26 @@ TEST_F(ConsoleTest, LetsAViewerReadByItsOwnTokenAndOrigin) {
   EXPECT_TRUE(begins(asked(path, {{"Origin", "https://viewer.example"}}), "HTTP/1.1 101")) << "and another";
 }
 
+TEST_F(ConsoleTest, AnswersAViewerThatAsksForFarTooMuchOnce) {
+  const std::string address = console_->foxglove_address();
+  std::string wanted = "1";
+  for (int i = 0; i < 2000; ++i) wanted += ",1";
+  const std::vector<std::string> heard = serve([&] {
+    RawClient viewer(port_);
+    Headers headers = upgrade_headers("");
+    headers["Sec-WebSocket-Protocol"] = "foxglove.websocket.v1";
+    headers["Origin"] = "";
+    viewer.send(request_text(port_, "GET", address.substr(address.find("/foxglove")), headers));
+    viewer.read_head();
+    viewer.send_frame(RawClient::text, R"({"op":"subscribe","subscriptions":[)" + wanted + "]}");
+    viewer.send_frame(RawClient::text, R"({"op":"publish"})");
+    std::vector<std::string> frames;
+    while (frames.size() < 4) frames.push_back(viewer.read_frame().value().payload);
+    return frames;
+  });
+  EXPECT_TRUE(has(heard[2], "too many subscriptions in one message"));
+  EXPECT_TRUE(has(heard[3], "subscribes and unsubscribes here, and nothing else"));
+}
+
 }  // namespace
 }  // namespace pizarra::console
