@@ -106,7 +106,8 @@ Result<std::unique_ptr<PictureStore>> PictureStore::open(Executor& executor, con
   }
   store->read_what_is_kept();
   const files::space_info space = files::space(folder, error);
-  const std::uintmax_t quarter = error ? 0 : (space.available + store->bytes_) / 4;
+  // Where the disk does not say how full it is, what was asked for holds.
+  const std::uintmax_t quarter = error ? most_bytes : (space.available + store->bytes_) / 4;
   store->most_bytes_ = std::min(most_bytes, quarter);
   store->remove_oldest();
   return store;
