@@ -115,7 +115,8 @@ class Session {
   void hear(std::string_view message);
   void say(std::string text);
   void refuse(Number number, std::string symbol, std::string sentence);
-  void begin_request(Number number, Task<void> task);
+  // False where it is refused.
+  bool begin_request(Number number, Task<void> task);
 
   void follow(const Datum& form);
   void watch(const Datum& form);

@@ -5,7 +5,7 @@
 
 #include "agents/console/change_text.hpp"
 #include "agents/console/session.hpp"
-#include "agents/runtime/declared.hpp"
+#include "agents/runtime/follow.hpp"
 
 namespace pizarra::console {
 
@@ -34,17 +34,15 @@ Task<void> Session::keep_beating() {
 
 Task<void> Session::follow_hands() {
   const Datum ours = list("commander"_sym, "?robot"_sym, Datum::symbol(setup_.name));
-  const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query_for(ours));
-  if (!watch) co_return;
   std::size_t arms = 0;
-  while (true) {
-    const Result<Change> change = co_await (*watch)->next();
-    if (!change) co_return;
-    if (change->resynchronised) arms = 0;
-    arms = arms + change->added.size() - std::min(arms + change->added.size(), change->removed.size());
+  const auto take = [this, &arms](Change change) -> Task<void> {
+    if (change.resynchronised) arms = 0;
+    arms = arms + change.added.size() - std::min(arms + change.added.size(), change.removed.size());
     in_hand_ = arms > 0;
     hands_changed_.wake_all();
-  }
+    co_return;
+  };
+  co_await runtime::follow(context_, ours, take);
 }
 
 void Session::stamp(const Datum& form) { pulse_.came_back(form[1].integer(), setup_.executor.now()); }
@@ -54,19 +52,19 @@ void Session::jog(const Datum& form) {
   if (!pulse_.is_fresh(form[4].integer(), setup_.executor.now(), deadline)) {
     return refuse(form[1].integer(), "late", "this came too late to move the arm for");
   }
-  begin_request(form[1].integer(), jog_while_held(form[1].integer(), form[2], form[3], deadline));
+  if (jog_) return refuse(form[1].integer(), "busy", "this page holds on to a jog already");
+  // From here on a release counts, before the request begins too.
+  jog_ = Jog{form[2], deadline};
+  const bool begun = begin_request(form[1].integer(), jog_while_held(form[1].integer(), form[2], form[3], deadline));
+  if (!begun) jog_.reset();
 }
 
 Task<void> Session::jog_while_held(Number number, Datum robot, Datum direction, Duration deadline) {
-  if (jog_) {
-    refuse(number, "busy", "this page holds on to a jog already");
-    co_return;
-  }
-  jog_ = Jog{robot, deadline};
   const Datum operation = list("jog"_sym, direction, milliseconds(deadline));
   const std::string agent(robot.text());
   Result<Datum> ended = Datum();
-  const Result<Revision> held = co_await tell_hold(robot);
+  Result<Revision> held = Revision();
+  if (!jog_->released) held = co_await tell_hold(robot);
   if (!held) ended = fail(held);
   const bool wanted = held && !jog_->released;
   if (wanted) ended = co_await answer_of(agent, operation);
@@ -83,16 +81,14 @@ Task<Result<Revision>> Session::tell_hold(Datum robot) {
 }
 
 Task<void> Session::renew_hold(Datum robot) {
-  const Result<Revision> told = co_await tell_hold(robot);
   // The arm stops where none has come.
-  if (!told) co_return;
+  [[maybe_unused]] const Result<Revision> told = co_await tell_hold(robot);
 }
 
 Task<void> Session::take_hold_back(Datum robot) {
   const Datum pattern = hold_fact(robot, setup_.name, "?"_sym);
-  const Result<Revision> taken = co_await context_.board.retract(pattern);
-  // It goes with the page's presence then.
-  if (!taken) co_return;
+  // One that is not taken back goes with the page's presence.
+  [[maybe_unused]] const Result<Revision> taken = co_await context_.board.retract(pattern);
 }
 
 // One at a time is on its way to the board: where that is slow, the arm stops.

@@ -46,13 +46,18 @@ Result<Datum> goal_form(const std::string& text) {
 
 }  // namespace
 
-void Session::begin_request(Number number, Task<void> task) {
+bool Session::begin_request(Number number, Task<void> task) {
   std::erase_if(requests_, [](const auto& entry) { return entry.second.done(); });
   if (requests_.size() >= max_requests) {
-    return refuse(number, "too-many", fmt::format("{} requests are in hand already", max_requests));
+    refuse(number, "too-many", fmt::format("{} requests are in hand already", max_requests));
+    return false;
   }
-  if (requests_.contains(number)) return refuse(number, "malformed", "a request of that number is in hand");
+  if (requests_.contains(number)) {
+    refuse(number, "malformed", "a request of that number is in hand");
+    return false;
+  }
   requests_.emplace(number, setup_.executor.spawn(std::move(task)));
+  return true;
 }
 
 void Session::request(const Datum& form) {

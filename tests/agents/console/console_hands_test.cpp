@@ -73,6 +73,20 @@ TEST_F(HeldPage, HoldsOnWhileThePageSaysSoAndLetsGoWhenItDoes) {
   executor_.run_until([&] { return how_many("(hold robot ? ?)") == 0; });
 }
 
+TEST_F(HeldPage, MovesNothingForAJogThatItsReleaseComesWith) {
+  const auto client = page(cookie());
+  const std::int64_t newest = stamp(*client);
+  const std::string jog = RawClient::frame_of(RawClient::text, fmt::format("(jog 7 robot left {})", newest));
+  const std::string release = RawClient::frame_of(RawClient::text, "(release)");
+  const std::string answer = serve([&] {
+    client->send(jog + release);
+    return client->read_frame()->payload;
+  });
+  EXPECT_NE(answer.find("\"reply\":7"), std::string::npos) << answer;
+  EXPECT_EQ(how_many("(request ? ? ?)"), 0u);
+  EXPECT_EQ(how_many("(hold ? ? ?)"), 0u);
+}
+
 TEST_F(HeldPage, MovesNothingForWhatComesLate) {
   const auto client = page(cookie());
   const std::int64_t newest = stamp(*client);

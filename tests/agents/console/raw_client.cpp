@@ -45,7 +45,9 @@ void RawClient::send(const std::string& bytes) {
   }
 }
 
-void RawClient::send_frame(int kind, const std::string& payload) {
+void RawClient::send_frame(int kind, const std::string& payload) { send(frame_of(kind, payload)); }
+
+std::string RawClient::frame_of(int kind, const std::string& payload) {
   std::string frame(1, static_cast<char>(0x80 | kind));
   if (payload.size() < 126) {
     frame += static_cast<char>(0x80 | payload.size());
@@ -55,7 +57,7 @@ void RawClient::send_frame(int kind, const std::string& payload) {
     for (int shift = short_enough ? 8 : 56; shift >= 0; shift -= 8) frame += static_cast<char>(payload.size() >> shift);
   }
   // The mask of zeros leaves the payload as it is.
-  send(frame + std::string(4, '\0') + payload);
+  return frame + std::string(4, '\0') + payload;
 }
 
 bool RawClient::fill(std::size_t size) {

@@ -37,6 +37,8 @@ class RawClient {
 
   void send(const std::string& bytes);
   void send_frame(int kind, const std::string& payload);
+  // To send several at once.
+  static std::string frame_of(int kind, const std::string& payload);
   std::string read_head();
   // Waits ten seconds at most, whatever else comes. Stamps, which come whenever they will, are passed over.
   std::optional<Frame> read_frame();
