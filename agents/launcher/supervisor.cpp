@@ -143,26 +143,29 @@ void Supervisor::on_death(Child& child, int status) {
     return;
   }
   if (executor_.now() - child.started > steady_after) child.deaths = 0;
+  start_again(child, describe_status(status));
+}
+
+// One that cannot be started, as while the disk is full, may be started later.
+void Supervisor::start_again(Child& child, const std::string& why) {
   ++child.deaths;
-  if (child.deaths > most_deaths_in_a_row) {
+  if (child.deaths >= most_deaths_in_a_row) {
     child.given_up = true;
-    tell(child, fmt::format("{}; died {} times in a row and is given up, see {}", describe_status(status),
-                            most_deaths_in_a_row, child.program.log_file));
+    tell(child, fmt::format("{}; died {} times in a row and is given up, see {}", why, most_deaths_in_a_row,
+                            child.program.log_file));
     return;
   }
   const auto doubled = first_pause * (1 << std::min(child.deaths - 1, 10));
   const Duration pause = std::min<Duration>(doubled, longest_pause);
   const double pause_s = static_cast<double>(pause.count()) / 1e6;
-  tell(child, fmt::format("{}; starts again in {} s", describe_status(status), pause_s));
+  tell(child, fmt::format("{}; starts again in {} s", why, pause_s));
   const std::size_t index = static_cast<std::size_t>(&child - children_.data());
   child.timer = executor_.call_at(executor_.now() + pause, [this, index] {
     Child& again = children_[index];
     again.timer = 0;
     ++again.restarts;
     const Result<void> spawned = spawn(again);
-    if (spawned) return;
-    again.given_up = true;
-    tell(again, describe(spawned.error()));
+    if (!spawned) start_again(again, spawned.error().sentence);
   });
 }
 

@@ -78,6 +78,7 @@ class Supervisor {
   void on_signal();
   void reap();
   void on_death(Child& child, int status);
+  void start_again(Child& child, const std::string& why);
   Result<void> spawn(Child& child);
   void tell(Child& child, std::string sentence);
 

@@ -44,6 +44,23 @@ TEST(Supervisor, StartsAgainWhatDies) {
   watched.stop();
 }
 
+TEST(Supervisor, TriesAgainWhereAProcessCannotBeStarted) {
+  Watched watched;
+  const std::string folder = scratch_folder() + "away";
+  std::filesystem::create_directory(folder);
+  watched.log = folder + "/supervised.log";
+  ASSERT_TRUE(watched.start("exec sleep 100"));
+  std::filesystem::remove_all(folder);
+  kill(watched.supervisor.processes()[0].pid, SIGKILL);
+  const auto could_not = [&] { return watched.told.back().starts_with("cannot write"); };
+  watched.run_until(could_not);
+  ASSERT_TRUE(could_not()) << watched.told.back();
+  std::filesystem::create_directory(folder);
+  watched.run_until([&] { return watched.supervisor.processes()[0].pid != 0; });
+  EXPECT_NE(watched.supervisor.processes()[0].pid, 0);
+  watched.stop();
+}
+
 TEST(Supervisor, DoesNotStartAgainWhatEndsWithAFinalStatus) {
   Watched watched;
   ASSERT_TRUE(watched.supervisor.start({"script", {"/bin/sh", "-c", "exit 3"}, watched.log, {2, 3}}));
