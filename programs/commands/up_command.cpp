@@ -56,6 +56,8 @@ class Up {
  private:
   Result<void> start_all();
   Result<void> start_console();
+  // Neither a board elsewhere nor a log keeps what was.
+  bool begins_anew() const { return places_.owns_board && choices_.log.empty(); }
   Result<void> start(HostProcess process);
   int run_until_stopped(client::RemoteBoard& ears);
   void on_process(const launcher::ProcessEvent& event);
@@ -83,7 +85,7 @@ Result<void> Up::start_all() {
   Result<std::vector<HostProcess>> processes = host_processes(choices_, cell_, host_, places_, directory_);
   if (!processes) return fail(processes);
   // Only what is durable outlives the board; it is kept as long as the run's folder is.
-  if (places_.owns_board && choices_.log.empty()) journal::remove_journal(directory_.file("board.journal"));
+  if (begins_anew()) journal::remove_journal(directory_.file("board.journal"));
   for (HostProcess& process : *processes) {
     const Result<void> started = start(std::move(process));
     if (!started) return started;
@@ -98,10 +100,11 @@ Result<void> Up::start_console() {
       executor_, path, [this](const std::string& address) { narrator_.say(executor_.now(), "console", address); });
   if (!pipe) return fail(pipe);
   addresses_ = std::move(*pipe);
-  // They belong to the journal, which is begun anew.
   const std::string pictures = directory_.file("pictures");
   std::error_code error;
-  std::filesystem::remove_all(pictures, error);
+  // Pictures of a journal that is begun anew show nothing that can be asked for.
+  if (begins_anew()) std::filesystem::remove_all(pictures, error);
+  if (error) return fail("cannot-write", fmt::format("cannot remove {}: {}", pictures, error.message()));
   return start(console_process(choices_, places_, path, pictures));
 }
 
