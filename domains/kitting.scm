@@ -1,6 +1,6 @@
-; Kits are packed by an order: each tray is a kit, and a goal says what is to be in it. The stages of a goal are kits
-; one after another: (then (and (in circle first) (in cross first)) (in square second)). With (wait 60) the cell waits
-; for a part that has run out.
+; The operators are in trays.scm; this file names the trays. Kits are packed by an order: each tray is a kit, and a goal
+; says what is to be in it. The stages of a goal are kits one after another: (then (and (in circle first) (in cross
+; first)) (in square second)). With (wait 60) the cell waits for a part that has run out.
 (domain kitting
   (extends "trays.scm")
   (objects (first TRAY) (first-1 SLOT) (first-2 SLOT) (second TRAY) (second-1 SLOT) (second-2 SLOT))

@@ -19,7 +19,7 @@ struct Instruments {
 
   // The board's traffic since the call before, as `top --json` prints it; the first time since it was made.
   std::function<std::function<Measured()>(Board& board, const std::string& name)> activity = nullptr;
-  // Looks for so long, as `method --live --json`.
+  // Observes the board for `length`; the answer is that of `method --live --json`.
   std::function<Measured(Board& board, const std::string& name, Connect connect, Duration length)> method = nullptr;
 };
 

@@ -10,8 +10,9 @@
 // On a lane the page is told an image as binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG
 // behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn.
 //
-// Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way of
-// all, where it is more than one image. Images are light (image_feed.hpp) until full ones are known to hardly wait.
+// Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way
+// on all lanes together, or one larger image. Images are light (image_feed.hpp) until full ones are known to hardly
+// wait.
 
 #include <list>
 #include <map>
@@ -73,7 +74,7 @@ class PageImages {
   const Pulse& pulse_;
   std::map<std::string, Stream> streams_;
   std::list<Lane> lanes_;
-  // The same of all lanes, smoothed. It is long until it is known to be short.
+  // How long images wait on all lanes, smoothed. It starts high, so that the first images are light.
   Duration wait_ = too_long;
   bool light_ = true;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-// How old it is what a page says. Numbered stamps go to the page, which says the newest that it has with whatever may
-// move an arm. They also measure the way there and back, by which it is known how long a silence may last.
+// How old a page's message is. Numbered stamps go to the page, which adds the newest that it has to whatever may move
+// an arm. They also measure the round trip, which sets how long a silence may last.
 //
 //   Pulse pulse;
 //   const std::int64_t stamp = pulse.beat(now);            // goes to the page ...

@@ -51,8 +51,10 @@ Task<Evaluation> Interpreter::evaluate_form(Datum form) {
 
 // What cannot be learned now keeps its old names.
 Task<void> Interpreter::learn_words() {
-  std::set<std::string> names = co_await names_on(prompt_.board);
-  words_.merge(names);
+  std::set<std::string> words = co_await names_on(prompt_.board);
+  if (words.empty()) co_return;
+  for (const Command& command : commands()) words.emplace(command.name);
+  words_ = std::move(words);
 }
 
 }  // namespace pizarra::repl

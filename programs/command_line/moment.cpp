@@ -44,7 +44,7 @@ std::optional<Time> seconds_of_clock(std::string_view text) {
   return Time(Duration(std::llround(seconds * 1e6)));
 }
 
-// That long before the end; before the clock began there is nothing.
+// So long before the end, but not before time 0.
 std::optional<Time> time_before(std::string_view text, Time end) {
   std::uint64_t count = 0;
   const char* const last = text.data() + text.size();
@@ -55,7 +55,7 @@ std::optional<Time> time_before(std::string_view text, Time end) {
   return std::max(end - before, Time{});
 }
 
-// The second that a calendar and a clock here show.
+// A local date and time.
 std::optional<Time> local_time(const std::string& text) {
   std::tm said{};
   const char* const rest = strptime(text.c_str(), "%Y-%m-%dT%H:%M:%S", &said);

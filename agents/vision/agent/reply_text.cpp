@@ -22,7 +22,7 @@ void add_pose(std::vector<Datum>& parts, const MarkPose& pose) {
   parts.push_back(Datum::list(std::move(out)));
 }
 
-// Where it is.
+// The parts of a found fact that say where the mark is.
 std::vector<Datum> parts_of(const FoundMark& found) {
   const SeenPair& pair = found.pair;
   const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
@@ -54,7 +54,8 @@ std::string track_reply(std::span<const TrackSighting> sightings) {
 }
 
 std::string_view track_state(const TrackSighting& sighting) {
-  return sighting.seen ? "seen" : sighting.bridged ? "bridged" : "lost";
+  if (sighting.seen) return "seen";
+  return sighting.bridged ? "bridged" : "lost";
 }
 
 Datum places_datum(const SeenPlaces& places) {
@@ -113,7 +114,7 @@ Datum tags_fact(std::uint64_t frame, Time captured, std::span<const FoundMark> s
 }
 
 Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
-  std::vector<Datum> of;
+  std::vector<Datum> objects;
   for (const TrackSighting& s : sightings) {
     std::vector<Datum> one{to_datum(s.name), Datum::symbol(track_state(s))};
     const auto add = [&one](const Datum& parts) { one.insert(one.end(), parts.items().begin(), parts.items().end()); };
@@ -124,9 +125,9 @@ Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
       one.push_back(list("second"_sym, s.second, rounded(s.margin, 1000)));
     }
     if (s.bridged) add(places_datum({.left = s.centre, .right = {}, .range_mm = s.range_mm}));
-    of.push_back(Datum::list(std::move(one)));
+    objects.push_back(Datum::list(std::move(one)));
   }
-  return list("look"_sym, frame, track_reply(sightings), Datum::list(std::move(of)));
+  return list("look"_sym, frame, track_reply(sightings), Datum::list(std::move(objects)));
 }
 
 std::string get_reply(const LearnedObjects& objects) {

@@ -11,7 +11,7 @@
 namespace pizarra::bench {
 
 void report(int reports, const Report& what);
-// Until it is declared.
+// Tries again until the board has declared it.
 Task<void> declare(Board& board);
 std::unique_ptr<client::RemoteBoard> connect(Executor& executor, const std::string& address, const std::string& kind,
                                              int who);

@@ -16,7 +16,8 @@ class OnAPlainGripper : public testing::Test {
  protected:
   GripperReading wait() {
     Result<GripperReading> reading = run(executor, driver.read());
-    while (reading && reading->moving) {
+    const Time deadline = executor.now() + 10s;
+    while (reading && reading->moving && executor.now() < deadline) {
       run(executor, nap());
       reading = run(executor, driver.read());
     }
