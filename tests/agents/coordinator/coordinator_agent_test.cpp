@@ -102,6 +102,23 @@ TEST_F(Coordinator, RefusesWhatThePlannerProvesImpossible) {
   EXPECT_EQ(cell.motions, 0);
 }
 
+// Held askew it counts as neither held nor lying anywhere, so that there is no plan until it is laid down.
+TEST_F(Coordinator, CallsNothingImpossibleWhileItCannotLayDownWhatItHoldsAskew) {
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.cubes["circle"].x() += 60;
+  cell.jam_mm = 60;
+  ASSERT_TRUE(cell.run_until("(believed (arm-empty))", 10s));
+  cell.refusal = "stopped";
+  want("(goal (on circle triangle))");
+  cell.run_for(6s);
+  EXPECT_GT(cell.times_told("(request ? planner (make-plan ? ? ? ? ?))"), 2);
+  EXPECT_TRUE(cell.facts("(goal-state 2 refused ?)").empty());
+  cell.refusal.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 90s));
+  expect_on("circle", "triangle");
+}
+
 TEST_F(Coordinator, FollowsACubeThatIsMovedDuringTheApproachWithoutANewPlan) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(servo 3 circle ? ? ?)", 30s));
