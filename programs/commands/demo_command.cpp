@@ -79,50 +79,58 @@ int status_of(const story::DirectorReport& report, const std::string& typed_goal
   return exit_failed;
 }
 
-int run_demo(const DemoChoices& choices) {
+// What is told, in which cell.
+struct Told {
+  forms::Scenario scenario;
+  forms::CellDescription cell;
+  forms::Domain domain;
+};
+
+Result<Told> told_by(const DemoChoices& choices) {
   if (choices.has("--goal")) {
     const Result<void> typed = check_typed_goal(choices.goal);
-    if (!typed) return complain(typed.error(), exit_usage);
+    if (!typed) return fail(typed);
   }
   Result<forms::Scenario> scenario = story_of(choices);
-  if (!scenario) return complain(scenario.error(), exit_usage);
+  if (!scenario) return fail(scenario);
   Result<forms::CellDescription> cell = story::cell_of(*scenario);
-  if (!cell) return complain(cell.error(), exit_usage);
+  if (!cell) return fail(cell);
   if (!choices.arm.empty()) {
     const Result<void> put = forms::put_arm(*cell, choices.arm);
-    if (!put) return complain(put.error(), exit_usage);
+    if (!put) return fail(put);
   }
   const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, choices.seed);
-  if (!sound) return complain(sound.error(), exit_usage);
-  const Result<forms::Domain> domain = story::domain_of(*cell);
-  if (!domain) return complain(domain.error(), exit_usage);
+  if (!sound) return fail(sound);
+  Result<forms::Domain> domain = story::domain_of(*cell);
+  if (!domain) return fail(domain);
   if (choices.has("--goal")) {
     Result<std::vector<Datum>> goal = read_goal_for(*domain, choices.goal, *cell);
-    if (!goal) return complain(goal.error(), exit_usage);
+    if (!goal) return fail(goal);
     scenario->goal = std::move(*goal);
   }
+  if (!choices.random) return Told{std::move(*scenario), std::move(*cell), std::move(*domain)};
+  const Result<void> drawable = story::check_random_cell(*cell, *domain);
+  if (!drawable) return fail(drawable);
+  story::RandomStory drawn = story::random_story_of_seed(std::move(*cell), choices.seed);
+  return Told{std::move(drawn.scenario), std::move(drawn.cell), std::move(*domain)};
+}
 
+int run_demo(const DemoChoices& choices) {
+  const Result<Told> told = told_by(choices);
+  if (!told) return complain(told.error(), exit_usage);
   for (const std::string& file : {choices.journal, choices.film, choices.picture}) {
     if (file.empty()) continue;
     const Result<void> writable = story::check_writable(file);
     if (!writable) return complain(writable.error(), exit_unavailable);
   }
-
   const StopSignals signals;
   story::StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture, &signals};
-  if (choices.random) {
-    const Result<void> drawable = story::check_random_cell(*cell, *domain);
-    if (!drawable) return complain(drawable.error(), exit_usage);
-    story::RandomStory story = story::random_story_of_seed(std::move(*cell), choices.seed);
-    cell = std::move(story.cell);
-    scenario = std::move(story.scenario);
-    options.director.events_may_fail = true;
-  }
+  options.director.events_may_fail = choices.random;
   story::Narrator narrator(stdout, story::Narrator::style_for(stdout, choices.json));
   narrator.say(Time{}, "cell",
-               fmt::format("{}: {}, arm {}, domain {}, seed {}", cell->name, counted(cell->cubes.size(), "cube"),
-                           cell->arm, domain->name, choices.seed));
-  const Result<story::StoryReport> report = story::run_story(*scenario, *cell, options, narrator);
+               fmt::format("{}: {}, arm {}, domain {}, seed {}", told->cell.name,
+                           counted(told->cell.cubes.size(), "cube"), told->cell.arm, told->domain.name, choices.seed));
+  const Result<story::StoryReport> report = story::run_story(told->scenario, told->cell, options, narrator);
   if (!report) return complain(report.error(), exit_unavailable);
   if (report->interrupted) {
     narrator.begin(Time{});
