@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/agents/vision/range_views.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -95,11 +96,11 @@ void expect_true_spreads(const RangeViews& views, const Case& one, int looks) {
 
 // One test for all conditions: learning the marks takes longer than the looks under one of them.
 TEST(Spreads, AreThoseOfTheErrorsInSmallImages) {
-  for (const Case& one : cases) expect_true_spreads(small_images(), one, 200);
+  for (const Case& one : cases) expect_true_spreads(small_images(), one, campaign(80, 200));
 }
 
 TEST(Spreads, AreThoseOfTheErrorsInLargeImages) {
-  for (const Case& one : cases) expect_true_spreads(large_images(), one, 60);
+  for (const Case& one : cases) expect_true_spreads(large_images(), one, campaign(20, 60));
 }
 
 TEST(Spread, IsThatOfATagsCornersToo) {
