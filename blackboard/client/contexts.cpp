@@ -62,6 +62,11 @@ Task<Result<Contexts::Pairs>> Contexts::pairs_of(std::string address, std::strin
 Task<Result<void>> Contexts::add(std::string root, std::string name, std::string address) {
   const auto above = reach(root);
   if (!above) co_return fail(above);
+  const std::vector<Row> way_up = co_await ascend(root);
+  if (std::ranges::count(way_up, address, &Row::address) > 0) {
+    const std::string where = address == root ? "itself" : "a board above it";
+    co_return fail("context-loop", fmt::format("{} cannot name {}", root, where), to_datum(address));
+  }
   const auto below = reach(address);
   if (!below) co_return fail(below);
   // That one first: a context that nobody answers is worse than a parent that does not know of it.
@@ -96,15 +101,33 @@ Task<Result<std::string>> Contexts::resolve(std::string root, std::string path) 
   co_return address;
 }
 
-Task<void> Contexts::ask(Listed* listed, std::size_t* waiting, Event* answered) {
-  Result<Pairs> named = co_await pairs_of(listed->row.address, "context-board");
-  if (named) listed->named = std::move(*named);
-  if (!named) listed->row.fault = of_board(named.error(), listed->row.path, listed->row.address);
+// Upwards, of a board that names the lower one still.
+Task<Result<Contexts::Pairs>> Contexts::next_of(Listed* listed, Direction direction) {
+  const std::string address = listed->row.address;
+  if (direction == Direction::down) co_return co_await pairs_of(address, "context-board");
+  const Result<Pairs> named = co_await pairs_of(address, "context-board");
+  if (!named) co_return fail(named);
+  const bool names_it = listed->from.empty() || std::ranges::count(*named, std::pair(listed->name, listed->from)) > 0;
+  if (!names_it) {
+    co_return fail("orphan", fmt::format("{} does not name {} as {} any more", address, listed->from, listed->name),
+                   to_datum(listed->from));
+  }
+  Result<Pairs> parents = co_await pairs_of(address, "parent-board");
+  if (!parents) co_return parents;
+  for (auto& [parent, name] : *parents) std::swap(parent, name);
+  co_return parents;
+}
+
+Task<void> Contexts::ask(Listed* listed, Direction direction, std::size_t* waiting, Event* answered) {
+  Result<Pairs> next = co_await next_of(listed, direction);
+  if (next) listed->next = std::move(*next);
+  if (!next && next.error().symbol == "orphan") listed->row.fault = next.error();
+  if (!next && !listed->row.fault) listed->row.fault = of_board(next.error(), listed->row.path, listed->row.address);
   --*waiting;
   answered->set();
 }
 
-Task<void> Contexts::ask_all(std::vector<Listed>* level) {
+Task<void> Contexts::ask_all(std::vector<Listed>* level, Direction direction) {
   Event answered(executor_);
   std::size_t waiting = 0;
   std::vector<Job> asking;
@@ -115,7 +138,7 @@ Task<void> Contexts::ask_all(std::vector<Listed>* level) {
       co_await answered.wait();
     }
     ++waiting;
-    asking.push_back(executor_.spawn(ask(&listed, &waiting, &answered)));
+    asking.push_back(executor_.spawn(ask(&listed, direction, &waiting, &answered)));
   }
   while (waiting > 0) {
     answered.reset();
@@ -123,58 +146,39 @@ Task<void> Contexts::ask_all(std::vector<Listed>* level) {
   }
 }
 
-Task<std::vector<Contexts::Row>> Contexts::list(std::string root) {
+Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction direction) {
   std::vector<Row> rows;
   std::map<std::string, std::string> paths;  // of the boards, by address
-  std::vector<Listed> level = {{Row{"", root}}};
+  std::vector<Listed> level = {{Row{"", first}}};
   for (std::size_t deep = 0; !level.empty(); ++deep) {
     level.resize(std::min(level.size(), most_listed - rows.size()));
-    for (auto& [row, named] : level) {
+    for (Listed& listed : level) {
+      Row& row = listed.row;
       const auto [known, is_new] = paths.emplace(row.address, row.path);
       if (!is_new) {
         const std::string back = known->second.empty() ? "the first board" : known->second;
         row.fault = Failure{"context-loop", fmt::format("it is {}, listed already", back), to_datum(row.address), {}};
       }
-      if (is_new && deep == most_deep) row.fault = Failure{"too-deep", "nothing below it is listed", {}, {}};
+      if (is_new && deep == most_deep) row.fault = Failure{"too-deep", "nothing beyond it is listed", {}, {}};
     }
-    co_await ask_all(&level);
-    std::vector<Listed> below;
+    co_await ask_all(&level, direction);
+    std::vector<Listed> beyond;
     for (Listed& listed : level) {
-      for (const auto& [name, address] : listed.named) {
-        const std::string path = listed.row.path.empty() ? name : fmt::format("{}/{}", listed.row.path, name);
-        below.push_back({Row{path, address}});
+      const Row& row = listed.row;
+      for (const auto& [name, address] : listed.next) {
+        const bool down = direction == Direction::down;
+        const std::string path = row.path.empty() ? name : down ? row.path + "/" + name : name + "/" + row.path;
+        beyond.push_back({Row{path, address}, row.address, name});
       }
       rows.push_back(std::move(listed.row));
     }
-    level = std::move(below);
+    level = std::move(beyond);
   }
   co_return rows;
 }
 
-Task<Result<std::vector<std::string>>> Contexts::ascend(std::string board) {
-  std::vector<std::string> way = {board};
-  while (true) {
-    const std::string here = way.back();
-    const Result<Pairs> parents = co_await pairs_of(here, "parent-board");
-    if (!parents) co_return fail(of_board(parents.error(), "", here));
-    if (parents->empty()) co_return way;
-    const auto& [parent, name] = parents->front();
-    const bool was_here = std::ranges::count(way, parent) > 0;
-    if (was_here) {
-      co_return fail("context-loop", fmt::format("{} is above and below {}", parent, here), to_datum(parent));
-    }
-    if (way.size() == most_deep) {
-      co_return fail("too-deep", fmt::format("there are more than {} boards above each other", most_deep));
-    }
-    const Result<Pairs> contexts = co_await pairs_of(parent, "context-board");
-    if (!contexts) co_return fail(of_board(contexts.error(), "", parent));
-    const auto found = std::ranges::find(*contexts, name, &Pairs::value_type::first);
-    const bool names_it = found != contexts->end() && found->second == here;
-    if (!names_it) {
-      co_return fail("orphan", fmt::format("{} does not name {} as {} any more", parent, here, name), to_datum(here));
-    }
-    way.push_back(parent);
-  }
-}
+Task<std::vector<Contexts::Row>> Contexts::list(std::string root) { return walk(std::move(root), Direction::down); }
+
+Task<std::vector<Contexts::Row>> Contexts::ascend(std::string board) { return walk(std::move(board), Direction::up); }
 
 }  // namespace pizarra::client

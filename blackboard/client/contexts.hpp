@@ -8,7 +8,7 @@
 //   Contexts contexts(executor, "alice", keys);
 //   Result<std::string> address = co_await contexts.resolve("tcp://hall:7943", "north/blocks");
 //   std::vector<Contexts::Row> rows = co_await contexts.list("tcp://hall:7943");
-//   Result<std::vector<std::string>> way = co_await contexts.ascend(*address);    // up to the board that nobody names
+//   rows = co_await contexts.ascend(*address);    // those above it, up to the boards that nobody names
 //
 // It is the client that goes from board to board; boards know nothing of each other. Failures: no-context, unreachable
 // (which board of the way does not answer), context-loop, too-deep, orphan (the parent does not name it back), and
@@ -32,7 +32,8 @@ class Contexts {
   Contexts(Executor& executor, std::string teller, std::optional<wire::ClientKeys> keys, Duration patience = 2s)
       : executor_(executor), teller_(std::move(teller)), keys_(std::move(keys)), patience_(patience) {}
 
-  // Both facts. An earlier context of that name is replaced.
+  // Both facts. An earlier context of that name is replaced. Failure context-loop for the root itself, and for a board
+  // above it.
   Task<Result<void>> add(std::string root, std::string name, std::string address);
   // The address that the path of names with `/` between them leads to; that of the root for an empty one.
   Task<Result<std::string>> resolve(std::string root, std::string path);
@@ -40,26 +41,31 @@ class Contexts {
   struct Row {
     std::string path;
     std::string address;
-    std::optional<Failure> fault = {};  // why nothing below it is listed
+    std::optional<Failure> fault = {};  // why nothing beyond it is listed
   };
   // All that is reached from there, each board once, what is named first before what is below it. Boards of a level
   // are asked together, so that silent ones are waited for together.
   Task<std::vector<Row>> list(std::string root);
-  // The addresses from a board up to the one that says no parent. Of several parents the first by its address.
-  Task<Result<std::vector<std::string>>> ascend(std::string board);
+  // The same in the other direction, by all parents of each board. A path leads from the row's board to the first.
+  Task<std::vector<Row>> ascend(std::string board);
 
  private:
   using Pairs = std::vector<std::pair<std::string, std::string>>;
   Result<std::unique_ptr<RemoteBoard>> reach(const std::string& address) const;
   // The two parts of each fact of the relation on that board, sorted.
   Task<Result<Pairs>> pairs_of(std::string address, std::string relation);
-  // A board of a list, and those that it names.
+  enum class Direction : std::uint8_t { down, up };
+  // A board of a list, and those that it names, or that name it.
   struct Listed {
     Row row;
-    Pairs named = {};
+    std::string from = {};  // the address of the board that led here
+    std::string name = {};  // of the lower one of both
+    Pairs next = {};        // name and address
   };
-  Task<void> ask(Listed* listed, std::size_t* waiting, Event* answered);
-  Task<void> ask_all(std::vector<Listed>* level);
+  Task<std::vector<Row>> walk(std::string first, Direction direction);
+  Task<Result<Pairs>> next_of(Listed* listed, Direction direction);
+  Task<void> ask(Listed* listed, Direction direction, std::size_t* waiting, Event* answered);
+  Task<void> ask_all(std::vector<Listed>* level, Direction direction);
 
   Executor& executor_;
   const std::string teller_;

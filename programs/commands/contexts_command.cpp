@@ -76,12 +76,10 @@ int print_tree(const std::vector<Contexts::Row>& rows, bool json) {
   return whole ? exit_reached : exit_failed;
 }
 
-int print_addresses(const Result<std::vector<std::string>>& addresses, bool json) {
-  if (!addresses) return complain_of_board(json ? repl::Style::json : repl::Style::text, addresses.error());
-  for (const std::string& address : *addresses) {
-    if (json) fmt::print("{{\"address\":{}}}\n", json_string(address));
-    if (!json) fmt::print("{}\n", text_of_bytes(address));
-  }
+int print_place(const Result<std::string>& address, bool json) {
+  if (!address) return complain_of_board(json ? repl::Style::json : repl::Style::text, address.error());
+  if (json) fmt::print("{{\"address\":{}}}\n", json_string(*address));
+  if (!json) fmt::print("{}\n", text_of_bytes(*address));
   return exit_reached;
 }
 
@@ -98,11 +96,9 @@ int run_contexts(const ContextsChoices& choices) {
     const Result<void> added = wait_for(executor, contexts.add(to->address, named->name, named->address));
     return added ? exit_reached : complain_of_board(repl::Style::text, added.error());
   }
-  if (choices.up) return print_addresses(wait_for(executor, contexts.ascend(to->address)), choices.json);
+  if (choices.up) return print_tree(wait_for(executor, contexts.ascend(to->address)), choices.json);
   if (choices.path.empty()) return print_tree(wait_for(executor, contexts.list(to->address)), choices.json);
-  const Result<std::string> address = wait_for(executor, contexts.resolve(to->address, choices.path));
-  if (!address) return complain_of_board(choices.json ? repl::Style::json : repl::Style::text, address.error());
-  return print_addresses(std::vector<std::string>{*address}, choices.json);
+  return print_place(wait_for(executor, contexts.resolve(to->address, choices.path)), choices.json);
 }
 
 }  // namespace
@@ -115,7 +111,8 @@ void add_contexts_command(CLI::App& app, int& status) {
   CLI::Option* add = contexts->add_option("--add", choices->add, "Have the board name another one: NAME=ADDRESS")
                          ->type_name("NAME=ADDRESS")
                          ->excludes(path);
-  contexts->add_flag("--up", choices->up, "List the boards above this one, up to the one that nobody names")
+  contexts
+      ->add_flag("--up", choices->up, "List the boards above this one, by all parents, up to those that nobody names")
       ->excludes(path, add);
   contexts->add_flag("--json", choices->json, "Print one JSON object a line");
   add_board_options(contexts, choices->board);
