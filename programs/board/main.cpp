@@ -86,10 +86,21 @@ Result<std::shared_ptr<journal::JournalFile>> journal_of(const Options& options)
   return journal::JournalFile::open(options.journal, history_of(options));
 }
 
+// A board that stands by listens only when it leads. What is wrong with its addresses or keys is told before: it could
+// not take over.
+Result<void> check_listening(const server::BoardServerOptions& options) {
+  RealExecutor executor;
+  memory::MemoryBoard board(executor);
+  const Result<std::unique_ptr<server::BoardServer>> server = server::BoardServer::open(executor, board, options);
+  return server ? Result<void>() : fail(server);
+}
+
 int serve_with_log(const Options& options) {
   const Result<cluster::LogAddress> log =
       cluster::LogAddress::from(options.log, options.certificates, options.log_insecure);
   if (!log) return complain(log.error(), bad_address);
+  const Result<void> can_listen = check_listening(options.server);
+  if (!can_listen) return complain(can_listen.error(), bad_address);
   char machine[256] = "board";
   gethostname(machine, sizeof machine - 1);
   return serve_in_cluster({*log,

@@ -1,11 +1,16 @@
 #include "programs/commands/host_places.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 
 #include "agents/launcher/agent_factory.hpp"
+#include "blackboard/cluster/log_address.hpp"
+#include "blackboard/server/key_folder.hpp"
+#include "blackboard/wire/wire_address.hpp"
+#include "lisp/outside_text.hpp"
 
 namespace pizarra::programs {
 
@@ -15,12 +20,17 @@ bool runs_board(const UpChoices& choices, const forms::CellDescription& cell, co
   return host.name == cell.board_host && choices.board.empty();
 }
 
+// Of those that may come to this host's board.
+const std::string& key_folder(const UpChoices& choices, const forms::CellDescription& cell) {
+  return choices.keys.empty() ? cell.board_keys : choices.keys;
+}
+
 // With keys the board's own host needs none: it comes over a file of its own.
 HostPlaces board_and_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host,
                           const launcher::RunDirectory& directory) {
   HostPlaces places{.owns_board = runs_board(choices, cell, host), .board = {}, .world = {}, .keys = {}, .key = {}};
   const std::string own_address = "ipc://" + directory.file("board.ipc");
-  const std::string folder = choices.keys.empty() ? cell.board_keys : choices.keys;
+  const std::string& folder = key_folder(choices, cell);
   if (places.owns_board && !cell.board_address.empty()) places.keys = folder;
   places.board = !choices.board.empty()                               ? choices.board
                  : cell.board_address.empty() || !places.keys.empty() ? own_address
@@ -41,12 +51,38 @@ std::optional<launcher::RunState> world_host(const forms::CellDescription& cell)
   return std::nullopt;
 }
 
+Result<void> check_standby(const UpChoices& choices, const forms::CellDescription& cell, bool owns_board) {
+  if (choices.standby.empty()) return {};
+  if (owns_board) return fail("bad-option", "--standby is for another host than that of the cell's board");
+  const Result<std::vector<std::string>> addresses = wire::addresses_from(cell.board_address);
+  if (addresses && std::ranges::count(*addresses, choices.standby) > 0) return {};
+  return fail("bad-option",
+              fmt::format("no client would look for a board at --standby {}: the cell file has {}",
+                          text_of_bytes(choices.standby), addresses ? cell.board_address : "no address of a board"));
+}
+
 }  // namespace
 
+Result<void> check_log(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
+  const bool owns_board = runs_board(choices, cell, host);
+  // Agents do not come to the log.
+  if (!owns_board && choices.standby.empty() && choices.log_here.empty()) return {};
+  const Result<cluster::LogAddress> log =
+      cluster::LogAddress::from(choices.log, choices.certificates, choices.log_insecure);
+  if (!log) return fail(log);
+  return check_standby(choices, cell, owns_board);
+}
+
 // A key of the environment is there for other words, too.
-Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
-  // Boards that take over from each other are everybody's, and are come to by their addresses alone.
-  if (!choices.log.empty()) return {};
+Result<void> check_options(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
+  if (!choices.log.empty()) {
+    const Result<void> log = check_log(choices, cell, host);
+    const std::string& folder = key_folder(choices, cell);
+    const bool has_board = runs_board(choices, cell, host) || !choices.standby.empty();
+    if (!log || folder.empty() || !has_board) return log;
+    const Result<server::KeyFolder> keys = server::KeyFolder::open(folder);
+    return keys ? Result<void>() : fail(keys);
+  }
   const bool owns_board = runs_board(choices, cell, host);
   const char* environment = std::getenv("PIZARRA_KEY");
   const bool key_typed = !choices.key.empty() && (environment == nullptr || choices.key != environment);

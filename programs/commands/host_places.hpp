@@ -21,8 +21,12 @@ struct HostPlaces {
   std::string key;          // the file with which this host comes to the board; empty: it needs none
 };
 
-// Refuses options on keys that would have no effect. Failure: bad-option.
-Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host);
+// Of a host's log and its board: failures bad-option, and those of LogAddress::from.
+Result<void> check_log(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host);
+
+// Refuses options on keys that would have no effect; of a host with a log, what would keep its board from taking over.
+// Failures: bad-option, and those of LogAddress::from and KeyFolder::open.
+Result<void> check_options(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host);
 
 // Failure: no-world, where an agent needs the simulated world and that runs on no host of this machine.
 Result<HostPlaces> host_places(const UpChoices& choices, const forms::CellDescription& cell,

@@ -113,7 +113,10 @@ void Up::on_process(const launcher::ProcessEvent& event) {
   save_state();
   if (!event.given_up) return;
   const std::string last_words = last_line_of(directory_.file(event.name + ".log"));
-  if (event.name != "board") return narrator_.say(executor_.now(), "failure", event.name + ": " + last_words);
+  // A member of the log serves the boards of other hosts, too.
+  if (event.name != "board" || !choices_.log_here.empty()) {
+    return narrator_.say(executor_.now(), "failure", event.name + ": " + last_words);
+  }
   board_failure_ = last_words;
   supervisor_.stop();
 }
@@ -181,7 +184,7 @@ int run_up(const UpChoices& choices) {
   }
   Result<forms::CellHost> host = choose_host(*cell, choices.host);
   if (!host) return complain(host.error(), exit_usage);
-  const Result<void> effective = check_keys(choices, *cell, *host);
+  const Result<void> effective = check_options(choices, *cell, *host);
   if (!effective) return complain(effective.error(), exit_usage);
   Result<launcher::RunDirectory> directory = launcher::RunDirectory::make(cell->name, host->name);
   if (!directory) return complain(directory.error(), exit_unavailable);

@@ -57,6 +57,22 @@ TEST_F(BoardProgram, SaysThatItIsReadyServesAndStopsCleanly) {
   }
 }
 
+TEST_F(BoardProgram, SaysBeforeItStandsByThatItCouldNotLeadTheCell) {
+  const std::vector<std::string> log = {"--log", "etcd://127.0.0.1:1/cell"};
+  const auto refusal = [&](std::vector<std::string> words) {
+    words.insert(words.end(), log.begin(), log.end());
+    Program program(words);
+    EXPECT_EQ(program.wait(), 3);
+    return program.rest();
+  };
+  const std::string keys = refusal({"--listen", "tcp://127.0.0.1:*", "--keys", "/nowhere"});
+  EXPECT_TRUE(keys.contains("the board has no key of its own there")) << keys;
+  // 192.0.2.0/24 is for documentation: no machine has such an address.
+  const std::string address = refusal({"--listen", "tcp://192.0.2.1:7943", "--insecure"});
+  EXPECT_TRUE(address.contains("ZeroMQ refuses the address")) << address;
+  EXPECT_FALSE(address.contains("stands by")) << address;
+}
+
 TEST_F(BoardProgram, RunsWithoutOpenCvAndGuile) {
   Program program({"--listen", address_});
   program.line();

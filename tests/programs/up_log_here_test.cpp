@@ -91,6 +91,38 @@ TEST_F(UpWithLogHere, KeepsWhatIsDurableWhenTheHostOfTheFirstBoardAndItsMemberEn
   EXPECT_EQ(run("ask '(note ?n)'").text, "?n = 1\n?n = 2\n") << said();
 }
 
+TEST_F(UpWithLogHere, GoesOnWithItsMemberWhereItsBoardCannotListen) {
+  const Running other({PIZARRA_BOARD, "--listen", standby_}, scratch_folder() + "other.log");
+  ASSERT_TRUE(wait_until([&] { return other.said().contains("ready on"); }, seconds(60)));
+  up("b", {"--standby", standby_});
+  const auto fault_is_told = [&] { return running_.at("b")->said().contains("board: pizarra-board: ZeroMQ refuses"); };
+  ASSERT_TRUE(wait_until(fault_is_told, seconds(60))) << said();
+  // Of three members two have to be there.
+  up("a", {});
+  const auto board_leads = [&] {
+    const std::string note = "'(relation note ((n integer)) (key n) (durable))'";
+    return shell(fmt::format("{} declare --board {} {}", PIZARRA_CELL, board_, note)).status == 0;
+  };
+  EXPECT_TRUE(wait_until(board_leads, seconds(120))) << said();
+  EXPECT_FALSE(running_.at("b")->end(seconds(0)).has_value());
+}
+
+TEST_F(UpWithLogHere, IsRefusedWithWhatWouldKeepABoardFromTakingOver) {
+  const auto refusal = [&](const std::string& options) {
+    const Said said = shell_in_scratch(std::string(PIZARRA_CELL) + " up " + cell_ + " --log " + log() + options);
+    EXPECT_EQ(said.status, 2) << options;
+    return said.text;
+  };
+  const std::string elsewhere = refusal(" --host b --standby tcp://127.0.0.1:1");
+  EXPECT_TRUE(elsewhere.contains("no client would look for a board at --standby tcp://127.0.0.1:1: the cell file has " +
+                                 board_ + "," + standby_))
+      << elsewhere;
+  const std::string own = refusal(" --host a --standby " + standby_);
+  EXPECT_TRUE(own.contains("--standby is for another host than that of the cell's board")) << own;
+  const std::string keys = refusal(" --host b --standby " + standby_ + " --keys " + scratch_folder() + "no-keys");
+  EXPECT_TRUE(keys.contains("the board has no key of its own there")) << keys;
+}
+
 TEST_F(UpWithLogHere, IsRefusedForAnAddressThatIsNoMember) {
   const Said refused = shell_in_scratch(std::string(PIZARRA_CELL) + " up " + cell_ + " --host a --log " + log() +
                                         " --log-here 127.0.0.1:1 --log-folder " + scratch_folder() + "none");
