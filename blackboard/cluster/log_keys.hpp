@@ -2,6 +2,7 @@
 
 // Where a cell's log lies among the keys of a cluster, and what is written there, so that people can read it:
 //
+//   pizarra/CELL/cell              NAME                            of the cell whose log it is
 //   pizarra/CELL/epoch             (epoch NUMBER BOARD NONCE)      who leads
 //   pizarra/CELL/head              NUMBER                          of the newest entry
 //   pizarra/CELL/log/0000000000042 (entry NUMBER EPOCH SUM) and its lines, then its replies
@@ -22,6 +23,7 @@ namespace pizarra::cluster {
 class LogKeys {
  public:
   explicit LogKeys(const std::string& cell) : base_("pizarra/" + cell + "/") {}
+  std::string cell() const { return base_ + "cell"; }
   std::string epoch() const { return base_ + "epoch"; }
   std::string head() const { return base_ + "head"; }
   std::string alive() const { return base_ + "log/alive"; }

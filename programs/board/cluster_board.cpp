@@ -5,6 +5,7 @@
 
 #include "blackboard/cluster/cluster_log.hpp"
 #include "blackboard/cluster/etcd_client.hpp"
+#include "blackboard/cluster/log_owner.hpp"
 #include "blackboard/cluster/log_upkeep.hpp"
 #include "blackboard/cluster/standby.hpp"
 #include "blackboard/server/kept_board.hpp"
@@ -49,7 +50,8 @@ using Work = std::function<void(const std::function<bool()>& cancelled)>;
 class StandingBy {
  public:
   StandingBy(const ClusterChoices& choices, std::shared_ptr<EtcdClient> client)
-      : keys_(choices.log.cell),
+      : cell_(choices.cell),
+        keys_(choices.log.cell),
         client_(std::move(client)),
         standby_(std::make_shared<Standby>(*client_, keys_, choices.name, server::Sessions::random_number(),
                                            executor_.now())) {}
@@ -67,10 +69,15 @@ class StandingBy {
 
  private:
   Task<void> stand_by() {
+    const auto claimed = std::make_shared<bool>(cell_.empty());
     while (!leads_ && !failure_) {
       const auto step = std::make_shared<Result<bool>>(false);
       const auto now = [this] { return executor_.now(); };
-      Work work = [standby = standby_, step, now](const std::function<bool()>&) { *step = standby->step(now); };
+      Work work = [=, client = client_, standby = standby_, keys = keys_, cell = cell_](const std::function<bool()>&) {
+        const Result<void> mine = *claimed ? Result<void>() : cluster::claim_log(*client, keys, cell);
+        *claimed = mine.has_value();
+        *step = mine ? standby->step(now) : fail(mine);
+      };
       co_await executor_.offload(std::move(work), Duration::zero());
       note(*step);
       if (leads_) co_return;
@@ -78,12 +85,16 @@ class StandingBy {
     }
   }
   void note(const Result<bool>& step) {
-    troubles_.note(step ? Result<void>() : fail(step));
     leads_ = step.value_or(false);
-    if (!step && step.error().symbol != "unavailable") failure_ = step.error();
+    if (!step && step.error().symbol != "unavailable") {
+      failure_ = step.error();
+    } else {
+      troubles_.note(step ? Result<void>() : fail(step));
+    }
   }
 
   RealExecutor executor_;
+  const std::string cell_;
   const cluster::LogKeys keys_;
   const std::shared_ptr<EtcdClient> client_;
   const std::shared_ptr<Standby> standby_;

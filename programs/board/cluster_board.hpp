@@ -16,6 +16,7 @@ namespace pizarra::programs {
 struct ClusterChoices {
   cluster::LogAddress log;
   std::string name;  // by which the epoch says who leads
+  std::string cell;  // whose board it is; empty: of whichever cell the log is
   server::BoardServerOptions server;
   cluster::PastChoices past;  // of what is not durable
 };

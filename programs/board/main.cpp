@@ -37,6 +37,7 @@ struct Options {
   std::string certificates;
   bool log_insecure = false;
   std::string name;
+  std::string cell;
 };
 
 constexpr std::uint64_t most_history = 1'000'000'000;  // revisions
@@ -105,6 +106,7 @@ int serve_with_log(const Options& options) {
   gethostname(machine, sizeof machine - 1);
   return serve_in_cluster({*log,
                            options.name.empty() ? machine : options.name,
+                           options.cell,
                            options.server,
                            {.folder = options.past, .history = history_of(options)}});
 }
@@ -183,6 +185,9 @@ int main(int argc, char** argv) {
   app.add_flag("--log-insecure", options.log_insecure, "speak to a log that is not on this machine unencrypted")
       ->needs(log);
   app.add_option("--name", options.name, "the name of this board in the log; default: this machine's")->needs(log);
+  app.add_option("--cell", options.cell, "the cell whose board this is: a log of another cell is refused")
+      ->needs(log)
+      ->type_name("NAME");
   app.add_option("--keys", options.server.keys,
                  "ask every tcp client for a key of this folder, made by `pizarra keys new`")
       ->type_name("DIR");

@@ -67,6 +67,8 @@ Command Commands::shared_board() const {
                      choices_.log,
                      "--name",
                      host_.name,
+                     "--cell",
+                     cell_.name,
                      "--past",
                      directory_.file("past")};
   if (!choices_.certificates.empty()) command.insert(command.end(), {"--log-certificates", choices_.certificates});

@@ -97,6 +97,25 @@ TEST_F(Boards, GoOnWithWhatWasAcknowledgedWhenTheLeaderIsKilled) {
   EXPECT_TRUE(std::ranges::is_sorted(revisions_));
 }
 
+TEST_F(Boards, RefuseTheLogOfAnotherCell) {
+  const auto board_of = [&](const std::string& cell) {
+    const std::vector<std::string> words = {
+        PIZARRA_BOARD, "--listen", "tcp://127.0.0.1:*", "--log", etcd_->address("shared"), "--cell", cell};
+    return std::make_unique<ChildProgram>(words);
+  };
+  const auto blocks = board_of("blocks");
+  for (std::string line = blocks->line(); !line.contains("ready on"); line = blocks->line()) ASSERT_NE(line, "");
+  const auto kits = board_of("kits");
+  EXPECT_EQ(kits->wait(), 4);
+  const std::string said = kits->rest();
+  EXPECT_TRUE(said.contains("this log has the facts of the cell blocks, and this is a board of the cell kits")) << said;
+  EXPECT_EQ(blocks->stop(SIGTERM), 0);
+  const auto again = board_of("blocks");
+  std::string line = again->line();
+  while (!line.empty() && !line.contains("ready on")) line = again->line();
+  EXPECT_TRUE(line.contains("ready on")) << "it is its own";
+}
+
 TEST_F(Boards, HearNothingMoreOfALeaderThatWasStoppedAndComesBack) {
   tell(1);
   const std::size_t leads = leader();
