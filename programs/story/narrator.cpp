@@ -19,6 +19,12 @@ namespace {
 // Longer than an agent takes to find that the board has forgotten it.
 constexpr Duration return_pause = 5s;
 
+// What itself waits for seconds before it gives up.
+constexpr Duration ask_again_after = 500ms;
+
+// A board that is not there yet, or whose log has no quorum.
+bool may_come(const Failure& failure) { return failure.symbol == "unreachable" || failure.symbol == "unavailable"; }
+
 // Colours by what a line is about: surprises stand out, the servo's many lines step back.
 const char* colour_of(std::string_view kind) {
   static const std::map<std::string_view, const char*> colours{
@@ -126,8 +132,20 @@ void Narrator::tell_change(const Change& change, Executor& executor) {
   for (const Fact& fact : added) tell_added(fact);
 }
 
+// Several patterns wait for one board: it is told once.
+Task<Result<std::unique_ptr<Watch>>> Narrator::watch_when_there(Board& board, Executor& executor, Datum pattern) {
+  while (true) {
+    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(board, query_for(pattern));
+    if (watch && !std::exchange(away_, "").empty()) say(executor.now(), "board", "the board answers");
+    if (watch || !may_come(watch.error())) co_return watch;
+    const std::string why = describe(watch.error());
+    if (std::exchange(away_, why) != why) say(executor.now(), "board", why + ": waiting for it");
+    co_await sleep(executor, ask_again_after);
+  }
+}
+
 Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum pattern) {
-  const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(board, query_for(pattern));
+  const Result<std::unique_ptr<Watch>> watch = co_await watch_when_there(board, executor, pattern);
   if (!watch) {
     say(executor.now(), "failure", describe(watch.error()));
     co_return;

@@ -30,12 +30,14 @@ class Narrator {
   void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
   // Tells every (event ...) fact, each state the servo enters, the coming and going of agents, why one has no images,
   // and when all is taught, until destroyed. Both outlive it. A board that dies and lives again tells nothing twice:
-  // its agents have a while to be present again before they are said to be gone.
+  // its agents have a while to be present again before they are said to be gone. One that does not answer yet is waited
+  // for, and that is told.
   Task<void> follow(Board& board, Executor& executor);
   // The newest line without its colours, for the film's caption.
   const std::string& newest() const { return newest_; }
 
  private:
+  Task<Result<std::unique_ptr<Watch>>> watch_when_there(Board& board, Executor& executor, Datum pattern);
   Task<void> follow_pattern(Board& board, Executor& executor, Datum pattern);
   void tell_change(const Change& change, Executor& executor);
   void tell_added(const Fact& fact);
@@ -52,6 +54,7 @@ class Narrator {
   std::set<Datum> present_;  // agents that were told to be there
   std::set<Datum> missing_;  // those of them that a board which lives again has yet to hear of
   Job waiting_;
+  std::string away_;  // why the board is waited for, as it was told
 };
 
 }  // namespace pizarra::story

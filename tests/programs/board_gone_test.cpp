@@ -44,6 +44,21 @@ void kill_board() {
   ASSERT_EQ(kill(std::atoi(ps.c_str() + pid + 6), SIGKILL), 0);
 }
 
+TEST(UpBeforeItsBoard, SaysWhatItWaitsForAndTellsTheStoryWhenTheBoardComes) {
+  write_cell("planner");
+  const std::string address = "ipc://" + file("late.ipc");
+  Running up({PIZARRA_CELL, "up", file("cell.scm"), "--board", address}, file("early.log"));
+  ASSERT_TRUE(says(up, "the board does not answer")) << up.said();
+  EXPECT_TRUE(says(up, ": waiting for it\n")) << up.said();
+  const Running board({PIZARRA_BOARD, "--listen", address}, file("late.log"));
+  EXPECT_TRUE(says(up, "the board answers\n")) << up.said();
+  EXPECT_TRUE(says(up, "planner is there\n")) << up.said();
+  const std::string story = up.said();
+  EXPECT_EQ(story.find("waiting for it"), story.rfind("waiting for it")) << story;
+  up.signal(SIGTERM);
+  EXPECT_EQ(up.end(patience), 0) << up.said();
+}
+
 // A cell with a planner alone, its watch, and a form that waits.
 class BoardOfACellGone : public testing::Test {
  protected:
