@@ -1,5 +1,6 @@
-// `down`: the end of a cell that runs here.
+// `down`: the end of a cell that runs here, on all its hosts of this machine or on one.
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
@@ -7,12 +8,20 @@
 
 #include "agents/launcher/run_directory.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 
 namespace pizarra::programs {
 
 namespace {
+
+using launcher::RunState;
+
+struct DownChoices {
+  std::string cell;
+  std::string host;
+};
 
 // A cell's file, as `up` takes it, or its name.
 Result<std::string> name_of(const std::string& cell) {
@@ -22,27 +31,52 @@ Result<std::string> name_of(const std::string& cell) {
   return described->name;
 }
 
-int run_down(const std::string& cell) {
-  const Result<std::string> name = name_of(cell);
+// What was named: the runs of one cell.
+Result<std::vector<RunState>> runs_of(const std::string& cell, const std::string& host) {
+  std::vector<RunState> runs = launcher::running_cells();
+  if (!cell.empty()) std::erase_if(runs, [&](const RunState& run) { return run.cell != cell; });
+  if (!host.empty()) std::erase_if(runs, [&](const RunState& run) { return run.host != host; });
+  if (runs.empty()) {
+    const std::string which = cell.empty() ? "no cell" : "no cell named " + text_of_bytes(cell);
+    const std::string where = host.empty() ? "" : " on the host " + text_of_bytes(host);
+    return fail("nothing-runs", fmt::format("{} runs here{}", which, where));
+  }
+  // They are sorted by cell.
+  if (runs.front().cell != runs.back().cell) {
+    return fail("which-cell", fmt::format("several cells run here, {} and {} among them: name one", runs.front().cell,
+                                          runs.back().cell));
+  }
+  return runs;
+}
+
+int run_down(const DownChoices& choices) {
+  const Result<std::string> name = name_of(choices.cell);
   if (!name) return complain(name.error(), exit_usage);
-  const Result<launcher::RunState> run = launcher::find_run(*name);
-  if (!run) return complain(run.error(), exit_unavailable);
-  kill(run->supervisor_pid, SIGTERM);
+  Result<std::vector<RunState>> runs = runs_of(*name, choices.host);
+  if (!runs) return complain(runs.error(), exit_unavailable);
+  for (const RunState& run : *runs) kill(run.supervisor_pid, SIGTERM);
   constexpr int tries = 60;
-  for (int n = 0; n < tries && launcher::still_runs(*run); ++n) usleep(100'000);
-  if (!launcher::still_runs(*run)) return exit_reached;
-  fmt::print(stderr, "pizarra: process {} does not end\n", run->supervisor_pid);
-  return exit_failed;
+  for (int n = 0; n < tries && std::ranges::any_of(*runs, launcher::still_runs); ++n) usleep(100'000);
+  bool all = true;
+  for (const RunState& run : *runs) {
+    const bool runs_on = launcher::still_runs(run);
+    all = all && !runs_on;
+    fmt::print(runs_on ? stderr : stdout, "{} on {}, process {}, {}\n", run.cell, run.host, run.supervisor_pid,
+               runs_on ? "does not end" : "has ended");
+  }
+  return all ? exit_reached : exit_failed;
 }
 
 }  // namespace
 
 void add_down_command(CLI::App& app, int& status) {
-  auto cell = std::make_shared<std::string>();
-  CLI::App* down = app.add_subcommand("down", "Stop a cell that runs here.");
-  down->add_option("CELL,--cell", *cell, "Its name or its cell file; default: the only one");
+  auto choices = std::make_shared<DownChoices>();
+  CLI::App* down =
+      app.add_subcommand("down", "Stop a cell that runs here, on all its hosts of this machine or on one.");
+  down->add_option("CELL,--cell", choices->cell, "Its name or its cell file; default: the only one");
+  down->add_option("--host", choices->host, "Stop this host of it alone");
   down->footer(help_footer("down blocks"));
-  down->callback([cell, &status] { status = run_down(*cell); });
+  down->callback([choices, &status] { status = run_down(*choices); });
 }
 
 }  // namespace pizarra::programs
