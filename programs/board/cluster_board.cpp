@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include "blackboard/boards_own.hpp"
 #include "blackboard/cluster/cluster_log.hpp"
 #include "blackboard/cluster/etcd_client.hpp"
 #include "blackboard/cluster/log_owner.hpp"
@@ -44,6 +45,19 @@ class Troubles {
  private:
   std::string said_;
 };
+
+// (board-leads NAME), told by the board; gone with its lead.
+Result<void> say_who_leads(memory::MemoryBoard& board, const std::string& name) {
+  const Relation relation{.name = "board-leads",
+                          .arguments = {{"name", ArgumentType::string}},
+                          .key = std::vector<std::size_t>(),
+                          .durable = false,
+                          .lease = {}};
+  const Result<void> declared = board.declare(std::string(board_teller), {relation});
+  if (!declared) return declared;
+  const auto told = board.transact(std::string(board_teller), Transaction().tell(list("board-leads"_sym, name)));
+  return told ? Result<void>() : fail(told);
+}
 
 using Work = std::function<void(const std::function<bool()>& cancelled)>;
 
@@ -282,6 +296,8 @@ std::optional<int> Leading::serve() {
   store::JournalSink all;
   if (past_ != nullptr) all = [this](std::string_view line) { past_->add(line); };
   kept_->lead(std::move(store), leadership_->epoch().number << bits_of_leases, std::move(replies), log, std::move(all));
+  const Result<void> told = say_who_leads(kept_->board(), choices_.name);
+  if (!told) return complain(told.error(), bad_journal);
   const Job upkeep = executor_.spawn(keep_in_space(log->space()));
   bool may_serve = false;
   executor_.call_at(serves_at_, [&] { may_serve = true; });

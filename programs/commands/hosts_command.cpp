@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <set>
+#include <fmt/ranges.h>
 
 #include "agents/runtime/declared.hpp"
+#include "blackboard/boards_own.hpp"
 #include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -30,6 +31,8 @@ struct HostsChoices {
 struct HostsSeen {
   std::vector<Fact> hosts;      // (host NAME VERSION OFFSET-MS)
   std::vector<Fact> agents;     // (agent NAME KIND HOST)
+  std::vector<Fact> processes;  // (process HOST NAME RUNNING RESTARTS NEWEST)
+  std::vector<Fact> leaders;    // (board-leads NAME)
   std::vector<Fact> strangers;  // (board-refusal CLIENT other-protocol COUNT SENTENCE)
   std::optional<Failure> failure;
 };
@@ -39,9 +42,20 @@ struct HostRow {
   bool there = false;
   std::string version;
   std::optional<std::int64_t> offset_ms;
-  std::vector<std::string> agents;  // that are there
-  std::vector<std::string> absent;  // that the cell file gives to it
+  std::vector<std::string> agents;     // that are there
+  std::vector<std::string> absent;     // that the cell file gives to it
+  bool leads = false;                  // its board does, of those that take over
+  std::vector<std::string> down = {};  // its processes that do not run, each with what happened to it last
 };
+
+Task<std::vector<Fact>> facts_told(client::RemoteBoard& board, std::string_view relation, std::size_t arguments) {
+  std::vector<Datum> pattern{Datum::symbol(relation)};
+  pattern.resize(1 + arguments, "?"_sym);
+  Datum any = Datum::list(std::move(pattern));
+  Result<std::vector<Fact>> facts = co_await runtime::facts_if_declared(board, std::move(any));
+  if (!facts) co_return std::vector<Fact>();
+  co_return std::move(*facts);
+}
 
 Task<void> look_for_hosts(client::RemoteBoard& board, HostsSeen* seen) {
   Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
@@ -51,9 +65,9 @@ Task<void> look_for_hosts(client::RemoteBoard& board, HostsSeen* seen) {
     co_return;
   }
   seen->agents = std::move(*agents);
-  Datum host = list("host"_sym, "?"_sym, "?"_sym, "?"_sym);
-  Result<std::vector<Fact>> hosts = co_await runtime::facts_if_declared(board, std::move(host));
-  if (hosts) seen->hosts = std::move(*hosts);
+  seen->hosts = co_await facts_told(board, "host", 3);
+  seen->processes = co_await facts_told(board, "process", 5);
+  seen->leaders = co_await facts_told(board, "board-leads", 1);
   Datum stranger = list("board-refusal"_sym, "?"_sym, "other-protocol"_sym, "?"_sym, "?"_sym);
   Result<std::vector<Fact>> strangers = co_await runtime::facts_if_declared(board, std::move(stranger));
   if (strangers) seen->strangers = std::move(*strangers);
@@ -83,27 +97,38 @@ std::vector<HostRow> rows_of(const std::optional<forms::CellDescription>& cell, 
     row.agents.emplace_back(fact.datum[1].text());
     std::erase(row.absent, row.agents.back());
   }
+  for (const Fact& fact : seen.processes) {
+    const Datum& process = fact.datum;
+    if (process[3].is_symbol("yes")) continue;
+    row_of(rows, std::string(process[1].text()))
+        .down.push_back(fmt::format("{}: {}", process[2].text(), process[5].text()));
+  }
+  for (const Fact& fact : seen.leaders) {
+    if (fact.teller == board_teller) row_of(rows, std::string(fact.datum[1].text())).leads = true;
+  }
   return rows;
 }
 
-std::string joined_names(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
+std::string joined_names(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
+
+std::string_view state_of(const HostRow& row) { return row.leads ? "leads" : row.there ? "there" : "away"; }
 
 void print_host(const HostRow& row, bool json) {
   if (json) {
     const std::string offset = row.offset_ms ? std::to_string(*row.offset_ms) : "null";
-    fmt::print("{{\"host\":{},\"there\":{},\"version\":{},\"offset-ms\":{},\"agents\":{},\"absent\":{}}}\n",
-               json_string(row.host), row.there, json_string(row.version), offset,
-               json_string(joined_names(row.agents)), json_string(joined_names(row.absent)));
+    fmt::print(
+        "{{\"host\":{},\"there\":{},\"leads\":{},\"version\":{},\"offset-ms\":{},\"agents\":{},\"absent\":{},"
+        "\"down\":{}}}\n",
+        json_string(row.host), row.there, row.leads, json_string(row.version), offset,
+        json_string(joined_names(row.agents)), json_string(joined_names(row.absent)),
+        json_string(fmt::format("{}", fmt::join(row.down, "\n"))));
     return;
   }
   const std::string offset = row.offset_ms ? fmt::format("{:+.3f} s", static_cast<double>(*row.offset_ms) / 1000) : "-";
-  fmt::print("{:<16} {:<10} {:<10} {:>12}  {}{}\n", row.host, row.there ? "there" : "away",
-             row.version.empty() ? "-" : row.version, offset, joined_names(row.agents),
+  fmt::print("{:<16} {:<10} {:<10} {:>12}  {}{}\n", row.host, state_of(row), row.version.empty() ? "-" : row.version,
+             offset, joined_names(row.agents),
              row.absent.empty() ? "" : "  (absent: " + joined_names(row.absent) + ")");
+  for (const std::string& process : row.down) fmt::print("  {}\n", text_of_bytes(process));
 }
 
 // Of a host that is there since, it is over.

@@ -76,6 +76,24 @@ TEST_F(HostsOfACell, AreShownWithThoseWhoseBuildTheBoardCannotSpeakWith) {
   EXPECT_TRUE(json.text.contains("{\"refused\":\"\",\"newest\":\"the client speaks protocol 9 ")) << json.text;
 }
 
+TEST_F(HostsOfACell, AreShownWithTheProcessesThatWereGivenUpAndWithNoLeaderThatOthersMadeUp) {
+  const Running board({PIZARRA_BOARD, "--listen", "ipc://" + folder_ + "board.ipc"}, folder_ + "board.log");
+  const std::string at = " --board " + comes_up(board);
+  const auto tell = [&](const std::string& relation, const std::string& fact) {
+    EXPECT_EQ(run("declare '(relation " + relation + ")'" + at).status, 0);
+    EXPECT_EQ(run("tell '" + fact + "'" + at).status, 0);
+  };
+  tell("process ((host string) (name string) (running symbol) (restarts integer) (newest string)) (key host name)",
+       "(process \"desk\" \"log\" no 11 \"died 12 times in a row and is given up\")");
+  tell("board-leads ((name string)) (key)", "(board-leads \"desk\")");
+  const Said said = run("hosts '" + cell_ + "'" + at);
+  EXPECT_TRUE(said.text.contains("desk             away ")) << said.text;
+  EXPECT_TRUE(said.text.contains("\n  log: died 12 times in a row and is given up\n")) << said.text;
+  const Said json = run("hosts '" + cell_ + "' --json" + at);
+  EXPECT_TRUE(json.text.contains("\"leads\":false") && json.text.contains("\"down\":\"log: died 12 times"))
+      << json.text;
+}
+
 TEST_F(HostsOfACell, AreJoinedByAMachineThatRunsTheServiceMadeForIt) {
   ASSERT_EQ(shell(std::string(PIZARRA_KEYS) + " keys new board --dir " + keys_).status, 0);
   const Said joined = join("desk");

@@ -84,6 +84,7 @@ TEST_F(UpWithLogHere, KeepsWhatIsDurableWhenTheHostOfTheFirstBoardAndItsMemberEn
   running_.at("a")->signal(SIGTERM);
   EXPECT_TRUE(running_.at("a")->end(seconds(60)).has_value());
   EXPECT_TRUE(comes("ask '(note ?n)'", "?n = 1")) << said();
+  EXPECT_TRUE(comes("hosts " + cell_, "\nb                leads ")) << run("hosts " + cell_).text;
   EXPECT_EQ(run("tell '(note 2)'").status, 0) << said();
   // The same member again, behind what it missed.
   up("a", {});
