@@ -2,6 +2,7 @@
 
 // What was typed behind `up`.
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
@@ -24,5 +25,8 @@ struct UpChoices {
   bool json = false;
   bool console = false;
 };
+
+// Those of a cell's log, of its member here and of a board that stands by.
+void add_log_options(CLI::App& app, UpChoices& choices);
 
 }  // namespace pizarra::programs

@@ -205,25 +205,7 @@ void add_up_command(CLI::App& app, int& status) {
   up->add_option("--world", choices->world,
                  "The simulated world's address, ipc://PATH; default: in the run's folder. For hosts that share a file")
       ->envname("PIZARRA_WORLD");
-  CLI::Option* log = up->add_option("--log", choices->log,
-                                    "Keep what is durable in an etcd cluster, etcd://A,B,C/CELL, so that another board "
-                                    "takes over when this one is gone");
-  up->add_option("--log-certificates", choices->certificates,
-                 "The folder of ca.crt, client.crt and client.key for that cluster")
-      ->needs(log);
-  up->add_flag("--log-insecure", choices->log_insecure, "Connect to that cluster without encryption")->needs(log);
-  up->add_option("--standby", choices->standby, "Also run a board on this host, at this address of the cell")
-      ->needs(log);
-  CLI::Option* log_here =
-      up->add_option("--log-here", choices->log_here,
-                     "Run an etcd member of that cluster on this host: which address of --log it has")
-          ->needs(log)
-          ->type_name("ADDRESS");
-  CLI::Option* log_folder =
-      up->add_option("--log-folder", choices->log_folder, "Where that member keeps its data, on a disk that lasts")
-          ->needs(log_here)
-          ->type_name("DIR");
-  log_here->needs(log_folder);
+  add_log_options(*up, *choices);
   up->add_option("--seed", choices->seed, "The seed of the simulated world")
       ->check(seed_check())
       ->capture_default_str();

@@ -134,6 +134,36 @@ TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
   EXPECT_EQ(text_of(service_), service);
 }
 
+TEST_F(HostsOfACell, HaveAServiceWithTheMemberOfTheLogAndAreToldWhatIsMissing) {
+  if (!files::exists("/usr/bin/etcd")) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+  write_cell("tcp://10.0.0.1:7943,tcp://10.0.0.2:7943");
+  const std::string certificates = folder_ + "certificates";
+  files::create_directories(certificates);
+  std::ofstream(certificates + "/ca.crt") << "of the authority";
+  const std::string log = " --log etcd://10.0.0.1,10.0.0.2,10.0.0.3/blocks --log-certificates " + certificates +
+                          " --log-here 10.0.0.2 --log-folder " + folder_ + "member";
+  const std::string join = "host join '" + cell_ + "' --dir " + keys_ + " --service-dir " + folder_ + "units";
+  const Said wrong = run(join + " --host desk" + log + " --standby tcp://10.0.0.9:7943");
+  EXPECT_EQ(wrong.status, 2) << wrong.text;
+  EXPECT_TRUE(wrong.text.contains("no client would look for a board at --standby tcp://10.0.0.9:7943")) << wrong.text;
+  EXPECT_FALSE(files::exists(service_));
+  const Said joined = run(join + " --host desk" + log + " --standby tcp://10.0.0.2:7943");
+  ASSERT_EQ(joined.status, 0) << joined.text;
+  for (const char* name : {"server.crt", "server.key", "client.crt", "client.key"}) {
+    EXPECT_TRUE(joined.text.contains(certificates + "/" + name + "  bring it here")) << name << "\n" << joined.text;
+  }
+  EXPECT_FALSE(joined.text.contains("/ca.crt")) << joined.text;
+  EXPECT_EQ(files::status(folder_ + "member").permissions(), files::perms::owner_all);
+  EXPECT_TRUE(line_of_service("ExecStart")
+                  .ends_with("--host \"desk\" \"--log\" \"etcd://10.0.0.1,10.0.0.2,10.0.0.3/blocks\" "
+                             "\"--log-certificates\" \"" +
+                             certificates + "\" \"--log-here\" \"10.0.0.2\" \"--log-folder\" \"" + folder_ +
+                             "member\" \"--standby\" \"tcp://10.0.0.2:7943\""))
+      << line_of_service("ExecStart");
+  const Said board = run(join + " --host bench" + log);
+  EXPECT_EQ(board.status, 0) << board.text;
+}
+
 // `%` is a specifier of systemd wherever it stands, `$` a variable in the arguments of a program alone.
 TEST_F(HostsOfACell, HaveAServiceThatTakesTheNamesOfFilesAsTheyAre) {
   const std::string odd = folder_ + "$HOME 50%/";
