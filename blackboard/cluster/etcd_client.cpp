@@ -164,7 +164,7 @@ Result<void> EtcdClient::forget_former(Duration wait) {
   return done || was_done ? Result<void>() : fail(done);
 }
 
-// Each member has a file of its own. What one cannot do now keeps no other from it.
+// Each member has a file of its own. A member that cannot close its holes now does not keep the others from it.
 Result<void> EtcdClient::close_holes(Duration wait) {
   Result<void> all;
   for (std::size_t member = 0; member < address_.members.size(); ++member) {

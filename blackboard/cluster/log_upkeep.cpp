@@ -20,7 +20,7 @@ Result<void> make_space(KeyValues& key_values) {
   if (!space->refuses) return {};
   const Result<void> forgotten = key_values.forget_former(long_patience);
   if (!forgotten) return fail(forgotten);
-  // What a member cannot give back now is seen in what is taken.
+  // A member that gives nothing back now shows that by the space taken.
   if (!is_roomy(*space)) (void)key_values.close_holes(long_patience);
   space = key_values.space(patience);
   if (!space) return fail(space);

@@ -87,8 +87,8 @@ Result<std::shared_ptr<journal::JournalFile>> journal_of(const Options& options)
   return journal::JournalFile::open(options.journal, history_of(options));
 }
 
-// A board that stands by listens only when it leads. What is wrong with its addresses or keys is told before: it could
-// not take over.
+// A board that stands by listens only when it leads. Its addresses and keys are checked before: with wrong ones it
+// could not take over.
 Result<void> check_listening(const server::BoardServerOptions& options) {
   RealExecutor executor;
   memory::MemoryBoard board(executor);

@@ -52,7 +52,7 @@ std::string word_of_systemd(const std::string& word, std::string_view doubled = 
 
 std::string argument_of_systemd(const std::string& word) { return word_of_systemd(word, "%$"); }
 
-// What `up` is told of the log, as one types it.
+// The options of the log, as one types them after `up`.
 std::vector<std::string> log_words(const UpChoices& up) {
   std::vector<std::string> words;
   const auto add = [&](const char* option, const std::string& value) {
@@ -80,7 +80,7 @@ std::string service_of(const UpChoices& up, const std::string& cell_name, const 
       argument_of_systemd(up.host), log);
 }
 
-// What has to be there before the service begins, and is not.
+// Files that the service needs and that are not there.
 std::vector<std::string> missing_certificates(const UpChoices& up, bool has_board) {
   if (up.certificates.empty()) return {};
   std::vector<std::string> needed = {"ca.crt"};

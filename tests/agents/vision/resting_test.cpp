@@ -114,7 +114,8 @@ TEST_P(Resting, HandUnderWhichTheMarkWasTurnedAndPutElsewhereUncoversItThere) {
   }
 }
 
-// What looks larger by a cover, as one image shows less of it than the other, is no measure for the mark.
+// A nearer cover hides more of a mark from one camera than from the other, so that it looks larger than it is. The mark
+// is not held to that size when the cover has gone.
 TEST_P(Resting, HandThatCoversAPartFromTheFirstLookOnUncoversIt) {
   for (int i = 0; i < 6; ++i) {
     CoveredMark one{std::get<0>(GetParam()), mark.random.bits()};
