@@ -28,11 +28,12 @@ sigset_t supervised_signals() {
 }
 
 // Between fork and exec, where only async-signal-safe calls may be made: everything was prepared before.
-[[noreturn]] void become(const char* file, char* const* arguments, int log, pid_t parent) {
+[[noreturn]] void become(const char* file, char* const* arguments, int log, int niceness, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);
   // A group of its own: Ctrl-C reaches the supervisor, which then stops the children in order.
   setpgid(0, 0);
+  nice(niceness);
   const sigset_t none = [] {
     sigset_t set;
     sigemptyset(&set);
@@ -90,7 +91,7 @@ Result<void> Supervisor::spawn(Child& child) {
   arguments.push_back(nullptr);
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) become(arguments.front(), arguments.data(), log, parent);
+  if (pid == 0) become(arguments.front(), arguments.data(), log, child.program.niceness, parent);
   close(log);
   if (pid < 0)
     return fail("cannot-start", fmt::format("cannot start {}: {}", child.program.name, std::strerror(errno)));

@@ -25,6 +25,7 @@ struct Program {
   std::vector<std::string> command;      // the first is the file to run
   std::string log_file;                  // what it prints
   std::vector<int> final_statuses = {};  // it does not start again when it ends with one of these
+  int niceness = 0;                      // beyond our own, up to 19: the nicer, the more the others go first
 };
 
 struct ProcessEvent {

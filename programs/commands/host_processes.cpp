@@ -16,6 +16,9 @@ namespace {
 
 using Command = std::vector<std::string>;
 
+// Pages that are many or slow make work for the console alone. Where cores are few, the board and the agents go first.
+constexpr int console_niceness = 10;
+
 std::string whole_path(const std::string& file) { return std::filesystem::absolute(file).string(); }
 
 void add_key(Command& command, const std::string& key) {
@@ -193,7 +196,7 @@ HostProcess console_process(const UpChoices& choices, const HostPlaces& places, 
                      "--pictures",
                      pictures};
   add_key(command, places.key);
-  return {"console", std::move(command)};
+  return {"console", std::move(command), console_niceness};
 }
 
 }  // namespace pizarra::programs

@@ -15,6 +15,7 @@ namespace pizarra::programs {
 struct HostProcess {
   std::string name;
   std::vector<std::string> command;
+  int niceness = 0;
 };
 
 // Failures: those of the address of the cell's log, and of log_member.

@@ -78,7 +78,8 @@ class Up {
 Result<void> Up::start(HostProcess process) {
   const std::vector<int>& final_statuses = process.name == "board" ? hopeless_board : hopeless_agent;
   const std::string log = directory_.file(process.name + ".log");
-  return supervisor_.start({std::move(process.name), std::move(process.command), log, final_statuses});
+  return supervisor_.start(
+      {std::move(process.name), std::move(process.command), log, final_statuses, process.niceness});
 }
 
 Result<void> Up::start_all() {

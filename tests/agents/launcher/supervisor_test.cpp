@@ -1,9 +1,11 @@
 #include "agents/launcher/supervisor.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "blackboard/time/real_executor.hpp"
@@ -107,6 +109,23 @@ TEST(Supervisor, KeepsWhatAProcessPrints) {
   std::string line;
   std::getline(log, line);
   EXPECT_EQ(line, "printed");
+  watched.stop();
+}
+
+TEST(Supervisor, LetsTheOthersGoBeforeAProgramThatIsNice) {
+  Watched watched;
+  constexpr int most = 19;
+  const int own = getpriority(PRIO_PROCESS, 0);
+  const int nicer = std::min(own + 5, most);
+  ASSERT_TRUE(watched.supervisor.start({"nice", {"/bin/sleep", "100"}, watched.log, {}, 5}));
+  ASSERT_TRUE(watched.start("exec sleep 100"));
+  const auto niceness = [&](std::size_t which) {
+    return getpriority(PRIO_PROCESS, static_cast<id_t>(watched.supervisor.processes()[which].pid));
+  };
+  watched.look_often();
+  watched.run_until([&] { return niceness(0) == nicer; });
+  EXPECT_EQ(niceness(0), nicer);
+  EXPECT_EQ(niceness(1), own);
   watched.stop();
 }
 
