@@ -33,28 +33,34 @@ void PictureStreams::publish(const camera::StereoFrame& frame) {
 }
 
 bool PictureStreams::person_watches() const {
-  return streams_ != nullptr && (watched("colour") || watched("annotated")) && showing_.done();
+  return streams_ != nullptr && (watched("colour") || watched("annotated"));
 }
 
-void PictureStreams::begin_showing(const camera::StereoFrame& frame, Annotation annotation) {
-  showing_ = context_.executor.spawn(show(frame, std::move(annotation)));
+// While the eyes learn or track, the picture of it stays grey, as the thesis has it, and what they mark stands out. It
+// is at hand at once.
+void PictureStreams::show(const camera::StereoFrame& frame, const Annotation& annotation) {
+  const bool learning = !annotation.filled.empty() || !annotation.learned_contour.empty();
+  const bool grey = learning || !annotation.sightings.empty();
+  if (grey && watched("annotated")) publish_annotated(frame, annotation);
+  const bool in_colour = watched("colour") || !grey;
+  if (in_colour && showing_.done()) showing_ = context_.executor.spawn(show_in_colour(frame, annotation, grey));
 }
 
 // The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
-// where the camera has moved on, is asked for once more in colour. While they learn or track, the picture of it stays
-// grey, as the thesis has it, and what they mark stands out.
-Task<void> PictureStreams::show(camera::StereoFrame frame, Annotation annotation) {
+// where the camera has moved on, is asked for once more in colour. What is shown is called by its own number.
+Task<void> PictureStreams::show_in_colour(camera::StereoFrame frame, Annotation annotation, bool annotated) {
   const Time before = frame.captured - Duration(1);
   const Result<camera::StereoFrame> coloured = co_await camera_.next(before, true);
   const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width &&
                       coloured->left->height == frame.left->height;
-  const camera::StereoFrame& base = usable ? *coloured : frame;
-  if (watched("colour")) streams_->publish(name_of("colour"), {base.number, base.captured, base.left});
-  if (!watched("annotated")) co_return;
-  const bool learning = !annotation.filled.empty() || !annotation.learned_contour.empty();
-  const bool grey = learning || !annotation.sightings.empty();
-  const Image& shown = grey ? *frame.left : *base.left;
-  streams_->publish(name_of("annotated"), {frame.number, frame.captured, annotate(shown, annotation)});
+  const camera::StereoFrame& shown = usable ? *coloured : frame;
+  if (watched("colour")) streams_->publish(name_of("colour"), {shown.number, shown.captured, shown.left});
+  if (!annotated && watched("annotated")) publish_annotated(shown, annotation);
+}
+
+void PictureStreams::publish_annotated(const camera::StereoFrame& shown, Annotation annotation) {
+  annotation.status = fmt::format("frame {}   {}", shown.number, annotation.status);
+  streams_->publish(name_of("annotated"), {shown.number, shown.captured, annotate(*shown.left, annotation)});
 }
 
 }  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 //
 //   PictureStreams pictures(context, camera, &streams);
 //   pictures.publish(frame);                                                  // the camera's and the grey one
-//   if (pictures.person_watches()) pictures.begin_showing(frame, annotation);  // the others
+//   if (pictures.person_watches()) pictures.show(frame, annotation);           // the others
 //   pictures.stop();              // before it is destroyed, where a picture may be in hand
 
 #include "agents/runtime/agent.hpp"
@@ -24,15 +24,16 @@ class PictureStreams {
   // (stream NAME KIND PLACE) of each.
   std::vector<Datum> facts() const;
   void publish(const camera::StereoFrame& frame);
-  // Whether somebody watches who has been shown the frame before.
   bool person_watches() const;
-  void begin_showing(const camera::StereoFrame& frame, Annotation annotation);
+  // In colour only where the frame before has been shown. The status gets the number of the frame that is shown.
+  void show(const camera::StereoFrame& frame, const Annotation& annotation);
   void stop() { showing_ = Job(); }
 
  private:
   std::string name_of(std::string_view kind) const;
   bool watched(std::string_view kind) const;
-  Task<void> show(camera::StereoFrame frame, Annotation annotation);
+  Task<void> show_in_colour(camera::StereoFrame frame, Annotation annotation, bool annotated);
+  void publish_annotated(const camera::StereoFrame& shown, Annotation annotation);
 
   runtime::AgentContext& context_;
   camera::StereoCamera& camera_;

@@ -85,9 +85,11 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   tags.look_at(frame, *feed.model());
   pictures.publish(frame);
   // A frame that was taken for finds is shown by the find, with what it found.
-  if (!holders.finding()) show(frame, sightings);
-  if (!tracks || !holders.connected()) co_return;
-  co_await facts.tell_look(frame.number, sightings);
+  const bool is_shown_here = !holders.finding();
+  // The arm waits for what is told; whoever looks on may wait for the picture.
+  const bool tells = tracks && holders.connected();
+  if (tells) co_await facts.tell_look(frame.number, sightings);
+  if (is_shown_here) show(frame, std::move(sightings));
 }
 
 Task<void> VisionAgent::State::tell_silence() {
@@ -122,9 +124,8 @@ void VisionAgent::State::show(const camera::StereoFrame& frame, std::vector<Trac
   Annotation annotation;
   annotation.sightings = std::move(sightings);
   search.add_to(annotation);
-  annotation.status =
-      fmt::format("frame {}   {}{}", frame.number, state.mode(), holders.connected() ? "" : " (not connected)");
-  pictures.begin_showing(frame, std::move(annotation));
+  annotation.status = fmt::format("{}{}", state.mode(), holders.connected() ? "" : " (not connected)");
+  pictures.show(frame, annotation);
 }
 
 Task<void> VisionAgent::State::camera_changed() {

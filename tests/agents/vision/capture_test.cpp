@@ -278,7 +278,31 @@ TEST_F(Vision, ShowsWhatItMakesOfItInGreyWhileItTracks) {
   EXPECT_FALSE(is_grey());
 }
 
-// Colour is asked of the camera, and pictures are drawn, only for those who look.
+// The camera moves on between the eyes' grey image and the one in colour.
+TEST_F(Vision, CallsWhatItShowsByTheNumberOfTheFrameThatIsInIt) {
+  learn_all();
+  camera.moves_on = true;
+  std::vector<std::uint64_t> coloured;
+  std::vector<std::uint64_t> annotated;
+  std::vector<std::uint64_t> eyes;
+  const auto grey = streams.subscribe("vision-left", [&](const StreamFrame& f) { eyes.push_back(f.number); });
+  const auto colour = streams.subscribe("vision-colour", [&](const StreamFrame& f) { coloured.push_back(f.number); });
+  const auto shown =
+      streams.subscribe("vision-annotated", [&](const StreamFrame& f) { annotated.push_back(f.number); });
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(1s);
+  EXPECT_GE(annotated.size(), 3U);
+  EXPECT_EQ(annotated, coloured) << "both are the same image";
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(300ms);
+  annotated.clear();
+  eyes.clear();
+  run_for(1s);
+  EXPECT_GE(annotated.size(), 5U);
+  EXPECT_EQ(annotated, eyes) << "each grey image is shown as soon as it is looked at";
+}
+
+// Colour is asked of the camera, and pictures are drawn, only for those who look. What is tracked is shown in grey.
 TEST_F(Vision, SendsEachImageOnlyWhileSomeoneWatchesThatKind) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");
@@ -293,7 +317,7 @@ TEST_F(Vision, SendsEachImageOnlyWhileSomeoneWatchesThatKind) {
       run_for(350ms);
     }
     EXPECT_GE(sent[kind], 3);
-    EXPECT_EQ(camera.colour_asked > colours, kind == "colour" || kind == "annotated");
+    EXPECT_EQ(camera.colour_asked > colours, kind == "colour");
     const int before = sent[kind];
     const int colours_before = camera.colour_asked;
     run_for(300ms);

@@ -24,6 +24,7 @@ class FakeCamera : public camera::StereoCamera {
   bool plugged = true;
   int opened = 0;
   int colour_asked = 0;
+  bool moves_on = false;  // gives no frame twice, as a simulated one
   camera::CameraDrops dropped = {};
 
   Task<Result<camera::StereoModel>> open() override {
@@ -33,7 +34,7 @@ class FakeCamera : public camera::StereoCamera {
   }
 
   Task<Result<camera::StereoFrame>> next(Time after, bool colour) override {
-    if (taken_ <= after) {
+    if (taken_ <= after || moves_on) {
       co_await sleep(executor_, 100ms);
       ++number_;
       taken_ = executor_.now();
