@@ -99,8 +99,7 @@ Result<void> LogCopy::restore_snapshot() {
   for (std::size_t part = 0; part < snapshot->parts; ++part) {
     const Result<std::optional<std::string>> value = get(key_values_, keys_.snapshot_part(snapshot->name, part));
     if (!value) return fail(value);
-    // Another took its place meanwhile, which the next attempt finds.
-    if (!*value) return fail("unavailable", "the snapshot went while it was read");
+    if (!*value) return part_is_missing(**pointer);
     text += **value;
   }
   if (journal::Checksum().add_words(text).value() != snapshot->sum)
@@ -108,6 +107,14 @@ Result<void> LogCopy::restore_snapshot() {
   number_ = snapshot->number;
   weight_.snapshot_bytes = text.size();
   return restore(text);
+}
+
+// Another snapshot took its place meanwhile, which the next attempt finds.
+Result<void> LogCopy::part_is_missing(const std::string& snapshot) {
+  const Result<std::optional<std::string>> pointer = get(key_values_, keys_.snapshot());
+  if (!pointer) return fail(pointer);
+  if (*pointer == snapshot) return damaged("a part of the snapshot is missing");
+  return fail("unavailable", "the snapshot went while it was read");
 }
 
 Result<void> LogCopy::restore(const std::string& text) {
@@ -186,7 +193,7 @@ std::string LogCopy::text() const { return snapshot_text(*store_, end_, replies_
 Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce) {
   const Result<std::optional<std::string>> former = get(key_values, keys.snapshot());
   if (!former) return fail(former);
-  const Result<std::optional<std::string>> head = get(key_values, keys.head());
+  const Result<std::optional<std::uint64_t>> head = head_of(key_values, keys);
   if (!head) return fail(head);
   std::uint64_t before = 0;
   if (*former) {
@@ -194,7 +201,7 @@ Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, st
     if (!snapshot) return fail(snapshot);
     before = snapshot->number;
   }
-  const std::uint64_t newest = *head ? std::stoull(**head) : 0;
+  const std::uint64_t newest = head->value_or(0);
   if (newest == before) return 0;
   LogCopy copy(key_values, keys);
   const Result<void> whole = copy.follow_to(newest);

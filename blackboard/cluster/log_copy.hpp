@@ -57,6 +57,7 @@ class LogCopy {
   Result<std::vector<KeyValue>> next_entries();
   Result<void> begin();
   Result<void> restore_snapshot();
+  Result<void> part_is_missing(const std::string& snapshot);
   Result<void> restore(const std::string& text);
   Result<void> restore_line(const Datum& line);
   Result<void> apply(const Entry& entry);

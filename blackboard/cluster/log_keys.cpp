@@ -1,5 +1,6 @@
 #include "blackboard/cluster/log_keys.hpp"
 
+#include <charconv>
 #include <fmt/format.h>
 
 #include "blackboard/journal/checksum.hpp"
@@ -76,6 +77,17 @@ Result<Alive> alive_from(const std::string& text) {
   }
   const Time when{Duration(static_cast<Duration::rep>(numbers[2]))};
   return Alive{numbers[0], numbers[1], when, numbers[3], numbers[4], (*form)[6].is_symbol("yes")};
+}
+
+Result<std::optional<std::uint64_t>> head_of(KeyValues& key_values, const LogKeys& keys) {
+  const Result<std::optional<std::string>> text = get(key_values, keys.head());
+  if (!text) return fail(text);
+  if (!*text) return std::optional<std::uint64_t>();
+  std::uint64_t head = 0;
+  const char* const end = (*text)->data() + (*text)->size();
+  const auto read = std::from_chars((*text)->data(), end, head);
+  if (read.ec != std::errc() || read.ptr != end) return damaged("the head");
+  return std::optional(head);
 }
 
 std::string text_of(std::uint64_t number, std::uint64_t epoch, const journal::JournalGroup& group) {

@@ -63,6 +63,9 @@ struct Alive {
 std::string text_of(const Alive& alive);
 Result<Alive> alive_from(const std::string& text);
 
+// The number of the newest entry; nothing where the store has no log of the cell. Failures unavailable, bad-journal.
+Result<std::optional<std::uint64_t>> head_of(KeyValues& key_values, const LogKeys& keys);
+
 struct Entry {
   std::uint64_t number = 0;
   std::uint64_t epoch = 0;

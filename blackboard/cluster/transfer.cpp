@@ -63,7 +63,7 @@ Result<void> write_file(const std::string& path, LogCopy& copy) {
 Result<Transferred> file_to_cluster(const std::string& path, KeyValues& key_values, const LogKeys& keys,
                                     std::uint64_t nonce) {
   if (!journal::this_disk().status(path)) return fail("journal-file", "there is no journal " + path);
-  const Result<std::optional<std::string>> head = get(key_values, keys.head());
+  const Result<std::optional<std::uint64_t>> head = head_of(key_values, keys);
   if (!head) return fail(head);
   if (*head) return fail("exists", "the cluster has a log of this cell already");
   const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
@@ -91,14 +91,14 @@ Result<Transferred> file_to_cluster(const std::string& path, KeyValues& key_valu
 Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, const std::string& path,
                                     const Pause& pause) {
   if (journal::this_disk().status(path)) return fail("exists", path + " is there already");
-  const Result<std::optional<std::string>> head = get(key_values, keys.head());
+  const Result<std::optional<std::uint64_t>> head = head_of(key_values, keys);
   if (!head) return fail(head);
   if (!*head) return fail("bad-journal", "the cluster has no log of this cell");
   const Result<std::optional<std::string>> leader = who_leads(key_values, keys, pause);
   if (!leader) return fail(leader);
   if (*leader) return fail("in-use", "the board " + **leader + " leads this cell: end its boards first");
   LogCopy copy(key_values, keys);
-  const Result<void> whole = copy.follow_to(std::stoull(**head));
+  const Result<void> whole = copy.follow_to(**head);
   if (!whole) return fail(whole);
   const Result<void> written = write_file(path, copy);
   // Half a journal would be taken for a whole one.

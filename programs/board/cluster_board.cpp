@@ -217,8 +217,8 @@ Task<void> Leading::catch_up() {
   while (!whole) {
     const auto done = std::make_shared<Result<void>>();
     Work work = [=, this, client = client_, standby = standby_](const std::function<bool()>&) {
-      const Result<std::optional<std::string>> head = cluster::get(*client, keys_.head());
-      *done = head ? standby->copy().follow_to(std::stoull(head->value_or("0"))) : fail(head);
+      const Result<std::optional<std::uint64_t>> head = cluster::head_of(*client, keys_);
+      *done = head ? standby->copy().follow_to(head->value_or(0)) : fail(head);
     };
     co_await executor_.offload(std::move(work), Duration::zero());
     whole = done->has_value();

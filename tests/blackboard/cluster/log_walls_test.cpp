@@ -2,9 +2,12 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <map>
 #include <unistd.h>
 
 #include "blackboard/cluster/cluster_log.hpp"
+#include "blackboard/cluster/standby.hpp"
+#include "blackboard/cluster/transfer.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -235,6 +238,39 @@ TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
   etcd_.values[keys.entry(1)].back() ^= 1;
   LogCopy copy(*client_, keys);
   EXPECT_EQ(copy.follow().error().symbol, "bad-journal");
+}
+
+TEST_F(ClusterLogs, WithADamagedNumberAreRefusedByEveryoneWhoReadsIt) {
+  const std::map<std::string, std::string> sound = {
+      {keys.epoch(), text_of(EpochValue{1, "a", 1})}, {keys.head(), "0"}, {keys.alive(), text_of(Alive{.epoch = 1})}};
+  const std::string file = scratch_folder() + "damaged.journal";
+  for (const std::string wrong : {"", "x", "12x", "-1", " 7", "99999999999999999999999"}) {
+    etcd_.values = sound;
+    etcd_.values[keys.head()] = wrong;
+    for (const Failure& failure : {head_of(*client_, keys).error(), take_snapshot(*client_, keys, 1).error(),
+                                   cluster_to_file(*client_, keys, file, [](Duration) {}).error()}) {
+      EXPECT_EQ(failure.symbol, "bad-journal") << wrong;
+      EXPECT_EQ(failure.sentence, "the head of the log in the cluster is not what a board writes");
+    }
+    for (const std::string& key : {keys.epoch(), keys.alive(), keys.snapshot()}) {
+      etcd_.values = sound;
+      etcd_.values[key] = wrong;
+      Standby standby(*client_, keys, "b", 7, etcd_.now);
+      const auto now = [this] { return etcd_.now; };
+      Result<bool> stepped = standby.step(now);
+      etcd_.now += suspects_after;
+      if (stepped) stepped = standby.step(now);
+      ASSERT_FALSE(stepped) << key << " is " << wrong;
+      EXPECT_EQ(stepped.error().symbol, "bad-journal") << key << " is " << wrong;
+    }
+  }
+}
+
+TEST_F(ClusterLogs, WhoseSnapshotLacksAPartAreDamaged) {
+  etcd_.values[keys.snapshot()] = text_of(SnapshotValue{1, "1-1", 2, 0});
+  etcd_.values[keys.snapshot_part("1-1", 0)] = "";
+  LogCopy copy(*client_, keys);
+  EXPECT_EQ(copy.follow().error().sentence, "the log in the cluster is damaged: a part of the snapshot is missing");
 }
 
 }  // namespace

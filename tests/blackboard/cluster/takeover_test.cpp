@@ -66,8 +66,8 @@ class ModelBoard {
   }
   void lead(Leadership won) {
     serves_at_ = etcd_.now + standby_->must_wait(etcd_.now);
-    Result<std::optional<std::string>> head = get(*client_, cell_keys.head());
-    const Result<void> whole = head ? standby_->copy().follow_to(std::stoull(**head)) : fail(head);
+    const Result<std::optional<std::uint64_t>> head = head_of(*client_, cell_keys);
+    const Result<void> whole = head ? standby_->copy().follow_to(**head) : fail(head);
     // It campaigns again, and finds that it leads.
     if (!whole) return note(whole.error());
     log_ = std::make_unique<ClusterLog>(client_, client_, cell_keys, won.epoch(), standby_->copy().number(),
