@@ -23,7 +23,8 @@ Result<Answers> answer_from(const Log& log, Query query) {
   store::Store store;
   const Result<PlayedBack> read = log.read(store, *query.at);
   if (!read) return fail(read);
-  if (read->lacks && asks_about_passing(store, query)) return fail(*read->lacks);
+  const Result<void> has = check_has(read->lacks, store, query);
+  if (!has) return fail(has);
   query.at.reset();
   Result<Answers> answers = store.ask(query);
   if (!answers) return fail(failure_at(store.revision(), std::move(answers.error())));
@@ -31,6 +32,10 @@ Result<Answers> answer_from(const Log& log, Query query) {
 }
 
 }  // namespace
+
+Result<void> check_has(const std::optional<Failure>& lacks, const store::Store& store, const Query& query) {
+  return lacks && asks_about_passing(store, query) ? fail(*lacks) : Result<void>();
+}
 
 Past::Past(Executor& executor, JournalWriter& journal, std::function<Revision()> newest)
     : executor_(executor),

@@ -16,6 +16,9 @@
 
 namespace pizarra::journal {
 
+// Where the log that was read into that store lacks what the query asks about, the failure says so.
+Result<void> check_has(const std::optional<Failure>& lacks, const store::Store& store, const Query& query);
+
 class Past {
  public:
   using Done = std::function<void(const Result<Answers>&)>;

@@ -1,6 +1,7 @@
 #include "blackboard/memory/recorded_board.hpp"
 
 #include "blackboard/journal/journal_file.hpp"
+#include "blackboard/journal/past.hpp"
 #include "blackboard/store/store.hpp"
 
 namespace pizarra::memory {
@@ -13,6 +14,7 @@ std::unexpected<Failure> read_only() { return fail("read-only", "a recorded boar
 
 RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<store::Store> store, journal::PlayedBack played)
     : store_(*store),
+      lacks_(std::move(played.lacks)),
       board_(executor, std::move(store)),
       view_(board_.view("recorded")),
       lines_(std::move(played.later)),
@@ -70,12 +72,16 @@ Task<Result<void>> RecordedBoard::declare(std::vector<Relation> relations) {
 }
 
 Task<Result<Answers>> RecordedBoard::ask(Query query) {
+  const Result<void> has = journal::check_has(lacks_, store_, query);
+  if (!has) co_return fail(has);
   Result<Answers> answers = co_await view_->ask(std::move(query));
   if (!answers) co_return fail(journal::failure_at(revision(), std::move(answers.error())));
   co_return answers;
 }
 
 Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) {
+  const Result<void> has = journal::check_has(lacks_, store_, query);
+  if (!has) co_return fail(has);
   Result<std::unique_ptr<Watch>> watch = co_await view_->watch(std::move(query));
   if (!watch) co_return fail(journal::failure_at(revision(), std::move(watch.error())));
   co_return watch;

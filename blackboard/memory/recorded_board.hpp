@@ -23,7 +23,8 @@ class RecordedBoard : public Board {
   // As of a moment. Failures bad-journal, journal-file, forgotten.
   static Result<std::unique_ptr<RecordedBoard>> open(Executor& executor, const std::string& path,
                                                      const Moment& until = {});
-  // From a store into which a journal was read already, from a file or from a log in etcd.
+  // From a store into which a journal was read already, from a file or from a log in etcd. What a log lacks is asked
+  // about in vain: failure gap.
   static std::unique_ptr<RecordedBoard> of(Executor& executor, std::unique_ptr<store::Store> store,
                                            journal::PlayedBack played);
   ~RecordedBoard() override;
@@ -51,6 +52,7 @@ class RecordedBoard : public Board {
   std::optional<std::string_view> next_line() const;
 
   store::Store& store_;
+  const std::optional<Failure> lacks_;
   MemoryBoard board_;
   const std::unique_ptr<Board> view_;
   const std::string lines_;  // what is not played back yet, from at_ on

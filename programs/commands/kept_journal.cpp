@@ -14,10 +14,18 @@ std::string check_where(const std::string& text) {
 Result<journal::PlayedBack> read(const KeptJournal& journal, store::Store& store, const Moment& until) {
   const Result<OpenLog> log = open_log(journal);
   if (!log) return fail(log);
-  const Result<std::optional<std::string>> head = cluster::get(*log->key_values, log->keys.head());
+  const Result<std::optional<std::uint64_t>> head = cluster::head_of(*log->key_values, log->keys);
   if (!head) return fail(head);
   if (!*head) return fail("bad-journal", "the cluster has no log of this cell: " + journal.where);
-  return journal::check_reached(cluster::read_log(*log->key_values, log->keys, store, until), until);
+  Result<journal::PlayedBack> played =
+      journal::check_reached(cluster::read_log(*log->key_values, log->keys, store, until), until);
+  if (!played) return fail(played);
+  played->lacks = Failure{"gap",
+                          "the log of boards that take over has only what is durable: a board's journals in its folder "
+                          "--past have the rest",
+                          {},
+                          {}};
+  return played;
 }
 
 }  // namespace
@@ -41,7 +49,14 @@ Result<OpenLog> open_log(const KeptJournal& journal) {
   if (!address) return fail(address);
   Result<std::unique_ptr<cluster::EtcdClient>> client = cluster::EtcdClient::open(*address);
   if (!client) return fail(client);
-  return OpenLog{std::move(*client), cluster::LogKeys(address->cell)};
+  // A member that does not answer is left for the next one.
+  Result<std::optional<std::string>> answered = fail("unavailable", "");
+  const cluster::LogKeys keys(address->cell);
+  for (std::size_t asked = 0; asked < address->members.size() && !answered; ++asked) {
+    answered = cluster::get(**client, keys.head());
+  }
+  if (!answered) return fail(answered);
+  return OpenLog{std::move(*client), keys};
 }
 
 Result<journal::LineStart> end_of(const KeptJournal& journal) {

@@ -72,6 +72,33 @@ TEST_F(LogCommands, MoveACellToAnEtcdAndBack) {
   EXPECT_EQ(run("ask --board " + at_ + " '(note ?n)'").text, "?n = 1\n?n = 2\n");
 }
 
+TEST_F(LogCommands, AskTheOtherMembersWhereTheFirstIsDown) {
+  const auto leading = board("--log", log_);
+  ASSERT_EQ(run("declare --board " + at_ + " '(relation note ((n integer)) (key n) (durable))'").status, 0);
+  ASSERT_EQ(tell("(note 1)").status, 0);
+  EXPECT_EQ(leading->stop(SIGTERM), 0);
+  const std::string with_one_down =
+      "etcd://127.0.0.1:" + std::to_string(cluster::free_port()) + "," + log_.substr(std::string("etcd://").size());
+  EXPECT_EQ(run("replay " + with_one_down + " --eval '(ask (note ?n))'").text, "?n = 1\n");
+  const Said copied = run("log copy " + with_one_down + " " + back_);
+  EXPECT_EQ(copied.status, 0) << copied.text;
+}
+
+TEST_F(LogCommands, SayWhereTheLogLacksWhatIsAskedAbout) {
+  const auto leading = board("--log", log_);
+  ASSERT_EQ(run("declare --board " + at_ + " '(relation note ((n integer)) (key n) (durable))'").status, 0);
+  ASSERT_EQ(run("declare --board " + at_ + " '(relation seen ((n integer)) (key n))'").status, 0);
+  ASSERT_EQ(tell("(seen 1)").status, 0);
+  ASSERT_EQ(tell("(note 1)").status, 0);
+  EXPECT_EQ(leading->stop(SIGTERM), 0);
+  EXPECT_EQ(run("replay " + log_ + " --eval '(ask (note ?n))'").text, "?n = 1\n");
+  for (const char* form : {"(ask (seen ?n))", "(watch (seen ?n))", "(ask (and (note ?n) (seen ?n)))"}) {
+    const Said said = run("replay " + log_ + " --eval '" + form + "'");
+    EXPECT_EQ(said.status, 1) << said.text;
+    EXPECT_TRUE(said.text.contains("has only what is durable")) << said.text;
+  }
+}
+
 TEST_F(LogCommands, RefuseWhatTheyCannotCopy) {
   for (const std::string& both : {file_ + " " + back_, log_ + " " + log_}) {
     const Said said = run("log copy " + both);
