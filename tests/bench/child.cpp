@@ -118,6 +118,21 @@ double Child::memory_mb(const std::string& name) const {
   return 0;
 }
 
+double Child::cpu_s() const {
+  std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
+  const std::string stat((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name_ends = stat.rfind(')');
+  if (name_ends == std::string::npos) return 0;
+  // Eleven words are between the name and the two figures.
+  std::istringstream words(stat.substr(name_ends + 1));
+  std::string skipped;
+  for (int word = 0; word < 11; ++word) words >> skipped;
+  double user = 0;
+  double system = 0;
+  words >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
 double Child::waited_for_core_ms() const {
   double waited_ns = 0;
   for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(process_) + "/task")) {

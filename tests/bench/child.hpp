@@ -49,6 +49,8 @@ class Child {
   bool ended() const;
   // A line of its /proc/PID/status, as VmRSS or VmHWM.
   double memory_mb(const std::string& name) const;
+  // Of the processor, in all of its threads.
+  double cpu_s() const;
   // How long its threads that still are have waited for a core, though they had something to do.
   double waited_for_core_ms() const;
 

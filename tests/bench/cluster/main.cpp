@@ -6,36 +6,28 @@
 #include <thread>
 
 #include "blackboard/cluster/etcd_client.hpp"
-#include "lisp/reader.hpp"
 #include "tests/bench/bench_main.hpp"
+#include "tests/bench/cluster/recovery_rows.hpp"
+#include "tests/bench/cluster/standby_rows.hpp"
 #include "tests/bench/cluster/takeovers.hpp"
+#include "tests/bench/cluster/tells.hpp"
 #include "tests/bench/figures.hpp"
 #include "tests/bench/measure.hpp"
-#include "tests/run_task.hpp"
 
 namespace pizarra::bench {
 namespace {
 
-constexpr int in_flight = 64;
 constexpr std::size_t entry_bytes = 160;  // as of one tell with what is remembered of it
 
 struct Choices {
   int rounds = 20;
   int tells = 4000;
+  std::uint64_t entries = 1'000'000;
   bool json = false;
 };
 
-struct Measured {
-  std::vector<double> ms;
-  double per_s = 0;
-};
-
-double ms_since(std::chrono::steady_clock::time_point begun) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-}
-
 // A compare of two keys and two puts, as an entry of the log is.
-Measured own_transactions(const cluster::LogAddress& log, int clients, int each, bool compares) {
+TellTimes own_transactions(const cluster::LogAddress& log, int clients, int each, bool compares) {
   std::vector<std::vector<double>> ms(static_cast<std::size_t>(clients));
   std::vector<std::thread> threads;
   const auto begun = std::chrono::steady_clock::now();
@@ -61,46 +53,22 @@ Measured own_transactions(const cluster::LogAddress& log, int clients, int each,
   }
   for (std::thread& thread : threads) thread.join();
   const double took_s = ms_since(begun) / 1000;
-  Measured measured;
+  TellTimes measured;
   for (const std::vector<double>& some : ms) measured.ms.insert(measured.ms.end(), some.begin(), some.end());
   measured.per_s = static_cast<double>(measured.ms.size()) / took_s;
   return measured;
 }
 
-Task<void> tell_on(client::RemoteBoard& board, int* left, std::vector<double>* ms) {
-  while (*left > 0) {
-    const std::int64_t mark = --*left;
-    const auto sent = std::chrono::steady_clock::now();
-    const Result<Revision> told = co_await board.tell(list("tally"_sym, mark, "some text of a usual length"));
-    if (told) ms->push_back(ms_since(sent));
-  }
-}
-
-Measured tells(RealExecutor& executor, client::RemoteBoard& board, int at_once, int all) {
-  int left = all;
-  Measured measured;
-  const auto begun = std::chrono::steady_clock::now();
-  std::vector<Job> jobs;
-  for (int i = 0; i < at_once; ++i) jobs.push_back(executor.spawn(tell_on(board, &left, &measured.ms)));
-  executor.run_until([&] { return std::ranges::all_of(jobs, [](const Job& job) { return job.done(); }); });
-  measured.per_s = static_cast<double>(measured.ms.size()) / (ms_since(begun) / 1000);
-  return measured;
-}
-
 void say_rates(Figures& figures, RealExecutor& executor, const ClusterCell& cell, int count) {
   cluster::LogAddress log = cluster::LogAddress::from(cell.log(), "", true).value();
-  const auto board = client::RemoteBoard::connect(executor, cell.boards(), "bench").value();
-  const std::vector<Relation> relations = {
-      relation_from_datum(read_one("(relation tally ((n integer) (text string)) (key n) (durable))").value()).value()};
-  while (!run(executor, board->declare(relations))) continue;
-  (void)tells(executor, *board, in_flight, in_flight);
+  const auto board = board_for_tells(executor, cell);
   // Of all members, the leading board asks that of its host: so does the peer.
   log.members = {log.members[cell.leading_board()]};
-  const Measured put = own_transactions(log, 1, 200, false);
-  const Measured serial = own_transactions(log, 1, 300, true);
-  const Measured one = tells(executor, *board, 1, 300);
-  const Measured many = own_transactions(log, in_flight, std::max(1, count / in_flight / 2), true);
-  const Measured all = tells(executor, *board, in_flight, count);
+  const TellTimes put = own_transactions(log, 1, 200, false);
+  const TellTimes serial = own_transactions(log, 1, 300, true);
+  const TellTimes one = tells(executor, *board, 1, 300);
+  const TellTimes many = own_transactions(log, in_flight, std::max(1, count / in_flight / 2), true);
+  const TellTimes all = tells(executor, *board, in_flight, count);
   const double serial_p50 = percentile(serial.ms, 0.5);
   const double many_p50 = percentile(many.ms, 0.5);
   const Peer own{"etcd, a transaction of the same bytes", serial_p50};
@@ -152,6 +120,9 @@ int run(const Choices& choices) {
   Figures figures("cluster", choices.json ? Figures::Style::json : Figures::Style::plain);
   Takeovers takeovers(executor, cell);
   say_rates(figures, executor, cell, choices.tells);
+  say_standbys(figures, executor, cell, choices.tells);
+  if (choices.entries > 0) say_recovery(figures, cell, choices.entries);
+  if (choices.rounds == 0) return figures.finish();
   say_takeovers(
       figures, takeovers, "the leading board killed", [&] { cell.kill_board(cell.leading_board()); }, choices.rounds,
       0.5, 1);
@@ -178,11 +149,14 @@ int run(const Choices& choices) {
 int main(int argc, char** argv) {
   CLI::App app("Durable facts through an etcd cluster of three members, and takeovers.", "pizarra bench cluster");
   pizarra::bench::Choices choices;
-  app.add_option("--rounds", choices.rounds, "takeovers of each kind, some 3 s each")
-      ->check(CLI::Range(1, 10'000))
+  app.add_option("--rounds", choices.rounds, "takeovers of each kind, some 3 s each; 0 for none")
+      ->check(CLI::Range(0, 10'000))
       ->capture_default_str();
   app.add_option("--tells", choices.tells, "durable tells with 64 in flight")
       ->check(CLI::Range(64, 10'000'000))
+      ->capture_default_str();
+  app.add_option("--entries", choices.entries, "entries of the log from which a board recovers; 0 for none")
+      ->check(CLI::Range(0, 100'000'000))
       ->capture_default_str();
   app.add_flag("--json", choices.json, "one JSON object a line");
   app.footer("As root; elsewhere it says why it is skipped. Status 0 when every figure was measured, short or not.");
