@@ -175,8 +175,8 @@ std::optional<std::string> Scene::foremost(const std::set<std::string>& but) con
 }
 
 // A cube that falls off a pile comes to lie within this, in cubes. One that was higher up when it was seen last, as in
-// the gripper, may lie as much further. Behind a cube that stands alone, one that was not seen in any life is not looked
-// for: it is more likely to be away.
+// the gripper, may lie as much further. Behind a cube that stands alone, one that was not seen in any life is not
+// looked for: it is more likely to be away.
 std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but,
                                              bool was_here) const {
   constexpr double falls_within = 3;
