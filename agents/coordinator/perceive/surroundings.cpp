@@ -134,10 +134,11 @@ Task<void> Surroundings::take_look(Change change) {
     }
     changed = beliefs_.perceive(facts, {frame, look.id});
   }
+  // Who acts on the look need not wait until the board has it.
+  looked_.wake_all();
   if (placed) co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
   if (!perceived->facts) co_await tell_failure(perceived->facts.error());
   co_await camera_news_.tell(scene_.camera(), news);
-  looked_.wake_all();
 }
 
 // Every look may fail in the same way; it is told once.
