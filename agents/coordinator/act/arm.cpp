@@ -11,6 +11,7 @@ namespace {
 
 // Longer than an agent that died may stay away, since a request it left is done by its successor.
 constexpr Duration motion_timeout = 40s;
+constexpr Duration stop_timeout = 10s;
 constexpr Duration busy_pause = 200ms;
 constexpr int busy_tries = 50;
 
@@ -67,6 +68,13 @@ Task<Result<void>> Arm::perform(ServoCommand command) {
   const Datum turned_back = list("turn-wrist"_sym, back, amount);
   done = co_await ask(turned_back);
   if (!done) co_return fail(done);
+  co_return Result<void>();
+}
+
+Task<Result<void>> Arm::cut_short() {
+  const Datum operation = list("finish"_sym, "stop"_sym);
+  const Result<Datum> stopped = co_await roles_.call("robot", operation, stop_timeout);
+  if (!stopped) co_return fail(stopped);
   co_return Result<void>();
 }
 

@@ -25,6 +25,8 @@ class Arm {
   Task<Result<Datum>> ask(Datum operation);
   // Carries out the servo's decision. A turn is taken back by the wrist, so that the fingers stay along the base's y.
   Task<Result<void>> perform(ServoCommand command);
+  // Ends the motion in hand, which then fails with `stopped`, and answers when the arm stands.
+  Task<Result<void>> cut_short();
   // The grip centre in a straight line to a point of the base frame, carried on by a track where the links end.
   Task<Result<void>> move_to(Eigen::Vector3d point_mm);
   // Where the grip centre is, base frame, mm.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/retried_commit.hpp"
+#include "blackboard/time/latch.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
@@ -17,6 +18,8 @@ constexpr int most_unseen = 40;
 constexpr double lowering_mm = 30;
 // Where the links stand at their limit no track takes over: the arm goes back by as much first.
 constexpr double back_off_mm = 40;
+// Beside a motion, until it is asked again whether a look has come.
+constexpr Duration watch_patience = 1s;
 
 double tenths(double value) { return std::round(value * 10) / 10; }
 
@@ -57,6 +60,43 @@ Task<Result<void>> ServoLoop::go_straight(Aim aim, ServoCommand stalled) {
   co_return moved;
 }
 
+struct ServoLoop::Cut {
+  bool begun = false;
+  Event ended;
+};
+
+Task<void> ServoLoop::cut_short(Datum target, Eigen::Vector3d wanted_mm, Cut& cut) {
+  while (!cut.begun) {
+    const Time soon = context_.executor.now() + watch_patience;
+    co_await surroundings_.look_after(surroundings_.looks(), soon);
+    const Result<Aim> aim = aims_.at(target);
+    cut.begun = aim && (aim->wanted_mm - wanted_mm).norm() > options_.servo.follow_mm;
+  }
+  co_await arm_.cut_short();
+  cut.ended.set();
+}
+
+Task<Result<bool>> ServoLoop::move(Datum target, Aim aim, ServoCommand command, bool stalled) {
+  const std::optional<double> yaw_deg = surroundings_.scene().tool_yaw_deg();
+  Cut cut{false, Event(context_.executor)};
+  const Job watch = context_.executor.spawn(cut_short(target, aim.wanted_mm, cut));
+  Result<void> moved;
+  if (stalled) moved = co_await go_straight(aim, command);
+  if (!stalled) moved = co_await arm_.perform(command);
+  // The next motion must not meet the stop.
+  if (cut.begun) co_await cut.ended.wait();
+  const bool was_cut = cut.begun && !moved && moved.error().symbol == "stopped";
+  if (!was_cut && !moved) co_return fail(moved);
+  if (!was_cut) co_return true;
+  const std::string sentence = fmt::format("{} was moved: the motion towards it is cut short", write(target));
+  co_await story_.tell("servo", sentence, target_name(target));
+  // The wrist takes a turn back only after it.
+  const bool is_turned = command.motion == ServoCommand::Motion::turn && yaw_deg;
+  if (is_turned) moved = co_await arm_.face(*yaw_deg);
+  if (is_turned && !moved) co_return fail(moved);
+  co_return false;
+}
+
 // Look, decide, move; nothing is remembered from look to look but the last command, to tell when a target runs away and
 // when the arm does not come on by turning and stretching.
 Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
@@ -87,10 +127,10 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
     if (command.motion == ServoCommand::Motion::done) co_return Result<void>();
     const bool stalled = has_stalled(command, before);
     before = command;
-    Result<void> moved;
-    if (stalled) moved = co_await go_straight(*aim, command);
-    if (!stalled) moved = co_await arm_.perform(command);
-    if (!moved) co_return moved;
+    const Result<bool> moved = co_await move(target, *aim, command, stalled);
+    if (!moved) co_return fail(moved);
+    // What was left of a motion that was cut short tells nothing of the arm's limits.
+    if (!*moved) before.motion = ServoCommand::Motion::done;
   }
   co_return fail("no-convergence", fmt::format("the arm did not come to {}", write(target)), target_name(target));
 }

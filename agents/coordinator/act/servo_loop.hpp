@@ -39,6 +39,11 @@ class ServoLoop {
 
  private:
   Task<Result<void>> go_straight(Aim aim, ServoCommand stalled);
+  // Carries the command out; false where it was cut short, as its target had been moved meanwhile.
+  Task<Result<bool>> move(Datum target, Aim aim, ServoCommand command, bool stalled);
+  // Beside a motion: ends it once a look shows that its target is elsewhere than the motion was decided for.
+  struct Cut;
+  Task<void> cut_short(Datum target, Eigen::Vector3d wanted_mm, Cut& cut);
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;

@@ -57,6 +57,11 @@ void Scene::take_pose(const Eigen::Isometry3d& tool) {
   pose_look_ = sightings_.looks();
 }
 
+std::optional<double> Scene::tool_yaw_deg() const {
+  if (!tool_) return std::nullopt;
+  return std::atan2(tool_->linear()(1, 0), tool_->linear()(0, 0)) * 180 / std::numbers::pi;
+}
+
 void Scene::take_arm(bool moving) {
   moving_ = moving;
   pose_look_ = sightings_.looks();

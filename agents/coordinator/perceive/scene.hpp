@@ -23,6 +23,8 @@ class Scene {
   const std::optional<CameraView>& view() const { return view_; }
   const CameraWatch& camera() const { return camera_; }
   std::optional<double> opening_mm() const { return opening_mm_; }
+  // How far the tool is turned about the base's z axis, by the arm's word.
+  std::optional<double> tool_yaw_deg() const;
   // The point of the table about which the arm turns.
   const Eigen::Vector3d& foot_mm() const { return foot_mm_; }
   // From the end effector's mark to where the mark of a held object of the largest size would stand. There is a view.

@@ -119,6 +119,27 @@ TEST_F(Coordinator, CallsNothingImpossibleWhileItCannotLayDownWhatItHoldsAskew) 
   expect_on("circle", "triangle");
 }
 
+TEST_F(Coordinator, CutsAMotionShortWithinALookAfterTheOneThatShowsItsTargetElsewhere) {
+  cell.motion_takes = 2s;
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(servo 2 circle ? ? ?)", 60s));
+  cell.run_for(500ms);
+  const int motions = cell.motions;
+  cell.cubes["circle"].x() += 40;
+  EXPECT_TRUE(cell.run_until("(request ? robot (finish stop))", 220ms));
+  cell.run_for(1800ms);
+  EXPECT_EQ(cell.motions, motions) << "the motion goes no further";
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_EQ(cell.held, "circle");
+}
+
+TEST_F(Coordinator, CutsNoMotionShortWhoseTargetRests) {
+  cell.motion_takes = 2s;
+  want("(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 180s));
+  EXPECT_EQ(cell.times_told("(request ? robot (finish stop))"), 0);
+}
+
 TEST_F(Coordinator, FollowsACubeThatIsMovedDuringTheApproachWithoutANewPlan) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(servo 3 circle ? ? ?)", 30s));

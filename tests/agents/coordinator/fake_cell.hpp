@@ -18,6 +18,7 @@
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/memory/memory_board.hpp"
+#include "blackboard/time/latch.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/troubled_disk.hpp"
 
@@ -75,7 +76,8 @@ class FakeCell {
   std::optional<double> stuck_mm;  // what the gripper's sensor says, however far the fingers are open
   std::string refusal;             // the symbol with which the robot refuses to move, such as halted
   int motions = 0;
-  Disk disk = Disk::sound;  // of the board's journal, for what the coordinator tells
+  Duration motion_takes = 300ms;  // a motion that is stopped meanwhile moves nothing
+  Disk disk = Disk::sound;        // of the board's journal, for what the coordinator tells
 
  private:
   struct Agents;
@@ -97,6 +99,7 @@ class FakeCell {
   std::vector<std::string> journal_;
   TaskDomain domain_;
   std::set<std::string> tracked_;
+  WaitList stopped_{executor_};
   std::int64_t frame_ = 0;
   double yaw_deg_ = 0;
   int requests_ = 0;
