@@ -123,6 +123,7 @@ Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
       add(places_datum({s.centre, s.right_centre, s.range_mm, s.range_spread_mm}));
       if (s.yaw_deg) one.push_back(list("face"_sym, rounded(*s.yaw_deg, 10)));
       one.push_back(list("second"_sym, s.second, rounded(s.margin, 1000)));
+      if (s.pose) add_pose(one, *s.pose);
     }
     if (s.bridged) add(places_datum({.left = s.centre, .right = {}, .range_mm = s.range_mm}));
     objects.push_back(Datum::list(std::move(one)));

@@ -11,7 +11,6 @@ namespace {
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-constexpr int steps = 6;
 // How far from where it is expected an edge is looked for: at first a part of the mark's standard deviation, px.
 constexpr double first_reach = 0.4;
 constexpr double least_reach_px = 2.5;
@@ -114,7 +113,7 @@ class Registration {
     fit_.to_image = (1 / start(2, 2)) * start;
     const cv::Matx22d slope = fit_.slope();
     size_px_ = std::sqrt(std::abs(cv::determinant(slope)));
-    fit_.edges.resize(outline.points.size());
+    fit_.edges.resize((outline.points.size() + search.every - 1) / search.every);
   }
 
   // Elsewhere nothing is asked of the outline.
@@ -122,7 +121,7 @@ class Registration {
     for (const PlaneEdge& edge : fit.edges) shows_.push_back(edge.is_border);
   }
   bool run() {
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < search_.steps; ++step) {
       const double reach = std::max(least_reach_px, first_reach * size_px_ * std::pow(0.5, step));
       if (!measure(std::min(search_.most_reach_px, cvCeil(reach)))) return false;
       if (!solve(step)) return false;
@@ -136,7 +135,7 @@ class Registration {
     std::size_t found = 0;
     std::size_t counted = 0;
     for (std::size_t i = 0; i < fit_.edges.size(); ++i) {
-      const PlaneOutline::Point& point = outline_.points[i];
+      const PlaneOutline::Point& point = outline_.points[i * search_.every];
       PlaneEdge& edge = fit_.edges[i];
       const cv::Matx22d slope = fit_.slope_at(point.at);
       // A normal goes with the inverse transpose.
@@ -146,7 +145,7 @@ class Registration {
       normal *= 1 / length;
       const cv::Point2d at = fit_.in_image(point.at);
       edge = PlaneEdge();
-      edge.point = i;
+      edge.point = i * search_.every;
       edge.normal = normal;
       edge.counts = point.from_corner > std::max(corner_share, corner_px / size_px_);
       edge.measures = edge.counts && (shows_.empty() || shows_[i]);
@@ -156,7 +155,8 @@ class Registration {
       ++counted;
       found += edge.found ? 1 : 0;
     }
-    return counted >= 16 && static_cast<double>(found) >= search_.least_found * static_cast<double>(counted);
+    return counted * search_.every >= 16 &&
+           static_cast<double>(found) >= search_.least_found * static_cast<double>(counted);
   }
 
   // A robust standard deviation of the edges.
@@ -190,7 +190,8 @@ class Registration {
       b += weight * edge.off_px * j;
     }
     // Perspective once the place is about right.
-    const double free = step == 0 ? usual_perspective / 100 : usual_perspective;
+    const bool free_already = step > 0 || search_.knows_perspective;
+    const double free = free_already ? usual_perspective : usual_perspective / 100;
     const double prior = 1 / (free * free);
     a(6, 6) += prior;
     a(7, 7) += prior;

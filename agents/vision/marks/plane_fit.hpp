@@ -33,7 +33,7 @@ struct PlaneEdge {
 
 struct PlaneFit {
   cv::Matx33d to_image;
-  std::vector<PlaneEdge> edges;  // one for every point of the outline
+  std::vector<PlaneEdge> edges;  // of the outline's points, in their order
   double rms_px = 0;             // of the edges that support it
   double supported = 0;          // the part of the outline that edges support, 0 to 1
   double middle_spread_px = 0;   // of the mark's centroid: a standard deviation, by the edges' scatter
@@ -53,9 +53,15 @@ struct PlaneSearch {
   double least_found;  // of the edges
   // How much of itself the image of a part may be slanted, which says less of that than a whole: a standard deviation.
   double usual_slant;
+  int steps = 6;
+  std::size_t every = 1;           // of the outline's points
+  bool knows_perspective = false;  // the start does
 };
 inline constexpr PlaneSearch for_whole{12, 0.5, std::numeric_limits<double>::infinity()};
 inline constexpr PlaneSearch for_part{4, 0.35, 0.05};
+// From one frame to the next, and from the left image of a pair to the right one.
+inline constexpr PlaneSearch to_follow{4, 0.5, std::numeric_limits<double>::infinity(), 1, 3, true};
+inline constexpr PlaneSearch to_follow_in_right{4, 0.5, std::numeric_limits<double>::infinity(), 2, 3, true};
 
 // Nothing where fewer edges are there.
 std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,

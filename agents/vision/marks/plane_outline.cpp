@@ -106,6 +106,21 @@ std::vector<Border> borders_in(const Picture& picture) {
   return out;
 }
 
+// Holes are walked around the other way, so that they count less than nothing.
+cv::Vec2d middle_of(const std::vector<Border>& borders) {
+  double area = 0;
+  cv::Point2d moment;
+  for (const Border& border : borders) {
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const cv::Point2d& next = border[(i + 1) % border.size()];
+      const double part = border[i].cross(next);
+      area += part;
+      moment += part / 3 * (border[i] + next);
+    }
+  }
+  return {moment.x / area, moment.y / area};
+}
+
 // From each place to the nearest corner.
 std::vector<double> from_corners(const Border& border) {
   const auto size = static_cast<int>(border.size());
@@ -226,6 +241,7 @@ PlaneOutline plane_outline(const MarkTemplate& levels) {
   const std::optional<Reach> reach = reach_of(borders.front());
   if (!reach) return out;
   out.reach = *reach;
+  out.middle = middle_of(borders);
   double all = 0;
   for (const Border& border : borders) all += length_of(border);
   for (const Border& border : borders) {

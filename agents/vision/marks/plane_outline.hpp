@@ -43,6 +43,7 @@ struct PlaneOutline {
     double from_corner;  // along the border
   };
   std::vector<Point> points;  // evenly along all borders
+  cv::Vec2d middle;           // of the area within them, which no light shifts as it may the centroid of the levels
   Reach reach;                // of the outermost border
   // Of the template's pixels those that are of the mark, or of the ground right beside it.
   std::array<bool, template_size * template_size> near{};

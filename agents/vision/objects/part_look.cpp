@@ -43,7 +43,7 @@ SizeRange sizes_of(const LearnedSample& sample, double focal_px) {
 
 double slimness_of(const PlaneFit& fit) {
   SeenMark mark;
-  set_place(mark, fit);
+  set_place(mark, fit, {});
   return mark.slimness;
 }
 
@@ -126,7 +126,7 @@ std::vector<PartLook> look_for_parts(const ImageCut& cut, const EdgeChains& edge
 
 SeenMark whole_mark(const ImageCut& cut, const PartLook& look) {
   SeenMark out;
-  set_place(out, look.fit);
+  set_place(out, look.fit, look.sample->plane.middle);
   out.tone = look.sample->tone;
   out.flattened = true;
   const double size2 = std::abs(cv::determinant(look.fit.slope()));

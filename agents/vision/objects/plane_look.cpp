@@ -159,7 +159,7 @@ std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample
   out.tone = sample.tone;
   out.flattened = true;
   out.box = region.box;
-  set_place(out, fit);
+  set_place(out, fit, outline.middle);
   const double size2 = std::abs(cv::determinant(fit.slope()));
   const double area = moments->sum / full;  // the template's pixels
   out.area_px = area * size2 / (template_scale * template_scale);
@@ -175,8 +175,8 @@ std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample
 
 }  // namespace
 
-void set_place(SeenMark& mark, const PlaneFit& fit) {
-  mark.centre = fit.in_image({0, 0});
+void set_place(SeenMark& mark, const PlaneFit& fit, const cv::Vec2d& middle) {
+  mark.centre = fit.in_image(middle);
   // Of a standard deviation of one in the plane, as the image shows it.
   const cv::Matx22d slope = fit.slope();
   const cv::Matx22d spread = slope * slope.t();

@@ -23,8 +23,9 @@ std::optional<PlaneFit> fit_region(const ImageCut& cut, const LearnedSample& sam
 
 bool is_outline_of(const PlaneFit& fit);
 
-// Where and how large the mark is by the fit: its centre, its standard deviations, its slimness.
-void set_place(SeenMark& mark, const PlaneFit& fit);
+// Where and how large the mark is by the fit of an outline with this middle: its centre, its standard deviations, its
+// slimness.
+void set_place(SeenMark& mark, const PlaneFit& fit, const cv::Vec2d& middle);
 
 // Nothing where the region's outline is not that of the sample, however it is seen.
 std::optional<PlaneLook> seen_in_plane(const ImageCut& cut, const LearnedSample& sample, const LevelRegion& region);

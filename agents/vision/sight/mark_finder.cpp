@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "agents/vision/marks/tags.hpp"
+#include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
 namespace pizarra::vision {
@@ -104,7 +105,14 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
 // Of a tilted face the middle is not where the centroid of what is seen is; to a pair these say how far away it is.
 void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pair) {
   pair.plane = view_plane(sight.left_segmentation().cut(), sight.model(), object, pair.left);
-  if (pair.plane && pair.plane->agrees && !pair.right) pair.left.centre = pair.plane->fit.in_image({0, 0});
+  if (!pair.plane || !pair.plane->agrees) return;
+  const LearnedSample& sample = *pair.plane->sample;
+  if (!pair.right) {
+    pair.left.centre = pair.plane->fit.in_image(sample.plane.middle);
+    return;
+  }
+  const std::optional<PlaneFit> right = fit_in_right(sight, sample, pair, pair.plane->fit, to_follow);
+  if (right) pair.plane->pose = pose_in_plane(sight.model(), sample, pair.plane->fit, &*right);
 }
 
 std::optional<FoundMark> MarkFinder::find_shape(StereoSight& sight, const LearnedObject& object) const {

@@ -40,21 +40,33 @@ std::optional<MarkPose::Flipped> flipped_of(const PlanePose& plane) {
   return is_another && share > least_share ? std::optional(MarkPose::Flipped{plane.other.turn, share}) : std::nullopt;
 }
 
-std::optional<MarkPose> pose_of_shape(const SeenPair& pair) {
-  if (!pair.plane || !pair.plane->pose) return std::nullopt;
-  const PlanePose& plane = *pair.plane->pose;
-  return MarkPose{plane.place_mm, plane.turn, plane.covariance, flipped_of(plane)};
+// From the middle of the base line.
+MarkPose at_base(MarkPose pose, const camera::StereoModel& model, const std::optional<SeenRange>& range) {
+  pose.place_mm[0] -= model.base_line_mm / 2;
+  if (range) move_to(pose, *range);
+  return pose;
 }
 
 }  // namespace
 
+MarkPose pose_of(const camera::StereoModel& model, const PlanePose& plane, const std::optional<SeenRange>& range) {
+  MarkPose out{plane.place_mm, plane.turn, plane.covariance, flipped_of(plane)};
+  if (out.flipped) {
+    // Its middle is elsewhere then.
+    const cv::Vec3d apart = plane.other.place_mm - plane.place_mm;
+    const Eigen::Vector3d by(apart[0], apart[1], apart[2]);
+    out.covariance.topLeftCorner<3, 3>() += out.flipped->share * by * by.transpose();
+  }
+  return at_base(out, model, range);
+}
+
 std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair,
                                 const std::optional<SeenRange>& range) {
-  std::optional<MarkPose> out = pair.left.tag ? pose_of_tag(model, object, pair.left) : pose_of_shape(pair);
-  if (!out) return std::nullopt;
-  out->place_mm[0] -= model.base_line_mm / 2;
-  if (range) move_to(*out, *range);
-  return out;
+  if (!pair.left.tag) {
+    return pair.plane && pair.plane->pose ? std::optional(pose_of(model, *pair.plane->pose, range)) : std::nullopt;
+  }
+  const std::optional<MarkPose> tag = pose_of_tag(model, object, pair.left);
+  return tag ? std::optional(at_base(*tag, model, range)) : std::nullopt;
 }
 
 }  // namespace pizarra::vision

@@ -4,7 +4,7 @@
 //
 //   if (const std::optional<MarkPose> pose = pose_of(sight.model(), object, pair, range)) pose->place_mm, pose->turn
 //
-// Of a tag by its corners, of a shape by its outline in the left image; where the pair knows the range, at that.
+// Of a tag by its corners, of a shape by its outline; where the pair knows the range, at that.
 
 #include <Eigen/Core>
 #include <optional>
@@ -14,6 +14,7 @@
 
 namespace pizarra::vision {
 
+struct PlanePose;
 struct SeenPair;
 struct SeenRange;
 
@@ -32,5 +33,7 @@ struct MarkPose {
 // `range`: of it, where that is known. Nothing of a shape that is slim, as how it lies was not learned.
 std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair,
                                 const std::optional<SeenRange>& range);
+// Of a shape, by its plane.
+MarkPose pose_of(const camera::StereoModel& model, const PlanePose& plane, const std::optional<SeenRange>& range);
 
 }  // namespace pizarra::vision

@@ -284,15 +284,19 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   if (is_doubted(track, *now)) out.confidence = std::min(out.confidence, trust_in_another);
   if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
   out.margin = now->likeness.margin();
+  const std::optional<PlanePose> lies = track.plane.look(sight, *object, *now);
   std::optional<SeenRange> range;
   if (now->right) {
     const FacePlane plane = face_plane(sight.model(), now->left, *now->right);
-    range = range_by_pair(sight, now->left, *now->right, plane, in_whole);
+    range = range_by_pair(sight, now->left, *now->right, in_whole, lies && lies->by_both ? &*lies : nullptr);
     out.right_centre = now->right->centre;
     out.yaw_deg = yaw_deg(plane);
   } else if (sight.is_cut_off(*object, now->left)) {
-    range = range_by_size(sight.model(), *object, now->left);
+    // By its longer axis, which is as long at either tilt: of a large triangle four poses look alike.
+    range = range_by_size(sight.model(), *object, now->left, nullptr);
   }
+  if (lies) out.pose = pose_of(sight.model(), *lies, range);
+  if (now->left.tag) out.pose = pose_of(sight.model(), *object, *now, range);
   if (range) {
     out.seen = true;
     out.range_mm = range->mm;

@@ -21,7 +21,9 @@
 #include <set>
 
 #include "agents/vision/objects/renames.hpp"
+#include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/frame_time.hpp"
+#include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
 namespace pizarra::vision {
@@ -39,7 +41,8 @@ struct TrackSighting {
   std::string second = {};        // the learned object that it is most like otherwise, where one comes near
   double margin = 0;              // Likeness::margin()
   std::optional<double> yaw_deg;  // of its face (face_plane.hpp), where both images show it
-  MarkContour contour;            // in the left image
+  std::optional<MarkPose> pose = {};
+  MarkContour contour;  // in the left image
 };
 
 inline constexpr std::size_t most_tracked = 16;
@@ -82,6 +85,7 @@ class MarkTracker {
     Time seen_at = {};
     bool missed = false;  // in the frame before this one
     Wholeness whole = {};
+    FollowedPlane plane = {};
     double ground_doubt = 0;       // as it was found, or since
     cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;

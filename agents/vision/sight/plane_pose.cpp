@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "agents/vision/sight/plane_solve.hpp"
@@ -14,10 +15,19 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Eigen::Vector2d;
 
-// Of an edge, px: what the pixels' phase, the lens and the template leave.
-constexpr double least_edge_spread = 0.08;
-// Neighbouring edges share pixels: so many are as good as one less.
+// Of an edge, px, at least.
+constexpr double least_edge_spread = 0.03;
+// Neighbours have no more in common than this.
+constexpr double most_in_common = 0.8;
+// By which explanations are weighed against each other: what the pixels' phase, the lens and the template leave no
+// number of edges makes less. So many are as good as one less.
+constexpr double least_common_spread = 0.08;
 constexpr double independent_share = 0.5;
+// A homography has so many numbers; a pose fewer than so many edges say nothing of.
+constexpr int free_numbers = 8;
+constexpr std::size_t least_edges = 12;
+// Of a mark's size that both images of a pair say anew, as a part of it.
+constexpr double size_spread_of_pair = 0.01;
 // Of a stretch that is known by its amount, along either of two axes.
 constexpr double one_of_two = 0.707;
 constexpr double least_stretch = 0.001;
@@ -28,14 +38,15 @@ constexpr double least_contradiction = 4;
 constexpr double clearly_contradicted = 15;
 
 std::vector<PlanePoint> edges_of(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
-                                 double unit) {
+                                 double unit, double beside_mm) {
   std::vector<PlanePoint> out;
   for (const PlaneEdge& edge : fit.edges) {
     if (!edge.counts || !edge.is_border) continue;
-    const cv::Vec2d& p = outline.points[edge.point].at;
+    const cv::Vec2d p = outline.points[edge.point].at - outline.middle;
     out.push_back({Vector2d(p[0], p[1]) * unit,
                    {(edge.at.x - model.centre_x_px) / model.focal_px, (edge.at.y - model.centre_y_px) / model.focal_px},
-                   Vector2d(edge.normal[0], edge.normal[1]) * model.focal_px});
+                   Vector2d(edge.normal[0], edge.normal[1]) * model.focal_px,
+                   beside_mm});
   }
   return out;
 }
@@ -56,17 +67,45 @@ double affine_misfit(const std::vector<PlanePoint>& edges, double weight) {
   return std::max(0.0, squares - right.dot(normal.ldlt().solve(right))) / 2;
 }
 
-double free_misfit(const PlaneFit& fit, double weight) {
-  double squares = 0;
-  for (const PlaneEdge& edge : fit.edges) {
-    if (edge.counts && edge.is_border) squares += edge.off_px * edge.off_px;
+// How the edges scatter about the outline, wherever that lies.
+struct Scatter {
+  double squares = 0;  // px
+  double beside = 0;   // each times its neighbour
+  int edges = 0;
+  int numbers = 0;  // that were fitted
+
+  double variance() const {
+    return std::max(least_edge_spread * least_edge_spread, squares / std::max(1, edges - numbers));
   }
-  return weight * squares / 2;
+  // The inverse variance of an edge, counted as if each were off by itself. What neighbours have in common goes on from
+  // one to the next, less each time (a process of first order). The fit took away some of it: for each number as much
+  // as one edge's.
+  double weight() const {
+    const double in_common = (beside + numbers * variance()) / (edges * variance());
+    const double rho = std::clamp(in_common, 0.0, most_in_common);
+    return (1 - rho) / (1 + rho) / variance();
+  }
+  double weight_of_explanations() const {
+    return independent_share / std::max(least_common_spread * least_common_spread, squares / edges);
+  }
+};
+
+void count(const PlaneFit& fit, Scatter& scatter) {
+  scatter.numbers += free_numbers;
+  const PlaneEdge* before = nullptr;
+  for (const PlaneEdge& edge : fit.edges) {
+    const bool there = edge.counts && edge.is_border;
+    if (there) scatter.squares += edge.off_px * edge.off_px;
+    if (there && before != nullptr) scatter.beside += edge.off_px * before->off_px;
+    scatter.edges += there ? 1 : 0;
+    before = there ? &edge : nullptr;
+  }
 }
 
-PlaneTilt tilt_of(const SolvedPlane& solved) {
+PlaneTilt tilt_of(const SolvedPlane& solved, double share_of_misfit) {
   const Eigen::Vector3d& place = solved.pose.place;
-  return {{place.x(), place.y(), place.z()}, matx_of(solved.pose.turn), solved.covariance, solved.misfit};
+  return {
+      {place.x(), place.y(), place.z()}, matx_of(solved.pose.turn), solved.covariance, share_of_misfit * solved.misfit};
 }
 
 }  // namespace
@@ -77,21 +116,36 @@ bool PlanePose::shows_perspective() const { return affine_misfit - misfit > clea
 
 double PlanePose::share_of_other() const { return 1 / (1 + std::exp(std::min(other.misfit - misfit, 50.0))); }
 
-std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
-                                    const PlaneFace& face) {
-  const double unit_mm = face.unit_mm;
-  const std::vector<PlanePoint> edges = edges_of(model, outline, fit, unit_mm);
-  if (edges.size() < 16) return std::nullopt;
-  const double spread = std::max(least_edge_spread, fit.rms_px);
-  const double weight = independent_share / (spread * spread);
-  const std::vector<PlaneGuess> guesses = plane_guesses(model, fit.in_image({0, 0}), fit.slope() * (1 / unit_mm));
+std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
+                                    const PlaneFace& face, const PlaneFit* right) {
+  std::vector<PlanePoint> edges = edges_of(model, outline, left, face.unit_mm, 0);
+  if (edges.size() < least_edges) return std::nullopt;
+  Scatter scatter;
+  count(left, scatter);
+  PlaneErrors errors;
+  if (right != nullptr) {
+    count(*right, scatter);
+    const std::vector<PlanePoint> in_right = edges_of(model, outline, *right, face.unit_mm, model.base_line_mm);
+    edges.insert(edges.end(), in_right.begin(), in_right.end());
+    errors.size_spread = size_spread_of_pair;
+  }
+  errors.weight = scatter.weight();
   const double stretch = (1 - face.slimness) / (1 + face.slimness);
-  const PlaneErrors errors{.weight = weight, .stretch_spread = std::max(least_stretch, stretch * one_of_two)};
-  const std::vector<SolvedPlane> both = solve_plane(edges, guesses, errors);
+  errors.stretch_spread = std::max(least_stretch, stretch * one_of_two);
+  const cv::Matx22d slope = left.slope_at(outline.middle) * (1 / face.unit_mm);
+  const std::vector<PlaneGuess> guesses = plane_guesses(model, left.in_image(outline.middle), slope);
+  // Two images tell the tilts apart: the first guess most often ends at the right one.
+  std::vector<SolvedPlane> both;
+  if (right != nullptr)
+    both = solve_plane(edges, std::span(guesses).first(std::min<std::size_t>(1, guesses.size())), errors);
+  const bool is_explained = !both.empty() && both.front().misfit < static_cast<double>(edges.size());
+  if (!is_explained) both = solve_plane(edges, guesses, errors);
   if (both.empty()) return std::nullopt;
-  PlanePose out{tilt_of(both.front()), tilt_of(both.back())};
-  out.affine_misfit = affine_misfit(edges, weight);
-  out.free_misfit = free_misfit(fit, weight);
+  const double weight = scatter.weight_of_explanations();
+  PlanePose out{tilt_of(both.front(), weight / errors.weight), tilt_of(both.back(), weight / errors.weight)};
+  out.by_both = right != nullptr;
+  if (!out.by_both) out.affine_misfit = affine_misfit(edges, weight);
+  out.free_misfit = weight * scatter.squares / 2;
   return out;
 }
 

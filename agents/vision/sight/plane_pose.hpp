@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the plane of a mark is in space, by the edges that registered its outline in one image (plane_fit.hpp), and
-// whether what looks tilted may be covered instead.
+// Where the plane of a mark is in space, by the edges that registered its outline in one image (plane_fit.hpp), or in
+// both of a pair together, and whether what looks tilted may be covered instead.
 //
 //   const std::optional<PlanePose> pose = plane_pose(model, sample.plane, fit, {.unit_mm = sample.face_mm()});
 //   pose->place_mm, pose->turn, pose->covariance
@@ -26,7 +26,8 @@ struct PlaneTilt {
 };
 
 struct PlanePose : PlaneTilt {
-  PlaneTilt other;  // the other tilt that looks nearly alike
+  PlaneTilt other;       // the other tilt that looks nearly alike
+  bool by_both = false;  // of a pair's images
   // How badly these explain the edges.
   double affine_misfit = 0;  // a look without perspective, as of what is covered and faces the camera
   double free_misfit = 0;    // any homography
@@ -41,9 +42,10 @@ struct PlaneFace {
   double slimness = 1;  // from the front: how much of its own stretch the outline leaves out
 };
 
-// Nothing where the edges are no plane's in front of it.
-std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
-                                    const PlaneFace& face);
+// Nothing where the edges are no plane's in front of it. `right`: in the right image, where that shows it; then the
+// size is only about known, and a look without perspective is not weighed.
+std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
+                                    const PlaneFace& face, const PlaneFit* right = nullptr);
 
 // How likely a look that is slimmer than the mark is one of a part of it, facing the camera, rather than of all of it,
 // tilted: perspective goes with a tilt. `tilted_for_one_covered`: where that says nothing.

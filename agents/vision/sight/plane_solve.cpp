@@ -8,8 +8,8 @@
 namespace pizarra::vision {
 namespace {
 
-using Vector8 = Eigen::Matrix<double, 8, 1>;
-using Matrix8 = Eigen::Matrix<double, 8, 8>;
+using Vector9 = Eigen::Matrix<double, 9, 1>;
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -27,26 +27,31 @@ Matrix3d turned_by(const Vector3d& rad) {
   return angle < 1e-12 ? Matrix3d(Matrix3d::Identity()) : Eigen::AngleAxisd(angle, rad / angle).toRotationMatrix();
 }
 
-PlaneGuess moved(const PlaneGuess& pose, const Vector8& change) {
-  return {turned_by(change.segment<3>(3)) * pose.turn, pose.place + change.head<3>(), pose.stretch + change.tail<2>()};
+PlaneGuess moved(const PlaneGuess& pose, const Vector9& change) {
+  return {turned_by(change.segment<3>(3)) * pose.turn, pose.place + change.head<3>(), pose.form + change.tail<3>()};
 }
 
 // The normal matrix, the step's right side, and half the squared deviations.
 struct Equations {
-  Matrix8 normal = Matrix8::Zero();
-  Vector8 right = Vector8::Zero();
+  Matrix9 normal = Matrix9::Zero();
+  Vector9 right = Vector9::Zero();
   double misfit = 0;
 };
 
-// How a point of the plane goes with either number of the stretch.
-Eigen::Matrix2d by_stretch(const Vector2d& p) {
-  Eigen::Matrix2d out;
-  out << p.x(), p.y(), -p.y(), p.x();
+// How a point of the plane goes with each number of the form.
+Eigen::Matrix<double, 2, 3> by_form(const Vector2d& p) {
+  Eigen::Matrix<double, 2, 3> out;
+  out << p.x(), p.x(), p.y(), p.y(), -p.y(), p.x();
   return out;
 }
 
 Vector3d turned(const PlanePoint& point, const PlaneGuess& pose) {
-  return pose.turn.leftCols<2>() * (point.plane + by_stretch(point.plane) * pose.stretch);
+  return pose.turn.leftCols<2>() * (by_form(point.plane) * pose.form);
+}
+
+// From the camera that sees it.
+Vector3d in_space(const PlanePoint& point, const PlaneGuess& pose) {
+  return turned(point, pose) + pose.place - point.beside_mm * Vector3d::UnitX();
 }
 
 // Nothing where it lies behind the camera in part.
@@ -54,16 +59,15 @@ std::optional<Equations> equations_of(std::span<const PlanePoint> points, const 
                                       const PlaneErrors& errors) {
   Equations out;
   for (const PlanePoint& point : points) {
-    const Vector3d from_middle = turned(point, pose);
-    const Vector3d at = from_middle + pose.place;
+    const Vector3d at = in_space(point, pose);
     if (!(at.z() > 0)) return std::nullopt;
     const Vector2d slope = at.head<2>() / at.z();
     const double off = point.normal.dot(point.seen - slope);
     const Vector3d by_place = Vector3d(point.normal.x(), point.normal.y(), -point.normal.dot(slope)) / at.z();
     const Vector2d in_plane = pose.turn.leftCols<2>().transpose() * by_place;
-    Vector8 j;
-    j << by_place, from_middle.cross(by_place), by_stretch(point.plane).transpose() * in_plane;
-    for (int row = 0; row < 8; ++row) {
+    Vector9 j;
+    j << by_place, turned(point, pose).cross(by_place), by_form(point.plane).transpose() * in_plane;
+    for (int row = 0; row < 9; ++row) {
       for (int column = 0; column <= row; ++column) out.normal(row, column) += errors.weight * j[row] * j[column];
     }
     out.right += errors.weight * off * j;
@@ -71,10 +75,12 @@ std::optional<Equations> equations_of(std::span<const PlanePoint> points, const 
   }
   out.normal.triangularView<Eigen::StrictlyUpper>() = out.normal.transpose();
   out.normal.diagonal().segment<3>(3).array() += 1 / (unknown_turn_rad * unknown_turn_rad);
-  const double prior = 1 / (errors.stretch_spread * errors.stretch_spread);
-  out.normal.diagonal().tail<2>().array() += prior;
-  out.right.tail<2>() -= prior * pose.stretch;
-  out.misfit += prior * pose.stretch.squaredNorm() / 2;
+  const Vector3d spread(errors.size_spread, errors.stretch_spread, errors.stretch_spread);
+  const Vector3d prior = spread.array().square().inverse();
+  const Vector3d off = pose.form - Vector3d::UnitX();
+  out.normal.diagonal().tail<3>() += prior;
+  out.right.tail<3>() -= prior.cwiseProduct(off);
+  out.misfit += prior.dot(off.cwiseAbs2()) / 2;
   return out;
 }
 
@@ -83,7 +89,7 @@ std::optional<SolvedPlane> solved(std::span<const PlanePoint> points, PlaneGuess
   if (!first) return std::nullopt;
   Equations now = *first;
   for (int step = 0; step < most_steps; ++step) {
-    Vector8 change = now.normal.ldlt().solve(now.right);
+    Vector9 change = now.normal.ldlt().solve(now.right);
     if (!change.allFinite()) return std::nullopt;
     if (change.dot(now.right) < least_gain) break;
     std::optional<Equations> then;
@@ -141,7 +147,7 @@ std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::sp
 }
 
 double off_px(const PlanePoint& point, const PlaneGuess& pose) {
-  const Vector3d at = turned(point, pose) + pose.place;
+  const Vector3d at = in_space(point, pose);
   return point.normal.dot(point.seen - at.head<2>() / at.z());
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a plane is in space, by points of it that one image shows: Gauss-Newton steps on six numbers and the plane's
-// stretch, from both tilts that a look without perspective allows.
+// Where a plane is in space, by points of it that one image shows, or both of a pair: Gauss-Newton steps on six numbers
+// and the plane's form, from both tilts that a look without perspective allows.
 //
 //   const std::vector<PlaneGuess> both = plane_guesses(model, middle, px_a_mm);
 //   const std::vector<SolvedPlane> poses = solve_plane(points, both, {.weight = 40});     // the likelier one first
@@ -23,14 +23,15 @@ struct PlanePoint {
   Eigen::Vector2d plane;   // mm
   Eigen::Vector2d seen;    // slopes off the camera's axis
   Eigen::Vector2d normal;  // times the focal length, so that an error along it is in px
+  double beside_mm = 0;    // how far to the right of the left camera the one stands that sees it
 };
 
 struct PlaneGuess {
   Eigen::Matrix3d turn;   // the plane's axes, as the camera's
   Eigen::Vector3d place;  // of the plane's origin, mm
-  // By how much more than said the plane reaches along x, and less along y; and along one diagonal, and less along the
-  // other.
-  Eigen::Vector2d stretch = {0, 0};
+  // How many times larger than said the plane is; by how much more it reaches along x, and less along y; and along one
+  // diagonal, and less along the other.
+  Eigen::Vector3d form = {1, 0, 0};
 };
 
 struct SolvedPlane {
@@ -40,8 +41,10 @@ struct SolvedPlane {
 };
 
 struct PlaneErrors {
-  double weight;                 // the inverse variance of a point, px
-  double stretch_spread = 1e-6;  // nearly zero: there is none
+  double weight;  // the inverse variance of a point, px
+  // Of the form: what is nearly zero is known.
+  double size_spread = 1e-6;
+  double stretch_spread = 1e-6;
 };
 
 // The image shows the plane's axes shortened. The rest of their length is depth, towards the camera or away from it,

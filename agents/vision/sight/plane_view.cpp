@@ -5,11 +5,11 @@
 namespace pizarra::vision {
 
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
-                                       const PlaneFit& fit) {
+                                       const PlaneFit& left, const PlaneFit* right) {
   // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
   const double unit_mm = sample.face_mm();
   if (unit_mm <= 0 || sample.slimness < least_round) return std::nullopt;
-  return plane_pose(model, sample.plane, fit, {unit_mm, sample.slimness});
+  return plane_pose(model, sample.plane, left, {unit_mm, sample.slimness}, right);
 }
 
 std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,
@@ -21,7 +21,7 @@ std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoMod
   std::optional<PlaneFit> fit = fit_region(cut, *sample, *reach);
   if (!fit) return std::nullopt;
   const bool agrees = is_outline_of(*fit);
-  PlaneView out{std::move(*fit), agrees, std::nullopt};
+  PlaneView out{sample, std::move(*fit), agrees, std::nullopt};
   if (agrees) out.pose = pose_in_plane(model, *sample, out.fit);
   return out;
 }

@@ -11,15 +11,17 @@
 namespace pizarra::vision {
 
 struct PlaneView {
-  PlaneFit fit;
+  const LearnedSample* sample;
+  PlaneFit fit;                   // in the left image
   bool agrees;                    // the edges are those of the outline; else it is something that is like it
   std::optional<PlanePose> pose;  // where they agree
   bool is_part = false;           // something hides the rest: the fit goes by what is seen of the outline
 };
 
-// How the sample's plane lies by the fit; nothing where its size is not known.
+// How the sample's plane lies by the fit in the left image, and by that in the right one where it is there; nothing
+// where its size is not known.
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
-                                       const PlaneFit& fit);
+                                       const PlaneFit& left, const PlaneFit* right = nullptr);
 
 // Of its likest sample; nothing of a tag, and where there are too few edges.
 std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,

@@ -194,7 +194,7 @@ std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, con
     SeenPair pair{.left = whole_mark(cut, look), .right = std::nullopt};
     pair.left.focal_px = model_.focal_px;
     std::optional<PlanePose> pose = pose_in_plane(model_, *look.sample, look.fit);
-    pair.plane = PlaneView{std::move(look.fit), true, std::move(pose), true};
+    pair.plane = PlaneView{look.sample, std::move(look.fit), true, std::move(pose), true};
     out.push_back(std::move(pair));
   }
   return out;

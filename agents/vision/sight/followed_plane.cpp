@@ -1,0 +1,118 @@
+#include "agents/vision/sight/followed_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "agents/vision/objects/mark_match.hpp"
+
+namespace pizarra::vision {
+namespace {
+
+// Around the mark, for its outline's normals and what smooths the image.
+constexpr int margin_px = 16;
+// What a frame says of a face that is turned by less than this since the one before is said with the same errors, in
+// part: of one at rest frames are averaged, each counting so much. What they say together has a bound.
+constexpr double turned_anew_rad = 0.15;
+constexpr double of_average = 0.2;
+constexpr double most_certain = 20;
+
+cv::Matx33d shift_by(cv::Point2d way) { return {1, 0, way.x, 0, 1, way.y, 0, 0, 1}; }
+
+// A symmetric outline is turned alike in both.
+cv::Matx33d moved(const cv::Matx33d& to_image, cv::Point2d from, cv::Point2d to) {
+  return shift_by(to - from) * to_image;
+}
+
+cv::Vec3d away_of(const cv::Matx33d& turn) { return {turn(0, 2), turn(1, 2), turn(2, 2)}; }
+
+// The outline of a sample, as a mark of one image shows it.
+class OutlineInImage {
+ public:
+  OutlineInImage(const cv::Mat& grey, double noise, const LearnedSample& sample, const SeenMark& mark)
+      : sample_(sample), mark_(mark), cut_(look_at(grey, around(mark) & cv::Rect({}, grey.size()), noise)) {}
+
+  std::optional<PlaneFit> fit_from(const cv::Matx33d& start, const PlaneSearch& search) const {
+    return checked(fit_plane(cut_.pixels, sample_.plane, shift_by(-origin()) * start, sample_.tone, search));
+  }
+  std::optional<PlaneFit> fit_anew() const {
+    std::vector<cv::Point2d> contour;
+    for (const cv::Point& p : mark_.contour) contour.emplace_back(p - cut_.origin);
+    const std::optional<Reach> reach = reach_of(contour);
+    return reach ? checked(fit_region(cut_, sample_, *reach)) : std::nullopt;
+  }
+
+ private:
+  static cv::Rect around(const SeenMark& mark) {
+    return {mark.box.x - margin_px, mark.box.y - margin_px, mark.box.width + 2 * margin_px,
+            mark.box.height + 2 * margin_px};
+  }
+  cv::Point2d origin() const { return cut_.origin; }
+  std::optional<PlaneFit> checked(std::optional<PlaneFit> fit) const {
+    if (!fit || !is_outline_of(*fit)) return std::nullopt;
+    fit->to_image = shift_by(origin()) * fit->to_image;
+    for (PlaneEdge& edge : fit->edges) edge.at += origin();
+    return fit;
+  }
+
+  const LearnedSample& sample_;
+  const SeenMark& mark_;
+  const ImageCut cut_;
+};
+
+const LearnedSample* sample_numbered(const LearnedObject& object, int number) {
+  const auto found = std::ranges::find(object.samples, number, &LearnedSample::number);
+  return found == object.samples.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSample& sample, const SeenPair& pair,
+                                     const PlaneFit& left, const PlaneSearch& search) {
+  if (!pair.right) return std::nullopt;
+  const cv::Matx33d start = moved(left.to_image, pair.left.centre, pair.right->centre);
+  return OutlineInImage(sight.right(), sight.noise(), sample, *pair.right).fit_from(start, search);
+}
+
+// How much all frames speak for the likelier tilt, which is made the pose. Which of both is which, the way that the
+// face looks says.
+double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& pose) {
+  double for_best = pose.other.misfit - pose.misfit;
+  if (before) {
+    const double best_off = cv::norm(away_of(pose.turn) - before->away);
+    const double other_off = cv::norm(away_of(pose.other.turn) - before->away);
+    const double anew = std::min(1.0, std::min(best_off, other_off) / turned_anew_rad);
+    const double until_now = other_off < best_off ? -before->for_told : before->for_told;
+    for_best = std::lerp(1 - of_average, 1, anew) * until_now + std::lerp(of_average, 1, anew) * for_best;
+  }
+  if (for_best < 0) std::swap(static_cast<PlaneTilt&>(pose), pose.other);
+  const double for_told = std::min(std::abs(for_best), most_certain);
+  pose.other.misfit = pose.misfit + for_told;
+  return for_told;
+}
+
+std::optional<PlanePose> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
+                                             const SeenPair& now) {
+  const std::optional<Seen> before = std::exchange(before_, std::nullopt);
+  if (now.left.tag || now.left.contour.empty()) return std::nullopt;
+  const LearnedSample* sample = before ? sample_numbered(object, before->sample) : nullptr;
+  std::optional<PlaneFit> left;
+  if (sample != nullptr) {
+    const cv::Matx33d start = moved(before->to_image, before->centre, now.left.centre);
+    left = OutlineInImage(sight.left(), sight.noise(), *sample, now.left).fit_from(start, to_follow);
+  }
+  if (!left) {
+    sample = match_of(now.left, object, now.likeness.turn).sample;
+    if (sample == nullptr || sample->tag) return std::nullopt;
+    left = OutlineInImage(sight.left(), sight.noise(), *sample, now.left).fit_anew();
+  }
+  if (!left) return std::nullopt;
+  const std::optional<PlaneFit> right = fit_in_right(sight, *sample, now, *left, to_follow_in_right);
+  std::optional<PlanePose> pose = pose_in_plane(sight.model(), *sample, *left, right ? &*right : nullptr);
+  if (!pose) return std::nullopt;
+  const double for_told = weigh_tilts(before, *pose);
+  before_ = Seen{sample->number, now.left.centre, left->to_image, away_of(pose->turn), for_told};
+  return pose;
+}
+
+}  // namespace pizarra::vision

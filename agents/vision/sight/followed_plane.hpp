@@ -1,0 +1,39 @@
+#pragma once
+
+// How the plane of a mark lies, by both images of a pair where both show the mark: its outline registered in the left
+// one, and from there in the right one. Of a mark that is followed it is registered anew in every frame, from where it
+// was, moved as the mark has.
+//
+//   FollowedPlane plane;
+//   std::optional<PlanePose> pose = plane.look(sight, object, pair);     // each frame that shows the mark
+//
+// An image without perspective allows two tilts. Which of them is likelier, frames say together.
+
+#include "agents/vision/sight/stereo_sight.hpp"
+
+namespace pizarra::vision {
+
+// The outline in the right image, from where it is in the left one; nothing where that does not show it.
+std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSample& sample, const SeenPair& pair,
+                                     const PlaneFit& left, const PlaneSearch& search);
+
+class FollowedPlane {
+ public:
+  // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
+  // tilt so far, its misfits those of all frames.
+  std::optional<PlanePose> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
+
+ private:
+  struct Seen {
+    int sample;  // its number
+    cv::Point2d centre;
+    cv::Matx33d to_image;  // in the left image
+    cv::Vec3d away;        // the way the face looked that was told
+    double for_told;       // how much all frames speak for that rather than for the other tilt
+  };
+  static double weigh_tilts(const std::optional<Seen>& before, PlanePose& pose);
+
+  std::optional<Seen> before_;
+};
+
+}  // namespace pizarra::vision
