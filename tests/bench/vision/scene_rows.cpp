@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "agents/vision/sight/seen_range.hpp"
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 #include "tests/bench/vision/rows.hpp"
 
@@ -87,10 +87,8 @@ void say_recall(VisionBench& bench, const std::string& where, const Tally& ours,
 // Of the mark, as FIND tells it; nothing where the pair does not see it.
 std::optional<vision::SeenRange> found_range(vision::StereoSight& sight, const vision::LearnedObjects& marks,
                                              const std::string& name) {
-  const vision::LearnedObject& object = *marks.find(name);
-  const std::optional<vision::SeenPair> pair = sight.find(marks, object);
-  if (!pair || !pair->right) return std::nullopt;
-  return vision::range_of(sight, object, *pair, vision::confidence_at_first(sight, object, *pair));
+  const Result<vision::FoundMark> found = vision::MarkFinder(marks).find(sight, *marks.find(name), Time());
+  return found && found->pair.right ? found->range : std::nullopt;
 }
 
 void say_wrong(VisionBench& bench, const std::string& where, const Tally& ours, std::vector<Peer> peers) {

@@ -27,7 +27,7 @@ TagDetector aruco() {
     std::vector<SeenTag> seen;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const std::vector<cv::Point2f>& c = corners[i];
-      seen.push_back({numbers[i], cv::Point2d((c[0] + c[1] + c[2] + c[3]) * 0.25F)});
+      seen.push_back({numbers[i], cv::Point2d((c[0] + c[1] + c[2] + c[3]) * 0.25F), c});
     }
     return seen;
   };
@@ -57,7 +57,12 @@ TagDetector apriltag() {
     for (int i = 0; i < zarray_size(found.get()); ++i) {
       apriltag_detection_t* tag = nullptr;
       zarray_get(found.get(), i, &tag);
-      seen.push_back({tag->id, {tag->c[0] - 0.5, tag->c[1] - 0.5}});
+      SeenTag one{tag->id, {tag->c[0] - 0.5, tag->c[1] - 0.5}, {}};
+      // They go counterclockwise, and half a pixel is the middle of the first one.
+      for (const int k : {3, 2, 1, 0}) {
+        one.corners.emplace_back(static_cast<float>(tag->p[k][0] - 0.5), static_cast<float>(tag->p[k][1] - 0.5));
+      }
+      seen.push_back(std::move(one));
     }
     return seen;
   };

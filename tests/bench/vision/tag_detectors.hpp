@@ -16,6 +16,7 @@ namespace pizarra::bench {
 struct SeenTag {
   int number;
   cv::Point2d centre;
+  std::vector<cv::Point2f> corners;  // clockwise from the left upper one, px
 };
 
 struct TagDetector {
