@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lisp/escapes.hpp"
+#include "lisp/written_escapes.hpp"
 
 namespace pizarra {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "lisp/decimal.hpp"
-#include "lisp/escapes.hpp"
+#include "lisp/written_escapes.hpp"
 
 namespace pizarra {
 

@@ -22,9 +22,11 @@ Task<Result<void>> stand_by(Executor& executor, std::shared_ptr<Standby> standby
     };
     co_await executor.offload(std::move(work), Duration::zero());
     const Result<void> attempt = *leads ? Result<void>() : fail(*leads);
+    const bool has_failed = !attempt && !passes(attempt.error());
+    if (has_failed) co_return attempt;
     on_log(attempt);
-    const bool is_over = attempt ? leads->value() : !passes(attempt.error());
-    if (is_over) co_return attempt;
+    const bool has_won = attempt && leads->value();
+    if (has_won) co_return attempt;
     co_await sleep(executor, looks_every);
   }
 }

@@ -25,7 +25,7 @@ Result<Datum> PermittedBoard::perform(const Client& client, const Datum& body, s
 }
 
 Failure PermittedBoard::told(const Client& client, Failure failure, std::size_t& examined) const {
-  const auto may_know = [&](std::string_view relation) { return Gate::may_know(client.key, relation); };
+  const auto may_know = [&](std::string_view relation) { return KeyRights::may_know(client.key, relation); };
   return store::with_nearest(std::move(failure), board_.store().tables(), may_know, examined);
 }
 
@@ -44,7 +44,7 @@ Result<std::unique_ptr<watch::WatchQueue>> PermittedBoard::watch(const Client& c
                                                                  std::size_t& examined) {
   const Result<Query> watched = query_from_datum(query);
   if (!watched) return fail(watched);
-  const Result<void> permitted = gate_.ask(client.key, *watched);
+  const Result<void> permitted = rights_.ask(client.key, *watched);
   if (!permitted) return fail(permitted);
   Result<std::unique_ptr<watch::WatchQueue>> queue =
       board_.watch(client.teller, *watched, std::move(ready), std::move(backlog), examined);
@@ -59,7 +59,7 @@ Result<Datum> PermittedBoard::declare(const Client& client, const Datum& body) {
     if (!relation) return fail(relation);
     relations.push_back(std::move(*relation));
   }
-  const Result<void> permitted = gate_.declare(client.key, relations);
+  const Result<void> permitted = rights_.declare(client.key, relations);
   if (!permitted) return fail(permitted);
   return nothing_or(board_.declare(client.teller, relations));
 }
@@ -67,7 +67,7 @@ Result<Datum> PermittedBoard::declare(const Client& client, const Datum& body) {
 Result<Datum> PermittedBoard::transact(const Client& client, const Datum& body, std::size_t& examined) {
   const Result<Transaction> transaction = wire::transaction_from_datum(body);
   if (!transaction) return fail(transaction);
-  const Result<void> permitted = gate_.transact(client.key, *transaction, examined);
+  const Result<void> permitted = rights_.transact(client.key, *transaction, examined);
   if (!permitted) return fail(permitted);
   const Result<void> room = durability_.check_room(board_.store(), body, *transaction);
   if (!room) return fail(room);
@@ -80,7 +80,7 @@ Result<Query> PermittedBoard::query_of(const Client& client, const Datum& body) 
   if (body.size() != 2) return bad_frame("a question is (ask QUERY) or (recall QUERY)");
   Result<Query> query = query_from_datum(body[1]);
   if (!query) return query;
-  const Result<void> permitted = gate_.ask(client.key, *query);
+  const Result<void> permitted = rights_.ask(client.key, *query);
   if (!permitted) return fail(permitted);
   return query;
 }
@@ -109,7 +109,7 @@ Result<Datum> PermittedBoard::recall(const Client& client, const Datum& body, Du
 Result<Datum> PermittedBoard::take(const Client& client, const Datum& body, std::size_t& examined) {
   const std::optional<std::uint64_t> holder = wire::count_at(body, 2);
   if (!holder || body.size() != 3) return bad_frame("taking is (take PATTERN LEASE)");
-  const Result<void> permitted = gate_.take(client.key, body[1], *holder);
+  const Result<void> permitted = rights_.take(client.key, body[1], *holder);
   if (!permitted) return fail(permitted);
   const Result<std::optional<Fact>> taken = board_.take(client.teller, body[1], *holder, examined);
   if (!taken) return fail(taken);
@@ -121,15 +121,15 @@ Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body, std
   const bool whole = body.size() == 2 && body[1].is_integer();
   if (!whole) return bad_frame("not a request");
   if (body.is_form("lease")) {
-    const Result<void> within = gate_.lease(client.key, client.name);
+    const Result<void> within = rights_.lease(client.key, client.name);
     if (!within) return fail(within);
     const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
     if (!lease) return fail(lease);
-    gate_.granted(client.key, client.name, *lease);
+    rights_.granted(client.key, client.name, *lease);
     return to_datum(*lease);
   }
   const std::optional<std::uint64_t> lease = wire::count_from(body[1]);
-  const Result<void> permitted = gate_.use_lease(client.key, lease.value_or(0));
+  const Result<void> permitted = rights_.use_lease(client.key, lease.value_or(0));
   if (!permitted) return fail(permitted);
   if (lease && body.is_form("renew")) return nothing_or(board_.renew(*lease));
   if (lease && body.is_form("release")) return nothing_or(board_.release(*lease, examined));

@@ -12,7 +12,7 @@
 
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/server/durability.hpp"
-#include "blackboard/server/gate.hpp"
+#include "blackboard/server/key_rights.hpp"
 
 namespace pizarra::server {
 
@@ -21,12 +21,12 @@ class PermittedBoard {
   struct Client {
     const std::string& teller;
     const std::string& name;  // the owner of its requests: the key's name, or else the client's
-    Gate::Key key = nullptr;
+    KeyRights::Key key = nullptr;
   };
 
   // Both outlive it.
   PermittedBoard(memory::MemoryBoard& board, const Durability& durability)
-      : board_(board), durability_(durability), gate_(board) {}
+      : board_(board), durability_(durability), rights_(board) {}
 
   // The value of the reply to any request but a watch. Adds to `examined` how many facts were looked at.
   Result<Datum> perform(const Client& client, const Datum& body, std::size_t& examined);
@@ -40,7 +40,7 @@ class PermittedBoard {
   // A failure as this client is told it: it hears of no relation that is none of its business.
   Failure told(const Client& client, Failure failure, std::size_t& examined) const;
   // Forgets what was known of leases that have lapsed.
-  void sweep() { gate_.sweep(); }
+  void sweep() { rights_.sweep(); }
 
  private:
   Result<Datum> act(const Client& client, const Datum& body, std::size_t& examined);
@@ -52,7 +52,7 @@ class PermittedBoard {
 
   memory::MemoryBoard& board_;
   const Durability& durability_;
-  Gate gate_;
+  KeyRights rights_;
 };
 
 }  // namespace pizarra::server

@@ -5,7 +5,7 @@
 #include <zmq.hpp>
 
 #include "agents/launcher/agent_factory.hpp"
-#include "agents/launcher/camera_news.hpp"
+#include "agents/launcher/camera_loss_news.hpp"
 #include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
@@ -69,7 +69,7 @@ int run_agent(const ProcessChoices& choices) {
   const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
   Job camera;
   if (launcher::kind_of_agent(choices.kind) == "vision")
-    camera = executor.spawn(launcher::log_camera_news(**board, name, stderr));
+    camera = executor.spawn(launcher::log_camera_losses(**board, name, stderr));
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
   if (signals.received()) {

@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-#include "agents/launcher/camera_news.hpp"
+#include "agents/launcher/camera_loss_news.hpp"
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
 
@@ -50,7 +50,7 @@ class Narrator {
   std::int64_t last_event_ = 0;
   Datum last_servo_;
   Datum last_person_;
-  launcher::CameraNews camera_news_;
+  launcher::CameraLossNews camera_news_;
   std::set<Datum> present_;  // agents that were told to be there
   std::set<Datum> missing_;  // those of them that a board which lives again has yet to hear of
   Job waiting_;

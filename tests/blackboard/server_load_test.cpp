@@ -180,7 +180,7 @@ TEST_F(ServerLoad, WhoAsksForLeasesWithoutEndIsRefusedCountedAndLeavesThemToOthe
   const auto request = [&](const std::string& body) {
     return "(request " + session + " " + std::to_string(++number) + " (" + body + "))";
   };
-  for (std::size_t i = 0; i < server::Gate::most_leases; ++i) {
+  for (std::size_t i = 0; i < server::KeyRights::most_leases; ++i) {
     greedy.send(request("lease 60000000"));
     // As many as wait for it without being lost.
     if (i % 128 == 127) {

@@ -11,7 +11,7 @@
 
 #include "agents/coordinator/act/aim.hpp"
 #include "agents/coordinator/act/arm.hpp"
-#include "agents/coordinator/perceive/vision_client.hpp"
+#include "agents/coordinator/perceive/eyes.hpp"
 #include "agents/coordinator/plan/vigil.hpp"
 
 namespace pizarra::coordinator {

@@ -6,7 +6,7 @@
 //   RoleChanges changes(context, roles, surroundings, eyes, story, service);
 //   Job following = executor.spawn(changes.follow());
 
-#include "agents/coordinator/perceive/vision_client.hpp"
+#include "agents/coordinator/perceive/eyes.hpp"
 #include "agents/runtime/patterns/send.hpp"
 
 namespace pizarra::coordinator {

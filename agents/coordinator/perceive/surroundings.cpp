@@ -34,7 +34,7 @@ Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOpti
       scene_(options, domain),
       beliefs_(options.belief_looks),
       mirror_(context, options, domain, service, beliefs_),
-      camera_news_(context, options.camera.pose, story),
+      camera_pose_news_(context, options.camera.pose, story),
       looked_(context.executor) {}
 
 Job Surroundings::followed(Datum pattern, Take take) {
@@ -43,7 +43,7 @@ Job Surroundings::followed(Datum pattern, Take take) {
 }
 
 Task<void> Surroundings::resume() {
-  const std::optional<forms::CameraPose> measured = co_await camera_news_.told_before();
+  const std::optional<forms::CameraPose> measured = co_await camera_pose_news_.told_before();
   if (measured) scene_.take_camera_pose(*measured);
 }
 
@@ -138,7 +138,7 @@ Task<void> Surroundings::take_look(Change change) {
   looked_.wake_all();
   if (placed) co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
   if (!perceived->facts) co_await tell_failure(perceived->facts.error());
-  co_await camera_news_.tell(scene_.camera(), news);
+  co_await camera_pose_news_.tell(scene_.camera(), news);
 }
 
 // Every look may fail in the same way; it is told once.

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "agents/coordinator/event_log.hpp"
-#include "agents/coordinator/perceive/camera_news.hpp"
+#include "agents/coordinator/perceive/camera_pose_news.hpp"
 #include "agents/coordinator/perceive/mirror.hpp"
 #include "agents/coordinator/perceive/scene.hpp"
 #include "blackboard/time/latch.hpp"
@@ -73,7 +73,7 @@ class Surroundings {
   Scene scene_;
   Beliefs beliefs_;
   Mirror mirror_;
-  CameraNews camera_news_;
+  CameraPoseNews camera_pose_news_;
   std::set<std::string> tracked_;
   std::string told_failure_;
   WaitList looked_;

@@ -8,7 +8,7 @@
 //   // "(on circle triangle) does not hold, (on-table circle) and (on square triangle) do",
 //   // "a plan leads there: (UNSTACK square triangle) (PUT-DOWN square) (PICK-UP circle) (STACK circle triangle)"
 
-#include "agents/coordinator/perceive/vision_client.hpp"
+#include "agents/coordinator/perceive/eyes.hpp"
 #include "agents/coordinator/pursue/planning.hpp"
 
 namespace pizarra::coordinator {

@@ -72,13 +72,13 @@ std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene
   Rect changed = difference(view.solids, solids);
   if (!moved_shadows.empty()) changed = changed.united(moved_shadows.grown(soft));
   if (!view.exposed) changed = view.canvas.rect();
-  changed = changed.empty() ? changed : film_->needed(changed).intersected(view.canvas.rect());
+  changed = changed.empty() ? changed : sensor_->needed(changed).intersected(view.canvas.rect());
   view.exposed = true;
   view.solids = std::move(solids);
   view.shadows = std::move(shadows);
 
   if (!changed.empty()) {
-    const Rect area = film_->needed(changed).intersected(view.canvas.rect());
+    const Rect area = sensor_->needed(changed).intersected(view.canvas.rect());
     for (int y = area.top; y < area.bottom; ++y) {
       const float* from = view.background.at(area.left, y);
       std::copy(from, from + (area.right - area.left) * view.canvas.channels, view.canvas.at(area.left, y));
@@ -90,14 +90,14 @@ std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene
     std::vector<SeenSolid> seen;
     for (const Solid& solid : scene.solids) seen.push_back(see(view.eye, solid));
     for (const std::size_t index : paint_order(view.eye, scene.solids, seen)) paint(view.canvas, seen[index], area);
-    film_->expose(view.canvas, changed, view.exposure);
+    sensor_->expose(view.canvas, changed, view.exposure);
   }
-  return std::make_shared<const Image>(film_->develop(view.exposure, view.canvas, frame, view.side));
+  return std::make_shared<const Image>(sensor_->develop(view.exposure, view.canvas, frame, view.side));
 }
 
 StereoPair StereoRenderer::render(const Snapshot& snapshot, const CameraConfig& camera, std::uint64_t frame,
                                   bool colour) {
-  if (!film_) film_ = std::make_unique<Film>(config_.camera, random_);
+  if (!sensor_) sensor_ = std::make_unique<ImageSensor>(config_.camera, random_);
   const Scene scene = moving_scene(config_, snapshot);
   const std::size_t first = colour ? 2 : 0;
   for (const Side side : {Side::left, Side::right}) {

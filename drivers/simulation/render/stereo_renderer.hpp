@@ -9,7 +9,7 @@
 #include <array>
 #include <memory>
 
-#include "drivers/simulation/render/film.hpp"
+#include "drivers/simulation/render/image_sensor.hpp"
 #include "drivers/simulation/render/scene.hpp"
 
 namespace pizarra::simulation {
@@ -33,7 +33,7 @@ class StereoRenderer {
 
   const WorldConfig& config_;
   Random random_;
-  std::unique_ptr<Film> film_;  // made with the first picture
+  std::unique_ptr<ImageSensor> sensor_;  // made with the first picture
   std::array<std::unique_ptr<View>, 4> views_;
 };
 

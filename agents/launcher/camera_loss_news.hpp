@@ -3,9 +3,9 @@
 // News of a cell's cameras, in sentences: when one is lost and why, when it gives images again, and the first time that
 // images of it are left out and why.
 //
-//   CameraNews news;
+//   CameraLossNews news;
 //   news.sentence_of(camera_state);                // "vision has no images: the camera: /dev/video0 cannot be opened"
-//   Job told = executor.spawn(log_camera_news(board, "vision", stderr));     // a line each, until destroyed
+//   Job told = executor.spawn(log_camera_losses(board, "vision", stderr));     // a line each, until destroyed
 
 #include <cstdio>
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace pizarra::launcher {
 
-class CameraNews {
+class CameraLossNews {
  public:
   // Of a (camera-state EYES STATE TROUBLE); empty: it is no news.
   std::string sentence_of(const Datum& camera_state);
@@ -27,6 +27,6 @@ class CameraNews {
 };
 
 // Of these eyes alone. The board outlives it.
-Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out);
+Task<void> log_camera_losses(Board& board, std::string eyes, std::FILE* out);
 
 }  // namespace pizarra::launcher

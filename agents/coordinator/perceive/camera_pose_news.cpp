@@ -1,4 +1,4 @@
-#include "agents/coordinator/perceive/camera_news.hpp"
+#include "agents/coordinator/perceive/camera_pose_news.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ std::string sentence_of(const CameraWatch& camera, News news) {
 
 }  // namespace
 
-Task<std::optional<forms::CameraPose>> CameraNews::told_before() {
+Task<std::optional<forms::CameraPose>> CameraPoseNews::told_before() {
   const Datum any = "?"_sym;
   const Datum pattern =
       list("camera-pose"_sym, any, any, any, any, any, any, any, any, Datum::list(numbers_of(guess_)));
@@ -55,7 +55,7 @@ Task<std::optional<forms::CameraPose>> CameraNews::told_before() {
                               .roll_deg = fact[6].number()};
 }
 
-Task<void> CameraNews::tell(const CameraWatch& camera, News news) {
+Task<void> CameraPoseNews::tell(const CameraWatch& camera, News news) {
   const std::string state = state_of(camera);
   // The pose of the cell file is known to all; that it has none is told.
   if (told_.empty() && !camera.unknown()) told_ = state;

@@ -12,10 +12,10 @@
 
 namespace pizarra::coordinator {
 
-class CameraNews {
+class CameraPoseNews {
  public:
   // `guess`: the cell file's. A pose that was measured under another guess does not count.
-  CameraNews(runtime::AgentContext& context, const forms::CameraPose& guess, Story& story)
+  CameraPoseNews(runtime::AgentContext& context, const forms::CameraPose& guess, Story& story)
       : context_(context), guess_(guess), story_(story) {}
 
   Task<std::optional<forms::CameraPose>> told_before();

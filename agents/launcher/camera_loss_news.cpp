@@ -1,4 +1,4 @@
-#include "agents/launcher/camera_news.hpp"
+#include "agents/launcher/camera_loss_news.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace pizarra::launcher {
 
-std::string CameraNews::sentence_of(const Datum& camera_state) {
+std::string CameraLossNews::sentence_of(const Datum& camera_state) {
   const std::string eyes(camera_state[1].text());
   const std::string trouble(camera_state[3].text());
   if (camera_state[2].is_symbol("lost")) {
@@ -24,11 +24,11 @@ std::string CameraNews::sentence_of(const Datum& camera_state) {
   return first ? fmt::format("{} leaves out images that cannot be read: {}", eyes, trouble) : "";
 }
 
-Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out) {
+Task<void> log_camera_losses(Board& board, std::string eyes, std::FILE* out) {
   const Datum states = list("camera-state"_sym, Datum::symbol(eyes), "?"_sym, "?"_sym);
   const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(board, query_for(states));
   if (!watch) co_return;
-  CameraNews news;
+  CameraLossNews news;
   while (true) {
     const Result<Change> change = co_await (*watch)->next();
     if (!change) co_return;

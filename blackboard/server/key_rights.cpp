@@ -1,4 +1,4 @@
-#include "blackboard/server/gate.hpp"
+#include "blackboard/server/key_rights.hpp"
 
 #include <algorithm>
 #include <set>
@@ -48,12 +48,12 @@ Result<void> check_room(const wire::PublicKey& key, const Relation& relation, co
 
 }  // namespace
 
-bool Gate::may_know(Key key, std::string_view relation) {
+bool KeyRights::may_know(Key key, std::string_view relation) {
   return key == nullptr || wire::permits(key->may.tell, relation) || wire::permits(key->may.take, relation) ||
          wire::permits(key->may.read, relation);
 }
 
-Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) const {
+Result<void> KeyRights::declare(Key key, const std::vector<Relation>& relations) const {
   if (key == nullptr) return {};
   std::set<std::string> declared;
   for (const auto& [name, table] : board_.store().tables()) declared.insert(name);
@@ -66,7 +66,7 @@ Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) cons
   return {};
 }
 
-Result<void> Gate::transact(Key key, const Transaction& transaction, std::size_t& examined) const {
+Result<void> KeyRights::transact(Key key, const Transaction& transaction, std::size_t& examined) const {
   if (key == nullptr) return {};
   for (const Transaction::Precondition& precondition : transaction.preconditions) {
     const Result<void> checked = check(*key, precondition);
@@ -80,13 +80,13 @@ Result<void> Gate::transact(Key key, const Transaction& transaction, std::size_t
 }
 
 // Whether a transaction happened says something of what its preconditions name.
-Result<void> Gate::check(const wire::PublicKey& key, const Transaction::Precondition& precondition) const {
+Result<void> KeyRights::check(const wire::PublicKey& key, const Transaction::Precondition& precondition) const {
   const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
   if (wire::permits(key.may.read, pattern.head()) || wire::permits(key.may.tell, pattern.head())) return {};
   return may_not_with_facts(key, "read", pattern);
 }
 
-Result<void> Gate::check(const wire::PublicKey& key, const Transaction::Step& step, std::size_t& examined) const {
+Result<void> KeyRights::check(const wire::PublicKey& key, const Transaction::Step& step, std::size_t& examined) const {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
     const LeaseId holder = board_.store().holder_of(settle->taken);
     return holder == 0 ? Result<void>() : use_lease(&key, holder);
@@ -108,8 +108,8 @@ Result<void> Gate::check(const wire::PublicKey& key, const Transaction::Step& st
   return leave_to_others(key, datum, pattern_of_key(table->second.relation(), datum), examined);
 }
 
-Result<void> Gate::leave_to_others(const wire::PublicKey& key, const Datum& told, const Datum& pattern,
-                                   std::size_t& examined) const {
+Result<void> KeyRights::leave_to_others(const wire::PublicKey& key, const Datum& told, const Datum& pattern,
+                                        std::size_t& examined) const {
   const store::FactTable& table = board_.store().tables().find(pattern.head())->second;
   if (!check_pattern_shape(table.relation(), pattern)) return {};
   std::string other;
@@ -129,7 +129,7 @@ Result<void> Gate::leave_to_others(const wire::PublicKey& key, const Datum& told
   return may_not(key, "replace or retract what " + other + " told under its lease", told);
 }
 
-Result<void> Gate::ask(Key key, const Query& query) const {
+Result<void> KeyRights::ask(Key key, const Query& query) const {
   if (key == nullptr) return {};
   for (const Query::Clause& clause : query.clauses) {
     if (clause.kind == Query::Clause::Kind::compare || wire::permits(key->may.read, clause.form.head())) continue;
@@ -138,13 +138,13 @@ Result<void> Gate::ask(Key key, const Query& query) const {
   return {};
 }
 
-Result<void> Gate::take(Key key, const Datum& pattern, LeaseId holder) const {
+Result<void> KeyRights::take(Key key, const Datum& pattern, LeaseId holder) const {
   if (key == nullptr) return {};
   if (!wire::permits(key->may.take, pattern.head())) return may_not_with_facts(*key, "take", pattern);
   return holder == 0 ? Result<void>() : use_lease(key, holder);
 }
 
-Result<void> Gate::use_lease(Key key, LeaseId lease) const {
+Result<void> KeyRights::use_lease(Key key, LeaseId lease) const {
   // One that has lapsed is the board's to refuse.
   if (key == nullptr || !board_.store().stands(lease)) return {};
   const auto own = leases_.find({key->name, true});
@@ -152,7 +152,7 @@ Result<void> Gate::use_lease(Key key, LeaseId lease) const {
   return may_not(*key, "use the lease of another", to_datum(lease));
 }
 
-Result<void> Gate::lease(Key key, const std::string& name) {
+Result<void> KeyRights::lease(Key key, const std::string& name) {
   const auto own = leases_.find({name, key != nullptr});
   if (own == leases_.end() || own->second.size() < most_leases) return {};
   forget_lapsed(own->second);
@@ -162,11 +162,11 @@ Result<void> Gate::lease(Key key, const std::string& name) {
               to_datum(name));
 }
 
-void Gate::forget_lapsed(std::set<LeaseId>& leases) const {
+void KeyRights::forget_lapsed(std::set<LeaseId>& leases) const {
   std::erase_if(leases, [this](LeaseId lease) { return !board_.store().stands(lease); });
 }
 
-void Gate::sweep() {
+void KeyRights::sweep() {
   for (auto& [owner, leases] : leases_) forget_lapsed(leases);
   std::erase_if(leases_, [](const auto& owned) { return owned.second.empty(); });
 }

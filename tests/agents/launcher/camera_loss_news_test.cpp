@@ -1,4 +1,4 @@
-#include "agents/launcher/camera_news.hpp"
+#include "agents/launcher/camera_loss_news.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@ Datum camera_state(const char* state, const char* trouble) {
   return list("camera-state"_sym, "vision"_sym, Datum::symbol(state), trouble);
 }
 
-TEST(CameraNews, ALostCameraIsToldOfOnceForEachReasonAndWhenItIsBack) {
-  CameraNews news;
+TEST(CameraLossNews, ALostCameraIsToldOfOnceForEachReasonAndWhenItIsBack) {
+  CameraLossNews news;
   EXPECT_EQ(news.sentence_of(camera_state("open", "")), "");
   EXPECT_EQ(news.sentence_of(camera_state("lost", "it is unplugged")), "vision has no images: it is unplugged");
   EXPECT_EQ(news.sentence_of(camera_state("opening", "")), "");
@@ -18,8 +18,8 @@ TEST(CameraNews, ALostCameraIsToldOfOnceForEachReasonAndWhenItIsBack) {
   EXPECT_EQ(news.sentence_of(camera_state("open", "")), "vision has images again");
 }
 
-TEST(CameraNews, ImagesThatAreLeftOutAreToldOfOnce) {
-  CameraNews news;
+TEST(CameraLossNews, ImagesThatAreLeftOutAreToldOfOnce) {
+  CameraLossNews news;
   EXPECT_EQ(news.sentence_of(camera_state("open", "shots/7.png: it ends too early")),
             "vision leaves out images that cannot be read: shots/7.png: it ends too early");
   EXPECT_EQ(news.sentence_of(camera_state("open", "shots/9.png: it ends too early")), "");

@@ -3,8 +3,8 @@
 // The rights of a client with a key on a board: its permissions (keys.hpp), held against each request before the board
 // sees it. Leases and what is held under them belong to the key that asked for them.
 //
-//   Gate gate(board);
-//   const Result<void> permitted = gate.ask(key, query);       // failure not-permitted
+//   KeyRights rights(board);
+//   const Result<void> permitted = rights.ask(key, query);       // failure not-permitted
 //
 // A client without a key is one of this machine: it may do everything, but have leases without end.
 
@@ -17,13 +17,13 @@
 
 namespace pizarra::server {
 
-class Gate {
+class KeyRights {
  public:
   // Several clients may come with one key.
   using Key = const wire::PublicKey*;
   static constexpr std::size_t most_leases = 4096;  // of all clients of one key, or of one name without
 
-  explicit Gate(const memory::MemoryBoard& board) : board_(board) {}
+  explicit KeyRights(const memory::MemoryBoard& board) : board_(board) {}
 
   // Whether it may tell, take or read some of its facts, or no key is asked for.
   static bool may_know(Key key, std::string_view relation);

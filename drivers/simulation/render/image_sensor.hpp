@@ -17,9 +17,9 @@ struct Exposure {
   std::vector<std::int16_t> samples;
 };
 
-class Film {
+class ImageSensor {
  public:
-  Film(const CameraConfig& camera, const Random& random);
+  ImageSensor(const CameraConfig& camera, const Random& random);
 
   // The part of the canvas that must be painted for `rect` to be exposed.
   Rect needed(const Rect& rect) const { return rect.grown(reach); }

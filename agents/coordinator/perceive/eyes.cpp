@@ -1,4 +1,4 @@
-#include "agents/coordinator/perceive/vision_client.hpp"
+#include "agents/coordinator/perceive/eyes.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

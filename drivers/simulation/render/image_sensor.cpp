@@ -1,4 +1,4 @@
-#include "drivers/simulation/render/film.hpp"
+#include "drivers/simulation/render/image_sensor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ std::vector<float> gradient(const CameraConfig& camera, double direction, std::s
 
 }  // namespace
 
-Film::Film(const CameraConfig& camera, const Random& random)
+ImageSensor::ImageSensor(const CameraConfig& camera, const Random& random)
     : kernel_(gauss(camera.blur_sigma_px, reach)), offsets_(random.split("frames")) {
   Random light = random.split("light");
   const double direction = light.uniform(0, 2 * std::numbers::pi);
@@ -53,7 +53,7 @@ Film::Film(const CameraConfig& camera, const Random& random)
   }
 }
 
-void Film::blur_rows(const Canvas& canvas, const Rect& rect) {
+void ImageSensor::blur_rows(const Canvas& canvas, const Rect& rect) {
   const int channels = canvas.channels;
   const int row = canvas.width * channels;
   const float far = kernel_[0];
@@ -85,7 +85,7 @@ void Film::blur_rows(const Canvas& canvas, const Rect& rect) {
   }
 }
 
-void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
+void ImageSensor::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
   const Rect area = rect.intersected(canvas.rect());
   blur_rows(canvas, needed(area).intersected(canvas.rect()));
   const int row = canvas.width * canvas.channels;
@@ -108,7 +108,7 @@ void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
   }
 }
 
-Image Film::develop(const Exposure& exposure, const Canvas& like, std::uint64_t frame, Side side) const {
+Image ImageSensor::develop(const Exposure& exposure, const Canvas& like, std::uint64_t frame, Side side) const {
   Image image{like.width, like.height, like.channels, std::vector<std::uint8_t>(exposure.samples.size())};
   Random random = offsets_.split(fmt::format("{} {}", frame, side == Side::left ? "left" : "right"));
   std::size_t at = random.below(noise_samples);
