@@ -72,7 +72,8 @@ Task<void> ServoLoop::cut_short(Datum target, Eigen::Vector3d wanted_mm, Cut& cu
     const Result<Aim> aim = aims_.at(target);
     cut.begun = aim && (aim->wanted_mm - wanted_mm).norm() > options_.servo.follow_mm;
   }
-  co_await arm_.cut_short();
+  // A motion that was not stopped goes on to its end.
+  [[maybe_unused]] const Result<void> stopped = co_await arm_.cut_short();
   cut.ended.set();
 }
 
@@ -97,8 +98,8 @@ Task<Result<bool>> ServoLoop::move(Datum target, Aim aim, ServoCommand command, 
   co_return false;
 }
 
-// Look, decide, move; nothing is remembered from look to look but the last command, to tell when a target runs away and
-// when the arm does not come on by turning and stretching.
+// Look, decide, move. From look to look it remembers its last command, which tells when a target runs away and when the
+// arm does not come on by turning and stretching, and for how many looks it has not seen its target.
 Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   int unseen = 0;
   ServoCommand before{0, ServoCommand::Motion::done, 0};
