@@ -16,18 +16,28 @@ Result<arm::Joints> ToolPath::reach(const Eigen::Vector3d& point_mm) const {
   arm::ToolPose pose = pose_;
   pose.translation() = point_mm;
   pose = arm::nearest_attainable(model_, pose, joints_);
-  const Result<arm::Joints> joints =
+  Result<arm::Joints> joints =
       track_ == Track::stays ? arm::inverse_in_place(model_, pose, joints_) : arm::inverse(model_, pose, joints_);
   if (!joints) return joints;
-  for (std::size_t axis = 0; axis < joints->size(); ++axis) {
+  Result<void> kept = keeps_posture(*joints, point_mm);
+  if (!kept && track_ == Track::helps) {
+    joints = arm::inverse_elsewhere(model_, pose, joints_, posture_change_deg);
+    if (joints) kept = keeps_posture(*joints, point_mm);
+  }
+  if (!kept) return fail(kept);
+  return joints;
+}
+
+Result<void> ToolPath::keeps_posture(const arm::Joints& joints, const Eigen::Vector3d& point_mm) const {
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
     const double widest = arm::slides(model_.axes[axis].role) ? posture_change_mm : posture_change_deg;
-    if (std::abs((*joints)[axis] - joints_[axis]) <= widest) continue;
+    if (std::abs(joints[axis] - joints_[axis]) <= widest) continue;
     return fail("joint-limit",
                 fmt::format("axis {} would have to change its posture on the way to ({:.1f} {:.1f} {:.1f})", axis + 1,
                             point_mm.x(), point_mm.y(), point_mm.z()),
                 to_datum(axis + 1));
   }
-  return joints;
+  return {};
 }
 
 void ToolPath::append(const arm::Joints& joints, const Eigen::Vector3d& point_mm) {

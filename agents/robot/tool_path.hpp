@@ -56,6 +56,7 @@ class ToolPath {
 
  private:
   Result<arm::Joints> reach(const Eigen::Vector3d& point_mm) const;
+  Result<void> keeps_posture(const arm::Joints& joints, const Eigen::Vector3d& point_mm) const;
   void append(const arm::Joints& joints, const Eigen::Vector3d& point_mm);
   struct Line {
     Eigen::Vector3d start_mm;

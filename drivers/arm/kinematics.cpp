@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "drivers/arm/placement.hpp"
 #include "drivers/arm/solution.hpp"
@@ -45,8 +46,10 @@ Result<Joints> answer_of(const ArmModel& model, const ToolPose& pose, const Join
 // steps to both sides, then narrowed down.
 class TrackSearch {
  public:
-  TrackSearch(const ArmModel& model, const ToolPose& pose, const Joints& near, std::size_t track)
-      : model_(model), pose_(pose), near_(near), track_(track) {}
+  // `most_deg`: by which another axis may turn from `near`.
+  TrackSearch(const ArmModel& model, const ToolPose& pose, const Joints& near, std::size_t track,
+              double most_deg = std::numeric_limits<double>::infinity())
+      : model_(model), pose_(pose), near_(near), track_(track), most_deg_(most_deg) {}
 
   bool within_reach() const {
     const Axis& axis = model_.axes[track_];
@@ -79,6 +82,10 @@ class TrackSearch {
     from[track_] = track_mm;
     const Solution best = best_solution(model_, pose_, from);
     if (!best.found || best.excess > 0 || margin_of(model_, best.joints) < margin_deg) return std::nullopt;
+    for (std::size_t axis = 0; axis < near_.size(); ++axis) {
+      const bool turns = !slides(model_.axes[axis].role);
+      if (turns && std::abs(best.joints[axis] - near_[axis]) > most_deg_) return std::nullopt;
+    }
     return best.joints;
   }
 
@@ -97,6 +104,7 @@ class TrackSearch {
   const ToolPose& pose_;
   const Joints& near_;
   std::size_t track_;
+  double most_deg_;
 };
 
 }  // namespace
@@ -118,6 +126,16 @@ Result<Joints> inverse(const ArmModel& model, const ToolPose& pose, const Joints
   if (!elsewhere && !reached) elsewhere = search.nearest(fine_track_step_mm, 0);
   if (elsewhere) return answer_of(model, pose, near, {true, *elsewhere, 0});
   return answer_of(model, pose, near, here);
+}
+
+Result<Joints> inverse_elsewhere(const ArmModel& model, const ToolPose& pose, const Joints& near, double most_deg) {
+  const std::optional<std::size_t> track = model.axis_of(Role::track);
+  std::optional<Joints> elsewhere;
+  if (track && pose.matrix().allFinite()) {
+    const TrackSearch search(model, pose, near, *track, most_deg);
+    if (search.within_reach()) elsewhere = search.nearest(fine_track_step_mm, 0);
+  }
+  return answer_of(model, pose, near, elsewhere ? Solution{true, *elsewhere, 0} : Solution{});
 }
 
 Result<void> check_limits(const ArmModel& model, const Joints& joints) {

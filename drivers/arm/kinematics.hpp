@@ -41,6 +41,9 @@ inline constexpr double track_margin_deg = 3;
 // The same with the track where it stands.
 Result<Joints> inverse_in_place(const ArmModel& model, const ToolPose& pose, const Joints& near);
 
+// The same with the track elsewhere, so that no other axis turns by more than `most_deg`; the track goes the least way.
+Result<Joints> inverse_elsewhere(const ArmModel& model, const ToolPose& pose, const Joints& near, double most_deg);
+
 // The pose nearest `pose`, at the same point, that the arm's wrist can take: the same for six axes; an arm whose wrist
 // cannot leave the plane that axis 1 turns has the tool's direction turned into that plane.
 ToolPose nearest_attainable(const ArmModel& model, const ToolPose& pose, const Joints& near);

@@ -26,7 +26,9 @@ Task<Result<Datum>> Arm::ask(Datum operation) {
       const bool back = co_await roles_.wait_for("robot", deadline);
       if (!back) co_return fail("absent", "the robot agent stays away", robot);
     }
+    is_asked_ = true;
     const Result<Datum> done = co_await roles_.call("robot", operation, motion_timeout);
+    is_asked_ = false;
     if (done) co_return done;
     // Another arm does not stand where this one was going.
     if (done.error().symbol == "replaced") co_return fail("stopped", done.error().sentence, operation);

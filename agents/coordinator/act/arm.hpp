@@ -25,6 +25,8 @@ class Arm {
   Task<Result<Datum>> ask(Datum operation);
   // Carries out the servo's decision. A turn is taken back by the wrist, so that the fingers stay along the base's y.
   Task<Result<void>> perform(ServoCommand command);
+  // The robot has a request of ours and has not answered. It answers at once while it moves for somebody else.
+  bool is_asked() const { return is_asked_; }
   // Ends the motion in hand, which then fails with `stopped`, and answers when the arm stands.
   Task<Result<void>> cut_short();
   // The grip centre in a straight line to a point of the base frame, carried on by a track where the links end.
@@ -41,6 +43,7 @@ class Arm {
   const CoordinatorOptions& options_;
   runtime::Roles& roles_;
   Story& story_;
+  bool is_asked_ = false;
 };
 
 // Whether a motion was refused since the arm does not come there.

@@ -60,6 +60,14 @@ Task<Result<void>> ServoLoop::go_straight(Aim aim, ServoCommand stalled) {
   co_return moved;
 }
 
+// Where the links alone do not come down, as near the arm's foot, a track carries them aside.
+Task<Result<void>> ServoLoop::go_down(double down_mm) {
+  const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
+  if (!grip) co_return fail(grip);
+  const Eigen::Vector3d below = *grip - Eigen::Vector3d(0, 0, down_mm);
+  co_return co_await arm_.move_to(below);
+}
+
 struct ServoLoop::Cut {
   bool begun = false;
   Event ended;
@@ -70,7 +78,8 @@ Task<void> ServoLoop::cut_short(Datum target, Eigen::Vector3d wanted_mm, Cut& cu
     const Time soon = context_.executor.now() + watch_patience;
     co_await surroundings_.look_after(surroundings_.looks(), soon);
     const Result<Aim> aim = aims_.at(target);
-    cut.begun = aim && (aim->wanted_mm - wanted_mm).norm() > options_.servo.follow_mm;
+    const bool is_moved = aim && (aim->wanted_mm - wanted_mm).norm() > options_.servo.follow_mm;
+    cut.begun = is_moved && arm_.is_asked();
   }
   // A motion that was not stopped goes on to its end.
   [[maybe_unused]] const Result<void> stopped = co_await arm_.cut_short();
@@ -84,6 +93,8 @@ Task<Result<bool>> ServoLoop::move(Datum target, Aim aim, ServoCommand command, 
   Result<void> moved;
   if (stalled) moved = co_await go_straight(aim, command);
   if (!stalled) moved = co_await arm_.perform(command);
+  const bool links_end = !moved && command.motion == ServoCommand::Motion::down && is_beyond_reach(moved.error());
+  if (links_end) moved = co_await go_down(command.amount);
   // The next motion must not meet the stop.
   if (cut.begun) co_await cut.ended.wait();
   const bool was_cut = cut.begun && !moved && moved.error().symbol == "stopped";

@@ -39,6 +39,7 @@ class ServoLoop {
 
  private:
   Task<Result<void>> go_straight(Aim aim, ServoCommand stalled);
+  Task<Result<void>> go_down(double down_mm);
   // Carries the command out; false where it was cut short, as its target had been moved meanwhile.
   Task<Result<bool>> move(Datum target, Aim aim, ServoCommand command, bool stalled);
   // Beside a motion: ends it once a look shows that its target is elsewhere than the motion was decided for.

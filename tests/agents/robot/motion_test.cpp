@@ -170,6 +170,19 @@ TEST(Motion, GotoLeadsToTheLearnedJointsAndNamesTheNearestForAnUnknownOne) {
   EXPECT_NE(unknown.error().sentence.find("shelf"), std::string::npos);
 }
 
+// The elbow stands at its limit, and the arm could go on only with its back to the point.
+TEST(Motion, DownFromWhereTheElbowIsFoldedATrackCarriesTheArmInItsPosture) {
+  const arm::Joints folded{-38.24, 27.657, -134.83, 0, -72.827, 38.24, 2500};
+  ToolPath path(model, folded);
+  const LineEnd end = path.line_by({0, 0, -90});
+  ASSERT_FALSE(end.ended_by) << end.ended_by->sentence;
+  EXPECT_NEAR(path.point().z(), point(folded).z() - 90, 0.1);
+  EXPECT_LT(deviation_mm(folded, path.waypoints()), 0.1);
+  EXPECT_NE(path.joints()[6], folded[6]);
+  ToolPath in_place(model, folded, ToolPath::Track::stays);
+  EXPECT_TRUE(in_place.line_by({0, 0, -90}).ended_by);
+}
+
 TEST(Motion, RandomStraightMovesStayOnTheirLine) {
   constexpr std::uint64_t seed = 11;
   Random random(seed);
