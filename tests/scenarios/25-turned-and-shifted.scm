@@ -4,7 +4,7 @@
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle square))
   (when (and (operation 0 (PICK-UP circle) running) (servo 4 circle ? ? ?))
-    (hand push circle 0 9))
+    (hand push circle 0 11))
   (expect reached)
   (expect-seen (and (servo 4 circle ? ? ?) (request ? robot (turn ? ?)))
                (and (servo 4 circle ? ? ?) (request ? robot (move-h ? ?))))
