@@ -1,7 +1,7 @@
 #pragma once
 
-// Relations of the board itself: the one that it alone tells (`board-refusal`), and the statistics that it makes up
-// when it is asked (memory/statistics.hpp).
+// Relations of the board itself: those that it alone tells (`board-refusal`, `board-leads`), and the statistics that it
+// makes up when it is asked (memory/statistics.hpp).
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,9 @@ inline bool is_statistics(std::string_view relation) {
   return std::ranges::find(names, relation) != names.end();
 }
 
-inline bool is_told_by_the_board(std::string_view relation) { return relation == "board-refusal"; }
+inline bool is_told_by_the_board(std::string_view relation) {
+  return relation == "board-refusal" || relation == "board-leads";
+}
 
 inline Failure left_to_the_board(std::string_view relation) {
   return {"not-permitted",

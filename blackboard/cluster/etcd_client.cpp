@@ -105,7 +105,7 @@ Result<std::string> EtcdClient::ask(std::size_t number, const char* path, const 
   const Result<long> status =
       connection_->perform(fmt::format("{}://{}{}", scheme, member, path), body ? &*body : nullptr, wait, answer);
   if (status && *status == http_ok) return answer;
-  const bool full = status && *status == http_too_many;
+  const bool full = status && *status == http_too_many && etcd_json::error_from(answer).contains("space exceeded");
   const std::string why = full     ? "it has no space left, and takes nothing (alarm NOSPACE)"
                           : status ? etcd_json::error_from(answer)
                                    : status.error().sentence;
@@ -136,14 +136,12 @@ Result<std::vector<KeyValue>> EtcdClient::range(const Range& range, std::size_t 
 
 // A member says it among its figures, a line `NAME NUMBER` each.
 std::uint64_t EtcdClient::quota(Duration wait) {
-  if (quota_) return *quota_;
   const Result<std::string> figures = ask(answering_member(), "/metrics", std::nullopt, wait);
   constexpr std::string_view name = "\netcd_server_quota_backend_bytes ";
   const std::size_t at = figures ? figures->find(name) : std::string::npos;
   if (at == std::string::npos) return default_quota;
   const double bytes = std::strtod(figures->c_str() + at + name.size(), nullptr);
-  if (bytes >= 1) quota_ = static_cast<std::uint64_t>(bytes);
-  return quota_.value_or(default_quota);
+  return bytes >= 1 ? static_cast<std::uint64_t>(bytes) : default_quota;
 }
 
 Result<KeyValues::Space> EtcdClient::space(Duration wait) {

@@ -40,7 +40,6 @@ class EtcdClient : public KeyValues {
 
   const LogAddress address_;
   std::unique_ptr<Connection> connection_;
-  std::optional<std::uint64_t> quota_;
   std::optional<std::size_t> member_;  // found by the first request: names are resolved, which may take its time
 };
 

@@ -41,18 +41,26 @@ Result<void> LogUpkeep::look_for_space(Time now) {
   return space->refuses ? make_space(*key_values_) : Result<void>();
 }
 
+// What could not be forgotten is tried again in the next step.
+Result<void> LogUpkeep::forget() {
+  const Result<void> forgotten = key_values_->forget_former(long_patience);
+  owes_forgetting_ = !forgotten;
+  return forgotten;
+}
+
 Result<void> LogUpkeep::step(Time now, std::uint64_t nonce) {
   if (now >= looks_at_) {
     const Result<void> looked = look_for_space(now);
     if (!looked) return looked;
   }
+  if (owes_forgetting_) return forget();
   if (!space_->is_snapshot_due()) return {};
   const LogWeight before = space_->weight();
   const Result<std::size_t> bytes = take_snapshot(*key_values_, keys_, nonce);
   if (!bytes) return fail(bytes);
   if (*bytes == 0) return {};
   space_->snapshot_taken(before, *bytes);
-  return key_values_->forget_former(long_patience);
+  return forget();
 }
 
 }  // namespace pizarra::cluster

@@ -29,11 +29,13 @@ class LogUpkeep {
 
  private:
   Result<void> look_for_space(Time now);
+  Result<void> forget();
 
   const std::shared_ptr<KeyValues> key_values_;
   const LogKeys keys_;
   const std::shared_ptr<LogSpace> space_;
   Time looks_at_{};
+  bool owes_forgetting_ = false;
 };
 
 // Where the store refuses: has it forget what keys were, closes its holes where that is not enough, and ends the

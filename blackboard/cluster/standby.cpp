@@ -18,8 +18,11 @@ Result<bool> Standby::step(const std::function<Time()>& now) {
   if (!vacant_ && !suspects_ && now() < seen_at_ + suspects_after) return false;
   Result<std::optional<Leadership>> won = Leadership::campaign(key_values_, keys_, seen_, board_, nonce_);
   if (!won) {
-    // No leader is there who would see to it.
-    const Result<void> space = lacks_space(won.error()) ? make_space(key_values_) : Result<void>();
+    const bool sees_to_space = lacks_space(won.error()) && now() >= sees_to_space_at_;
+    if (!sees_to_space) return fail(won);
+    // No leader is there who would. It keeps all who use that etcd waiting, so it is done seldom.
+    sees_to_space_at_ = now() + sees_to_space_every;
+    const Result<void> space = make_space(key_values_);
     return fail(space ? won.error() : space.error());
   }
   if (!*won) return false;

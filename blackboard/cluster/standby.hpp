@@ -18,6 +18,7 @@
 namespace pizarra::cluster {
 
 inline constexpr Duration looks_every = 40ms;
+inline constexpr Duration sees_to_space_every = 30s;
 
 class Standby {
  public:
@@ -50,6 +51,7 @@ class Standby {
   std::unique_ptr<LogCopy> copy_;
   std::optional<Alive> seen_;
   Time seen_at_;
+  Time sees_to_space_at_{};
   bool suspects_ = false;
   bool vacant_ = false;
   std::optional<Leadership> won_;

@@ -1,8 +1,7 @@
 #pragma once
 
-// What of a log's troubles is worth a line. Each member of a cluster that is away has a sentence of its own, again and
-// again; so another sentence waits twice as long as the one before, up to an hour, and that trouble comes or goes up to
-// a minute.
+// Which troubles of a log get a line. The sentences of absent members take turns, so the pauses between lines double:
+// up to an hour between two sentences, up to a minute between trouble and no trouble.
 //
 //   Troubles troubles;
 //   if (const std::optional<std::string> line = troubles.news(result, now)) print(*line);      // after each attempt
