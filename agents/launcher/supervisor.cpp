@@ -152,7 +152,7 @@ void Supervisor::start_again(Child& child, const std::string& why) {
   ++child.deaths;
   if (child.deaths >= most_deaths_in_a_row) {
     child.given_up = true;
-    tell(child, fmt::format("{}; died {} times in a row and is given up, see {}", why, most_deaths_in_a_row,
+    tell(child, fmt::format("{}; failed {} times in a row and is given up, see {}", why, most_deaths_in_a_row,
                             child.program.log_file));
     return;
   }

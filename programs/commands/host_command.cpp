@@ -94,8 +94,8 @@ std::vector<std::string> missing_certificates(const UpChoices& up, bool has_boar
 Result<void> make_log_folder(const UpChoices& up) {
   if (up.log_here.empty()) return {};
   std::error_code refused;
-  files::create_directories(up.log_folder, refused);
-  if (!refused) files::permissions(up.log_folder, files::perms::owner_all, refused);
+  const bool made = files::create_directories(up.log_folder, refused);
+  if (made) files::permissions(up.log_folder, files::perms::owner_all, refused);
   if (!refused) return {};
   return fail("cannot-write", "the member's folder cannot be made: " + text_of_bytes(up.log_folder));
 }

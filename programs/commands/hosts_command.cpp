@@ -125,8 +125,8 @@ void print_host(const HostRow& row, bool json) {
     return;
   }
   const std::string offset = row.offset_ms ? fmt::format("{:+.3f} s", static_cast<double>(*row.offset_ms) / 1000) : "-";
-  fmt::print("{:<16} {:<10} {:<10} {:>12}  {}{}\n", row.host, state_of(row), row.version.empty() ? "-" : row.version,
-             offset, joined_names(row.agents),
+  fmt::print("{:<16} {:<10} {:<10} {:>12}  {}{}\n", text_of_bytes(row.host), state_of(row),
+             row.version.empty() ? "-" : row.version, offset, joined_names(row.agents),
              row.absent.empty() ? "" : "  (absent: " + joined_names(row.absent) + ")");
   for (const std::string& process : row.down) fmt::print("  {}\n", text_of_bytes(process));
 }

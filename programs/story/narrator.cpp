@@ -19,7 +19,7 @@ namespace {
 // Longer than an agent takes to find that the board has forgotten it.
 constexpr Duration return_pause = 5s;
 
-// What itself waits for seconds before it gives up.
+// The call itself waits some seconds for a board before it fails.
 constexpr Duration ask_again_after = 500ms;
 
 // A board that is not there yet, or whose log has no quorum.

@@ -46,6 +46,7 @@ class Surroundings {
     return beliefs_.settled() && scene_.calm() && scene_.still(objects);
   }
 
+  // What is hidden no longer counts as there.
   void doubt_hidden() { scene_.doubt_hidden(); }
   // The gripper's mark is not seen where it should be in view: the camera may have been moved.
   void doubt_camera() { scene_.doubt_camera(); }

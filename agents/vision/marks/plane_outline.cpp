@@ -106,7 +106,7 @@ std::vector<Border> borders_in(const Picture& picture) {
   return out;
 }
 
-// Holes are walked around the other way, so that they count less than nothing.
+// Holes are walked around the other way, so that their area is negative.
 cv::Vec2d middle_of(const std::vector<Border>& borders) {
   double area = 0;
   cv::Point2d moment;

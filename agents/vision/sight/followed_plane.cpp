@@ -11,8 +11,8 @@ namespace {
 
 // Around the mark, for its outline's normals and what smooths the image.
 constexpr int margin_px = 16;
-// What a frame says of a face that is turned by less than this since the one before is said with the same errors, in
-// part: of one at rest frames are averaged, each counting so much. What they say together has a bound.
+// Frames of a face at rest err alike, so their evidence is averaged, each with this weight. A face that has turned by
+// so much since the frame before counts as new evidence. The sum is bounded.
 constexpr double turned_anew_rad = 0.15;
 constexpr double of_average = 0.2;
 constexpr double most_certain = 20;
@@ -74,8 +74,8 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
   return OutlineInImage(sight.right(), sight.noise(), sample, *pair.right).fit_from(start, search);
 }
 
-// How much all frames speak for the likelier tilt, which is made the pose. Which of both is which, the way that the
-// face looks says.
+// How much all frames speak for the likelier tilt, which is made the pose. The tilts of two frames are matched by the
+// face's direction.
 double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& pose) {
   double for_best = pose.other.misfit - pose.misfit;
   if (before) {

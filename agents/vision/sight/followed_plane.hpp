@@ -1,8 +1,8 @@
 #pragma once
 
 // How the plane of a mark lies, by both images of a pair where both show the mark: its outline registered in the left
-// one, and from there in the right one. Of a mark that is followed it is registered anew in every frame, from where it
-// was, moved as the mark has.
+// one, and from there in the right one. A followed mark is registered in each frame, starting from the last frame's
+// outline moved by the mark's shift.
 //
 //   FollowedPlane plane;
 //   std::optional<PlanePose> pose = plane.look(sight, object, pair);     // each frame that shows the mark

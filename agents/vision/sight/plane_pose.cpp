@@ -17,10 +17,10 @@ using Eigen::Vector2d;
 
 // Of an edge, px, at least.
 constexpr double least_edge_spread = 0.03;
-// Neighbours have no more in common than this.
+// Neighbouring edges' errors correlate by at most this.
 constexpr double most_in_common = 0.8;
-// By which explanations are weighed against each other: what the pixels' phase, the lens and the template leave no
-// number of edges makes less. So many are as good as one less.
+// For weighing explanations against each other: the error, px, that averaging edges does not reduce (the pixels' phase,
+// the lens, the template), and the part of the edges that count as independent.
 constexpr double least_common_spread = 0.08;
 constexpr double independent_share = 0.5;
 // A homography has so many numbers; a pose fewer than so many edges say nothing of.

@@ -7,9 +7,9 @@
 //
 // A pair's range is f b / d, so that it is off by the same part as f, b and d are (JCGM 100:2008, 5.1.2; L. Matthies,
 // S. Shafer, Error modeling in stereo navigation, IEEE Journal of Robotics and Automation 3(3), 1987). Where both
-// images register the mark's plane, its edges say the range once more. Both hardly err together (a correlation of 0.2),
-// so that their mean by inverse variances is told. Errors that both images share, as by the light's slope, cancel in d.
-// The others are independent:
+// images register the mark's plane, its edges say the range once more. Both hardly err together (a correlation of 0.1
+// to 0.4, measured), so that their mean by inverse variances is told. Errors that both images share, as by the light's
+// slope, cancel in d. The others are independent:
 // - noise, by which each centre moves: centre_noise_px();
 // - where edges fall between pixels, and what blur makes of that: disparity_by_phase_px(), measured;
 // - how the face is tilted: its nearer side looks larger, which is taken out; by how much is not exactly known;

@@ -16,8 +16,8 @@ constexpr double slimness_spread = 0.005;
 }  // namespace
 
 // A mark that is widened by u along x has the trace xx u^2 + yy and u times the root of the determinant; both say how
-// slim it is then: s / (1 + s^2) = root u / (xx u^2 + yy). The equation has two solutions. We
-// take the one nearer to 1: the other belongs to a mark turned by 90 degrees and yawed far. When a mark is as wide as
+// slim it is then: s / (1 + s^2) = root u / (xx u^2 + yy). The equation has two solutions. The
+// one nearer to 1 is taken: the other belongs to a mark turned by 90 degrees and yawed far. When a mark is as wide as
 // it is high, neither is certain: a little yaw changes its direction and not its slimness.
 Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height) {
   const double height = mark.height_px / shown_height;
