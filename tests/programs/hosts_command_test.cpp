@@ -76,21 +76,21 @@ TEST_F(HostsOfACell, AreShownWithThoseWhoseBuildTheBoardCannotSpeakWith) {
   EXPECT_TRUE(json.text.contains("{\"refused\":\"\",\"newest\":\"the client speaks protocol 9 ")) << json.text;
 }
 
-TEST_F(HostsOfACell, AreShownWithTheProcessesThatWereGivenUpAndWithNoLeaderThatOthersMadeUp) {
+TEST_F(HostsOfACell, AreShownWithTheProcessesThatWereGivenUpAndWithNoLeaderThatOthersMakeUp) {
   const Running board({PIZARRA_BOARD, "--listen", "ipc://" + folder_ + "board.ipc"}, folder_ + "board.log");
   const std::string at = " --board " + comes_up(board);
-  const auto tell = [&](const std::string& relation, const std::string& fact) {
-    EXPECT_EQ(run("declare '(relation " + relation + ")'" + at).status, 0);
-    EXPECT_EQ(run("tell '" + fact + "'" + at).status, 0);
-  };
-  tell("process ((host string) (name string) (running symbol) (restarts integer) (newest string)) (key host name)",
-       "(process \"desk\" \"log\" no 11 \"died 12 times in a row and is given up\")");
-  tell("board-leads ((name string)) (key)", "(board-leads \"desk\")");
+  const std::string process =
+      "(relation process ((host string) (name string) (running symbol) (restarts integer) "
+      "(newest string)) (key host name))";
+  EXPECT_EQ(run("declare '" + process + "'" + at).status, 0);
+  EXPECT_EQ(run("tell '(process \"desk\" \"log\" no 11 \"failed 12 times in a row and is given up\")'" + at).status, 0);
+  const Said made_up = run("declare '(relation board-leads ((name string)) (key))'" + at);
+  EXPECT_TRUE(made_up.text.contains("board-leads is the board's own")) << made_up.text;
   const Said said = run("hosts '" + cell_ + "'" + at);
   EXPECT_TRUE(said.text.contains("desk             away ")) << said.text;
-  EXPECT_TRUE(said.text.contains("\n  log: died 12 times in a row and is given up\n")) << said.text;
+  EXPECT_TRUE(said.text.contains("\n  log: failed 12 times in a row and is given up\n")) << said.text;
   const Said json = run("hosts '" + cell_ + "' --json" + at);
-  EXPECT_TRUE(json.text.contains("\"leads\":false") && json.text.contains("\"down\":\"log: died 12 times"))
+  EXPECT_TRUE(json.text.contains("\"leads\":false") && json.text.contains("\"down\":\"log: failed 12 times"))
       << json.text;
 }
 
