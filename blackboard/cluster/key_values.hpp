@@ -44,7 +44,7 @@ class KeyValues {
     bool succeeded = false;
     std::vector<KeyValue> found = {};  // of the compared keys, where it did not
   };
-  // In bytes. What is taken has what keys were before, until that is forgotten, and holes, until they are closed.
+  // In bytes. `taken` counts former values until they are forgotten, and holes until they are closed.
   struct Space {
     std::uint64_t most = 0;
     std::uint64_t taken = 0;

@@ -28,7 +28,7 @@ namespace pizarra::cluster {
 // How each attempt went: a failure, or that the log answers.
 using OnAttempt = std::function<void(const Result<void>&)>;
 
-// Until it leads. What is not `unavailable` is a failure that waiting does not mend.
+// Until it leads. It fails with any failure but `unavailable`, which passes by waiting.
 Task<Result<void>> stand_by(Executor& executor, std::shared_ptr<Standby> standby, OnAttempt on_log);
 
 class Lead {

@@ -41,7 +41,7 @@ Result<void> LogUpkeep::look_for_space(Time now) {
   return space->refuses ? make_space(*key_values_) : Result<void>();
 }
 
-// What could not be forgotten is tried again in the next step.
+// Where the store does not forget, the next step tries again.
 Result<void> LogUpkeep::forget() {
   const Result<void> forgotten = key_values_->forget_former(long_patience);
   owes_forgetting_ = !forgotten;

@@ -109,8 +109,8 @@ Task<Result<bool>> ServoLoop::move(Datum target, Aim aim, ServoCommand command, 
   co_return false;
 }
 
-// Look, decide, move. From look to look it remembers its last command, which tells when a target runs away and when the
-// arm does not come on by turning and stretching, and for how many looks it has not seen its target.
+// Look, decide, move. From look to look it remembers two things: for how many looks it has not seen its target, and its
+// last command. That one tells when a target runs away, and when the arm does not come on by turning and stretching.
 Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   int unseen = 0;
   ServoCommand before{0, ServoCommand::Motion::done, 0};
@@ -141,7 +141,7 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
     before = command;
     const Result<bool> moved = co_await move(target, *aim, command, stalled);
     if (!moved) co_return fail(moved);
-    // What was left of a motion that was cut short tells nothing of the arm's limits.
+    // A motion that was cut short does not show where the arm's limits are.
     if (!*moved) before.motion = ServoCommand::Motion::done;
   }
   co_return fail("no-convergence", fmt::format("the arm did not come to {}", write(target)), target_name(target));

@@ -134,7 +134,7 @@ Task<void> Surroundings::take_look(Change change) {
     }
     changed = beliefs_.perceive(facts, {frame, look.id});
   }
-  // Who acts on the look need not wait until the board has it.
+  // Waiters act on the look before the board has what follows from it.
   looked_.wake_all();
   if (placed) co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
   if (!perceived->facts) co_await tell_failure(perceived->facts.error());

@@ -77,9 +77,9 @@ struct Scatter {
   double variance() const {
     return std::max(least_edge_spread * least_edge_spread, squares / std::max(1, edges - numbers));
   }
-  // The inverse variance of an edge, counted as if each were off by itself. What neighbours have in common goes on from
-  // one to the next, less each time (a process of first order). The fit took away some of it: for each number as much
-  // as one edge's.
+  // The inverse variance of an edge, counted as if each were off by itself. The errors of neighbours
+  // correlate, less with each edge between them (a process of first order). The fit took away some of that: for each
+  // number as much as one edge's.
   double weight() const {
     const double in_common = (beside + numbers * variance()) / (edges * variance());
     const double rho = std::clamp(in_common, 0.0, most_in_common);

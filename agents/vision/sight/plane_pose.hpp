@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the plane of a mark is in space, by the edges that registered its outline in one image (plane_fit.hpp), or in
-// both of a pair together, and whether what looks tilted may be covered instead.
+// Where the plane of a mark is in space, and whether what looks tilted may be covered instead. It is found by the edges
+// that registered the outline (plane_fit.hpp), in one image or in both of a pair together.
 //
 //   const std::optional<PlanePose> pose = plane_pose(model, sample.plane, fit, {.unit_mm = sample.face_mm()});
 //   pose->place_mm, pose->turn, pose->covariance

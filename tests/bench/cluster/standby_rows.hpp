@@ -1,6 +1,6 @@
 #pragma once
 
-// What boards that stand by cost while nothing happens to the one that leads.
+// The cost of boards that stand by, while the one that leads goes on leading.
 
 #include "tests/bench/cluster/cluster_cell.hpp"
 #include "tests/bench/figures.hpp"

@@ -107,7 +107,7 @@ std::vector<Work> peers_work(const VisionBench& bench, const std::vector<Scene>&
   return out;
 }
 
-// What part of ArUco's time a figure may take, and of which.
+// The part of a peer's time that a figure may take, and which of the peer's times that is.
 struct Share {
   double part;
   std::string text;
