@@ -107,6 +107,25 @@ class Projection {
   std::vector<Patch> patches_;
 };
 
+// Independent normal numbers of this spread: Random::normal() for all pixels at once.
+cv::Mat1f normal_image(cv::Size size, double spread, Random& random) {
+  cv::Mat1f radius(size);
+  cv::Mat1f turn(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      radius(y, x) = static_cast<float>(1 - random.uniform(0, 1));
+      turn(y, x) = static_cast<float>(2 * CV_PI * random.uniform(0, 1));
+    }
+  }
+  cv::log(radius, radius);
+  radius *= -2 * spread * spread;
+  cv::sqrt(radius, radius);
+  cv::Mat1f out;
+  cv::Mat1f unused;
+  cv::polarToCart(radius, turn, out, unused);
+  return out;
+}
+
 std::shared_ptr<const Image> draw(const Scene& scene, const camera::StereoModel& model, bool right, Random& random) {
   Projection projection(model, right);
   for (const SceneFace& face : scene.faces) {
@@ -118,41 +137,20 @@ std::shared_ptr<const Image> draw(const Scene& scene, const camera::StereoModel&
   cv::Mat1f light;
   projection.painted(scene.ground).convertTo(light, CV_32F);
   if (scene.blur_px > 0) cv::GaussianBlur(light, light, {7, 7}, scene.blur_px);
-  const cv::Mat1d noise =
-      scene.noise > 0 ? normal_image(light.size(), scene.noise, random) : cv::Mat1d(light.size(), 0.0);
+  cv::Mat1f across(1, model.width);
+  for (int x = 0; x < model.width; ++x) across(x) = static_cast<float>(1 - scene.gradient * x / model.width);
+  cv::multiply(light, cv::repeat(across, model.height, 1), light);
+  if (scene.noise > 0) light += normal_image(light.size(), scene.noise, random);
   auto image = std::make_shared<Image>();
   image->width = model.width;
   image->height = model.height;
-  image->pixels.reserve(static_cast<std::size_t>(model.width * model.height));
-  for (int y = 0; y < model.height; ++y) {
-    for (int x = 0; x < model.width; ++x) {
-      const double value = light(y, x) * (1 - scene.gradient * x / model.width) + noise(y, x);
-      image->pixels.push_back(cv::saturate_cast<std::uint8_t>(value));
-    }
-  }
+  image->pixels.resize(light.total());
+  cv::Mat1b pixels(model.height, model.width, image->pixels.data());
+  light.convertTo(pixels, CV_8U);
   return image;
 }
 
 }  // namespace
-
-// Random::normal() for all pixels at once.
-cv::Mat1d normal_image(cv::Size size, double spread, Random& random) {
-  cv::Mat1d radius(size);
-  cv::Mat1d turn(size);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      radius(y, x) = 1 - random.uniform(0, 1);
-      turn(y, x) = 2 * CV_PI * random.uniform(0, 1);
-    }
-  }
-  cv::log(radius, radius);
-  radius *= -2 * spread * spread;
-  cv::sqrt(radius, radius);
-  cv::Mat1d out;
-  cv::Mat1d unused;
-  cv::polarToCart(radius, turn, out, unused);
-  return out;
-}
 
 cv::Point2d project(const camera::StereoModel& model, const cv::Point3d& point, bool right) {
   const double offset_mm = (right ? -0.5 : 0.5) * model.base_line_mm;

@@ -47,9 +47,6 @@ cv::Point2d project(const camera::StereoModel& model, const cv::Point3d& point, 
 camera::StereoFrame draw_scene(const Scene& scene, const camera::StereoModel& model, std::uint64_t number,
                                Random& random);
 
-// Sensor noise: independent normal numbers of this spread.
-cv::Mat1d normal_image(cv::Size size, double spread, Random& random);
-
 // A copy.
 cv::Mat as_mat(const Image& image);
 
