@@ -20,8 +20,12 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", bench.jobs, "How many at once; 0: one a core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  app.add_option("--shoves", bench.shoves, "Of the reaction rows, which take about a second each, in real time")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
   std::vector<std::string> rows = disturbance_row_names();
   for (const std::string& growth : growth_row_names()) rows.push_back(growth);
+  for (const std::string& reaction : reaction_row_names()) rows.push_back(reaction);
   app.add_option("--only", bench.only, "These rows alone; those with a disturbance are compared with p=0")
       ->check(CLI::IsMember(rows))
       ->type_name("ROW");
@@ -47,6 +51,7 @@ int main(int argc, char** argv) {
       "place of cm.\n");
   disturbance_rows(bench);
   growth_rows(bench);
+  reaction_rows(bench);
   fmt::print("goals met {} of {}\n", bench.met, bench.goals);
   return 0;
 }

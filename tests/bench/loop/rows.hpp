@@ -14,6 +14,7 @@ struct LoopBench {
   int seeds = 300;
   std::uint64_t first_seed = 1;
   unsigned jobs = 0;
+  int shoves = 100;  // of the reaction rows
   std::vector<std::string> only;
   bool open_loop_alone = false;
   bool failures = false;                // a line each
@@ -30,5 +31,7 @@ std::vector<std::string> disturbance_row_names();
 void disturbance_rows(LoopBench& bench);
 std::vector<std::string> growth_row_names();
 void growth_rows(const LoopBench& bench);
+std::vector<std::string> reaction_row_names();
+void reaction_rows(LoopBench& bench);
 
 }  // namespace pizarra::bench
