@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/runtime/follow.hpp"
+
 namespace pizarra::robot {
 
 namespace {
@@ -13,21 +15,15 @@ constexpr Duration second_look = 2ms;
 
 }  // namespace
 
-void Holds::begin() { following_ = context_.executor.spawn(follow()); }
+void Holds::begin() {
+  Datum pattern = list("hold"_sym, Datum::symbol(context_.name), "?client"_sym, "?count"_sym);
+  following_ = context_.executor.spawn(
+      runtime::follow(context_, std::move(pattern), [this](Change change) { return take(std::move(change)); }));
+}
 
-Task<void> Holds::follow() {
-  const Datum pattern = list("hold"_sym, Datum::symbol(context_.name), "?client"_sym, "?count"_sym);
-  const Query query = query_for(pattern);
-  while (true) {
-    const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
-    bool watching = watch.has_value();
-    while (watching) {
-      const Result<Change> change = co_await (*watch)->next();
-      watching = change.has_value();
-      if (watching) see(*change);
-    }
-    co_await sleep(context_.executor, retry_pause);
-  }
+Task<void> Holds::take(Change change) {
+  see(change);
+  co_return;
 }
 
 void Holds::see(const Change& change) {

@@ -54,7 +54,7 @@ class Holds {
     Time renewed;
   };
 
-  Task<void> follow();
+  Task<void> take(Change change);
   void see(const Change& change);
   void add(const Fact& fact);
   void remove(const Fact& fact);

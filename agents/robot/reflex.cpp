@@ -4,6 +4,7 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "agents/runtime/follow.hpp"
 #include "blackboard/away.hpp"
 
 namespace pizarra::robot {
@@ -28,7 +29,9 @@ void Reflex::begin() {
   const Datum robot = Datum::symbol(context_.name);
   for (Datum pattern : {list("stop"_sym, "?who"_sym, "?reason"_sym), list("commander"_sym, robot, "?client"_sym),
                         list("agent"_sym, "?name"_sym, "?kind"_sym, "?host"_sym)}) {
-    following_.push_back(context_.executor.spawn(follow(std::move(pattern))));
+    const std::string relation(pattern.head());
+    following_.push_back(context_.executor.spawn(runtime::follow(
+        context_, std::move(pattern), [this, relation](Change change) { return take(relation, std::move(change)); })));
   }
 }
 
@@ -39,21 +42,10 @@ Task<void> Reflex::known() {
   }
 }
 
-Task<void> Reflex::follow(Datum pattern) {
-  const Query query = query_for(pattern);
-  const std::string relation(pattern.head());
-  while (true) {
-    const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
-    bool watching = watch.has_value();
-    while (watching) {
-      const Result<Change> change = co_await (*watch)->next();
-      watching = change.has_value();
-      if (!watching) break;
-      see(relation, *change);
-      if (heard_.insert(relation).second) more_heard_.wake_all();
-    }
-    co_await sleep(context_.executor, retry_pause);
-  }
+Task<void> Reflex::take(std::string relation, Change change) {
+  see(relation, change);
+  if (heard_.insert(relation).second) more_heard_.wake_all();
+  co_return;
 }
 
 void Reflex::see(const std::string& relation, const Change& change) {

@@ -57,7 +57,7 @@ class Reflex {
   };
 
  private:
-  Task<void> follow(Datum pattern);
+  Task<void> take(std::string relation, Change change);
   void see(const std::string& relation, const Change& change);
   void forget(const std::string& relation);
   void add(const Fact& fact);
