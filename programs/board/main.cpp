@@ -139,16 +139,7 @@ int serve(Options options) {
   return stopped;
 }
 
-}  // namespace
-}  // namespace pizarra::programs
-
-int main(int argc, char** argv) {
-  CLI::App app("Run a blackboard for agents of other processes.", "pizarra-board");
-  pizarra::programs::Options options;
-  app.add_option("--listen", options.server.addresses,
-                 "ipc://PATH or tcp://HOST:PORT (port * for any); may be repeated")
-      ->required()
-      ->type_name("ADDRESS");
+void add_journal_options(CLI::App& app, Options& options) {
   app.add_option("--journal", options.journal, "keep every transaction in FILE, and durable facts beyond a restart")
       ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); })
       ->type_name("FILE");
@@ -156,10 +147,9 @@ int main(int argc, char** argv) {
                  "how much of the past a journal keeps at least: a number of revisions, or a time such as 90s, "
                  "30min, 12h, 7d")
       ->check([](const std::string& text) {
-        return pizarra::programs::history_from(text)
-                   ? std::string()
-                   : "not a number of revisions, 1000000000 at most, nor a time such as 30min, "
-                     "36500d at most";
+        return history_from(text) ? std::string()
+                                  : "not a number of revisions, 1000000000 at most, nor a time such as 30min, "
+                                    "36500d at most";
       })
       ->capture_default_str();
   app.add_option("--history-size", options.history_bytes,
@@ -167,6 +157,9 @@ int main(int argc, char** argv) {
       ->transform(CLI::AsSizeValue(false))
       ->type_name("SIZE")
       ->default_str("1GB");
+}
+
+void add_log_options(CLI::App& app, Options& options) {
   CLI::Option* log =
       app.add_option("--log", options.log,
                      "keep durable facts in an etcd cluster, etcd://A,B,C/CELL: of the boards with the same log one "
@@ -188,6 +181,20 @@ int main(int argc, char** argv) {
   app.add_option("--cell", options.cell, "the cell whose board this is: a log of another cell is refused")
       ->needs(log)
       ->type_name("NAME");
+}
+
+}  // namespace
+}  // namespace pizarra::programs
+
+int main(int argc, char** argv) {
+  CLI::App app("Run a blackboard for agents of other processes.", "pizarra-board");
+  pizarra::programs::Options options;
+  app.add_option("--listen", options.server.addresses,
+                 "ipc://PATH or tcp://HOST:PORT (port * for any); may be repeated")
+      ->required()
+      ->type_name("ADDRESS");
+  pizarra::programs::add_journal_options(app, options);
+  pizarra::programs::add_log_options(app, options);
   app.add_option("--keys", options.server.keys,
                  "ask every tcp client for a key of this folder, made by `pizarra keys new`")
       ->type_name("DIR");

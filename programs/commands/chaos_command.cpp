@@ -184,6 +184,34 @@ int run_chaos(const ChaosChoices& choices) {
   return choices.plant.empty() ? run_many(choices, *cell) : find_plants(choices, *cell);
 }
 
+void add_replay_options(CLI::App* word, ChaosChoices& choices) {
+  word->add_option("--replay", choices.replay, "Play the run of this seed and tell its story")->check(seed_check());
+  word->add_option("--faults", choices.faults, "With --replay: of its faults these alone: N,... or none")
+      ->check([](const std::string& text) {
+        return numbers_of(text) ? std::string() : "not numbers with commas between, or none";
+      })
+      ->type_name("N,...");
+  word->add_option("--video", choices.video, "With --replay: film it (.avi or .mp4)");
+}
+
+void add_lists(CLI::App* word) {
+  word->add_flag_callback(
+      "--list-plants",
+      [] {
+        for (const chaos::Plant& plant : chaos::plants()) fmt::print("{:<26} {}\n", plant.name, plant.sentence);
+        throw CLI::Success();
+      },
+      "Print the faults that can be planted, and end");
+  word->add_flag_callback(
+      "--list-classes",
+      [] {
+        for (const chaos::FaultClass& kind : chaos::fault_classes())
+          fmt::print("{:<10} {}\n", kind.name, kind.sentence);
+        throw CLI::Success();
+      },
+      "Print the classes of faults, and end");
+}
+
 }  // namespace
 
 void add_chaos_command(CLI::App& app, int& status) {
@@ -201,23 +229,10 @@ void add_chaos_command(CLI::App& app, int& status) {
       ->delimiter(',')
       ->check(class_fault);
   word->add_option("--arm", choices->arm, "Another arm in place of the cell's: of arms/, or an arm file");
-  word->add_option("--replay", choices->replay, "Play the run of this seed and tell its story")->check(seed_check());
-  word->add_option("--faults", choices->faults, "With --replay: of its faults these alone: N,... or none")
-      ->check([](const std::string& text) {
-        return numbers_of(text) ? std::string() : "not numbers with commas between, or none";
-      })
-      ->type_name("N,...");
-  word->add_option("--video", choices->video, "With --replay: film it (.avi or .mp4)");
+  add_replay_options(word, *choices);
   word->add_option("--plant", choices->plant, "Plant this fault into the cell, or `all` one after another, and find it")
       ->check(plant_fault)
       ->type_name("NAME");
-  word->add_flag_callback(
-      "--list-plants",
-      [] {
-        for (const chaos::Plant& plant : chaos::plants()) fmt::print("{:<26} {}\n", plant.name, plant.sentence);
-        throw CLI::Success();
-      },
-      "Print the faults that can be planted, and end");
   word->add_option("--coverage", choices->coverage,
                    "Write how many runs failed, were unsafe and hung, and how often each point was come to");
   word->add_option("--reference", choices->reference,
@@ -225,14 +240,7 @@ void add_chaos_command(CLI::App& app, int& status) {
                    "and each point that it has five times or more is come to still")
       ->check(CLI::ExistingFile);
   word->add_flag("--no-shrink", choices->no_shrink, "Leave out to look for the fewest faults that still fail");
-  word->add_flag_callback(
-      "--list-classes",
-      [] {
-        for (const chaos::FaultClass& kind : chaos::fault_classes())
-          fmt::print("{:<10} {}\n", kind.name, kind.sentence);
-        throw CLI::Success();
-      },
-      "Print the classes of faults, and end");
+  add_lists(word);
   word->footer(
       help_footer("chaos --runs 200 --first-seed 1",
                   "Exit status: 0 no run was unsafe, and at most one in a hundred failed (with --reference: "

@@ -22,24 +22,53 @@ void say_where(const EmulateChoices& choices, const std::string& where) {
 
 namespace {
 
-int emulate(const EmulateChoices& choices) {
-  const std::vector<std::string> units = pan_tilt_names();
-  const bool unit = std::ranges::find(units, choices.device) != units.end();
-  if (choices.device == gripper_name) return emulate_gripper(choices);
-  return unit ? emulate_pan_tilt(choices) : emulate_arm(choices);
-}
-
 constexpr const char* udp_device = "up6";
-
-CLI::Option* add_port(CLI::App* word, const char* name, int& port, const char* help) {
-  return word->add_option(name, port, help)->check(CLI::Range(0, 65535));
-}
 
 std::vector<std::string> device_names() {
   std::vector<std::string> names = pan_tilt_names();
   std::ranges::copy(arm_device_names(), std::back_inserter(names));
   names.emplace_back(gripper_name);
   return names;
+}
+
+// Where drivers reach the device.
+struct Lines {
+  CLI::Option* tcp;
+  CLI::Option* udp;
+};
+
+Lines add_lines(CLI::App* word, EmulateChoices& choices) {
+  const auto add_port = [&](const char* name, const char* help) {
+    return word->add_option(name, choices.port, help)->check(CLI::Range(0, 65535));
+  };
+  CLI::Option* pty = word->add_flag(
+      "--pty", choices.pty, "Open a pseudo-terminal, like a serial line; f3 has two, motion and state, like a C500C");
+  CLI::Option* tcp = add_port(
+      "--tcp",
+      "Listen at this TCP port, and at those after it where the device has several; 0: any free ones. Default: the "
+      "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 50240 and 50241 of up6-motoros, 30004, 30002, "
+      "29999, 30001 and 30003 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper");
+  CLI::Option* udp = add_port("--udp", "The same for up6, which has two UDP ports: 10040 and 10041");
+  tcp->excludes(pty)->excludes(udp);
+  udp->excludes(pty);
+  word->add_option("--address", choices.address, "The address on which its port listens; default: only this machine")
+      ->capture_default_str()
+      ->excludes(pty);
+  return {tcp, udp};
+}
+
+int emulate(const EmulateChoices& choices, const Lines& lines) {
+  const bool by_udp = choices.device == udp_device;
+  const CLI::Option* other = by_udp ? lines.tcp : lines.udp;
+  if (other->count() > 0) {
+    const std::string sentence = fmt::format("{} is at a {} port, which {} says", choices.device,
+                                             by_udp ? "UDP" : "TCP", by_udp ? "--udp" : "--tcp");
+    return complain(Failure{"bad-option", other->get_name() + ": " + sentence, {}, {}}, exit_usage);
+  }
+  const std::vector<std::string> units = pan_tilt_names();
+  const bool unit = std::ranges::find(units, choices.device) != units.end();
+  if (choices.device == gripper_name) return emulate_gripper(choices);
+  return unit ? emulate_pan_tilt(choices) : emulate_arm(choices);
 }
 
 void add_emulate_command(CLI::App& app, int& status) {
@@ -57,21 +86,7 @@ void add_emulate_command(CLI::App& app, int& status) {
           "gripper (Modbus TCP)")
       ->required()
       ->check(CLI::IsMember(device_names()));
-  CLI::Option* pty = emulating->add_flag(
-      "--pty", choices->pty, "Open a pseudo-terminal, like a serial line; f3 has two, motion and state, like a C500C");
-  CLI::Option* tcp = add_port(
-      emulating, "--tcp", choices->port,
-      "Listen at this TCP port, and at those after it where the device has several; 0: any free ones. Default: the "
-      "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 50240 and 50241 of up6-motoros, 30004, 30002, "
-      "29999, 30001 and 30003 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper");
-  CLI::Option* udp =
-      add_port(emulating, "--udp", choices->port, "The same for up6, which has two UDP ports: 10040 and 10041");
-  tcp->excludes(pty)->excludes(udp);
-  udp->excludes(pty);
-  emulating
-      ->add_option("--address", choices->address, "The address on which its port listens; default: only this machine")
-      ->capture_default_str()
-      ->excludes(pty);
+  const Lines lines = add_lines(emulating, *choices);
   emulating
       ->add_option("--world", choices->world,
                    "Move the arm of the simulated world at this address, ipc://PATH, as `world` and `up` "
@@ -90,17 +105,7 @@ void add_emulate_command(CLI::App& app, int& status) {
       "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`;\n"
       "for a gripper also `fault CODE` and `refuse CODE`.\n"
       "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port is free."));
-  emulating->callback([choices, tcp, udp, &status] {
-    const bool by_udp = choices->device == udp_device;
-    const CLI::Option* other = by_udp ? tcp : udp;
-    if (other->count() == 0) {
-      status = emulate(*choices);
-      return;
-    }
-    const std::string sentence = fmt::format("{} is at a {} port, which {} says", choices->device,
-                                             by_udp ? "UDP" : "TCP", by_udp ? "--udp" : "--tcp");
-    status = complain(Failure{"bad-option", other->get_name() + ": " + sentence, {}, {}}, exit_usage);
-  });
+  emulating->callback([choices, lines, &status] { status = emulate(*choices, lines); });
 }
 
 }  // namespace
