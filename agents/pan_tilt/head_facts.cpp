@@ -2,15 +2,17 @@
 
 #include <cmath>
 
+#include "lisp/numbers.hpp"
+
 namespace pizarra::pan_tilt {
 
 namespace {
 
 // A thousandth of a degree is less than any unit's step.
-double rounded(double deg) { return std::round(deg * 1000) / 1000 + 0.0; }
+double told_deg(double deg) { return rounded(deg, 1000); }
 
 Datum range_to_datum(const ptu::PanTiltAxisRange& axis) {
-  return list(rounded(axis.low_deg), rounded(axis.high_deg), axis.resolution_deg, rounded(axis.top_speed_deg_s));
+  return list(told_deg(axis.low_deg), told_deg(axis.high_deg), axis.resolution_deg, told_deg(axis.top_speed_deg_s));
 }
 
 // What retracts a fact, whatever it says.
@@ -32,7 +34,7 @@ void HeadFacts::set_unit(const ptu::PanTiltRange& range) {
 
 void HeadFacts::set_pose(const ptu::PanTiltReading& reading, bool moving) {
   const Datum moves = moving ? "moving"_sym : "still"_sym;
-  facts_[pose].now = list("head"_sym, rounded(reading.pan_deg), rounded(reading.tilt_deg), moves);
+  facts_[pose].now = list("head"_sym, told_deg(reading.pan_deg), told_deg(reading.tilt_deg), moves);
 }
 
 void HeadFacts::set_target(const std::optional<std::string>& name) {

@@ -5,29 +5,24 @@
 
 #include "blackboard/away.hpp"
 #include "drivers/arm/kinematics.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::robot {
 
 namespace {
 
-constexpr double millimetre_step = 0.01;
-constexpr double degree_step = 0.001;
-constexpr double opening_step_mm = 0.1;
-
-// To the nearest multiple; adding zero makes a negative zero positive.
-double rounded(double value, double step) {
-  const double per_unit = std::round(1 / step);
-  return std::round(value * per_unit) / per_unit + 0.0;
-}
+constexpr double parts_of_mm = 100;
+constexpr double parts_of_degree = 1000;
+constexpr double parts_of_opening_mm = 10;
 
 }  // namespace
 
 std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& joints) {
   const arm::ToolPose at = arm::forward(model, joints);
   std::vector<Datum> numbers;
-  for (const double mm : at.translation()) numbers.push_back(to_datum(rounded(mm, millimetre_step)));
+  for (const double mm : at.translation()) numbers.push_back(to_datum(rounded(mm, parts_of_mm)));
   for (const double deg : arm::fixed_angles(at.linear())) {
-    const double angle = rounded(deg, degree_step);
+    const double angle = rounded(deg, parts_of_degree);
     numbers.push_back(to_datum(angle <= -180 ? 180.0 : angle));
   }
   return numbers;
@@ -35,14 +30,14 @@ std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& j
 
 std::vector<Datum> joint_numbers(const arm::Joints& joints) {
   std::vector<Datum> numbers;
-  for (const double reading : joints) numbers.push_back(to_datum(rounded(reading, degree_step)));
+  for (const double reading : joints) numbers.push_back(to_datum(rounded(reading, parts_of_degree)));
   return numbers;
 }
 
 std::vector<Datum> foot_numbers(const arm::ArmModel& model, const arm::Joints& joints) {
   const bool turns = model.axis_of(arm::Role::turn).has_value();
   const Eigen::Vector3d foot = turns ? arm::skeleton(model, joints).front() : Eigen::Vector3d::Zero();
-  return {to_datum(rounded(foot.x(), millimetre_step)), to_datum(rounded(foot.y(), millimetre_step))};
+  return {to_datum(rounded(foot.x(), parts_of_mm)), to_datum(rounded(foot.y(), parts_of_mm))};
 }
 
 Datum joints_to_datum(const arm::Joints& joints) {
@@ -90,7 +85,7 @@ void ArmFacts::set_reading(const arm::ArmModel& model, const arm::ArmReading& re
     facts_[gripper].now = facts_[gripped].now = Datum();
     return;
   }
-  facts_[gripper].now = list("gripper"_sym, robot_, rounded(reading.opening_mm, opening_step_mm));
+  facts_[gripper].now = list("gripper"_sym, robot_, rounded(reading.opening_mm, parts_of_opening_mm));
   if (reading.gripped) facts_[gripped].now = list("gripped"_sym, robot_, *reading.gripped ? "yes"_sym : "no"_sym);
 }
 

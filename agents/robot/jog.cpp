@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "agents/robot/tool_path.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::robot {
 
@@ -118,8 +118,7 @@ double jog_speed(const arm::ArmModel& model, const arm::Joints& from, const std:
     }
     const double way_mm = (next.translation() - pose.translation()).norm();
     const Eigen::AngleAxisd turned(pose.linear().transpose() * next.linear());
-    const double overruns =
-        std::max(way_mm / jog_overrun_mm, turned.angle() * 180 / std::numbers::pi / jog_overrun_deg);
+    const double overruns = std::max(way_mm / jog_overrun_mm, degrees(turned.angle()) / jog_overrun_deg);
     if (overruns > 0) part = std::min(part, full_speed_s / (overruns * blind_s));
     at = to;
     pose = next;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <ranges>
 
 #include "agents/robot/arm_script.hpp"
 #include "agents/robot/tool_path.hpp"
 #include "drivers/arm/posture.hpp"
 #include "lisp/nearest.hpp"
+#include "lisp/numbers.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::robot {
@@ -75,13 +75,13 @@ Result<Motion> carried_round(const arm::ArmModel& model, const arm::Joints& from
   const arm::ToolPose start = arm::forward(model, from);
   Motion motion;
   const auto reach = [&](double turned_deg) {
-    const Eigen::AngleAxisd turn(sign * turned_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ());
+    const Eigen::AngleAxisd turn(radians(sign * turned_deg), Eigen::Vector3d::UnitZ());
     const arm::Joints& near = motion.waypoints.empty() ? from : motion.waypoints.back();
     const Result<arm::Joints> joints = arm::inverse_in_place(model, arm::ToolPose(turn) * start, near);
     if (joints) motion.waypoints.push_back(*joints);
     return joints.has_value();
   };
-  const double arc_mm = start.translation().head<2>().norm() * by * std::numbers::pi / 180;
+  const double arc_mm = start.translation().head<2>().norm() * radians(by);
   const double steps = std::ceil(std::max(by / step_deg, arc_mm / ToolPath::step_mm));
   for (double step = 1; step <= steps; ++step) {
     if (reach(by * step / steps)) continue;

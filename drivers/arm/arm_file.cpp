@@ -4,11 +4,11 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/kinematics.hpp"
 #include "lisp/forms/arm_names.hpp"
 #include "lisp/guile/interpret.hpp"
 #include "lisp/nearest.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::arm {
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "lisp/numbers.hpp"
 
 namespace pizarra::arm {
 
@@ -25,6 +26,6 @@ std::optional<std::size_t> ArmModel::axis_of(Role role) const {
 
 double ArmModel::elbow_to_wrist_mm() const { return std::hypot(forearm_mm, forearm_raise_mm); }
 
-double ArmModel::forearm_bend_deg() const { return std::atan2(forearm_raise_mm, forearm_mm) * 180 / std::numbers::pi; }
+double ArmModel::forearm_bend_deg() const { return degrees(std::atan2(forearm_raise_mm, forearm_mm)); }
 
 }  // namespace pizarra::arm

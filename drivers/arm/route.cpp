@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/arm/angles.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::arm {
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 
+#include "lisp/numbers.hpp"
+
 namespace pizarra::camera {
 namespace {
 
@@ -55,7 +57,7 @@ double tilts_deg(const std::vector<cv::Mat>& turns) {
   for (const cv::Vec3d& a : normals) {
     for (const cv::Vec3d& b : normals) least_cosine = std::min(least_cosine, a.dot(b));
   }
-  return std::acos(std::max(-1.0, least_cosine)) * 180 / CV_PI;
+  return degrees(std::acos(std::max(-1.0, least_cosine)));
 }
 
 OddView worst_of(const std::vector<BoardView>& views, const std::vector<double>& errors_px) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "drivers/simulation/render/visibility.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::simulation {
 
@@ -27,7 +27,7 @@ struct State {
 // How far the cube is from standing on one of its faces, degrees.
 double tilt_deg(const Pose& pose) {
   const double steepest = pose.linear().row(2).cwiseAbs().maxCoeff();
-  return std::acos(std::min(1.0, steepest)) * 180 / std::numbers::pi;
+  return degrees(std::acos(std::min(1.0, steepest)));
 }
 
 // The turn of its side faces against the base axes, -45..45 degrees.
@@ -35,7 +35,7 @@ double yaw_deg(const Pose& pose) {
   Eigen::Index flattest = 0;
   pose.linear().row(2).cwiseAbs().minCoeff(&flattest);
   const Vector3d side = pose.linear().col(flattest);
-  const double angle = std::atan2(side.y(), side.x()) * 180 / std::numbers::pi;
+  const double angle = degrees(std::atan2(side.y(), side.x()));
   return angle - 90 * std::round(angle / 90);
 }
 

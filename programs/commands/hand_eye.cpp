@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "lisp/numbers.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::programs {
@@ -47,7 +48,7 @@ double turning_deg(const std::vector<MarkPair>& pairs) {
   for (const MarkPair& one : pairs) {
     for (const MarkPair& other : pairs) {
       const Eigen::Matrix3d between = one.tool.linear().transpose() * other.tool.linear();
-      most = std::max(most, Eigen::AngleAxisd(between).angle() * 180 / M_PI);
+      most = std::max(most, degrees(Eigen::AngleAxisd(between).angle()));
     }
   }
   return most;
@@ -62,7 +63,7 @@ double off_mm(const coordinator::MountFit& fit, const MarkPair& pair, const coor
   return (view.from_camera(seen) - pair.tool * fit.camera.mark_mm).norm();
 }
 
-double rounded(double value) { return std::round(value * 1000) / 1000; }
+double thousandths(double value) { return rounded(value, 1000); }
 
 }  // namespace
 
@@ -113,12 +114,13 @@ Result<HandEyeResult> solve_hand_eye(const forms::BelievedCamera& guess, const s
 
 std::string write_believed_camera(const forms::BelievedCamera& camera) {
   const forms::CameraPose& pose = camera.pose;
-  const Datum section =
-      list("camera-pose"_sym, list("at"_sym, rounded(pose.at_mm[0]), rounded(pose.at_mm[1]), rounded(pose.at_mm[2])),
-           list("pan"_sym, rounded(pose.pan_deg)), list("tilt"_sym, rounded(pose.tilt_deg)),
-           list("roll"_sym, rounded(pose.roll_deg)),
-           list("sure"_sym, std::max(rounded(camera.sure_mm), 0.01), std::max(rounded(camera.sure_deg), 0.001)),
-           list("mark"_sym, rounded(camera.mark_mm[0]), rounded(camera.mark_mm[1]), rounded(camera.mark_mm[2])));
+  const Datum section = list(
+      "camera-pose"_sym,
+      list("at"_sym, thousandths(pose.at_mm[0]), thousandths(pose.at_mm[1]), thousandths(pose.at_mm[2])),
+      list("pan"_sym, thousandths(pose.pan_deg)), list("tilt"_sym, thousandths(pose.tilt_deg)),
+      list("roll"_sym, thousandths(pose.roll_deg)),
+      list("sure"_sym, std::max(thousandths(camera.sure_mm), 0.01), std::max(thousandths(camera.sure_deg), 0.001)),
+      list("mark"_sym, thousandths(camera.mark_mm[0]), thousandths(camera.mark_mm[1]), thousandths(camera.mark_mm[2])));
   return write(section) + "\n";
 }
 
@@ -181,7 +183,7 @@ std::vector<CarriedPose> HandEye::poses() const {
   const CarryingRoom room{{row.x_mm - around_row_mm, row.y_low_mm, lowest_mm},
                           {row.x_mm + around_row_mm, row.y_high_mm, highest_mm}};
   const forms::BelievedCamera& guess = cell_.camera;
-  const double unsure = guess.sure_mm + guess.sure_deg * M_PI / 180 * camera_away_mm;
+  const double unsure = guess.sure_mm + radians(guess.sure_deg) * camera_away_mm;
   const Eigen::Vector3d mark(guess.mark_mm[0], guess.mark_mm[1], guess.mark_mm[2]);
   return poses_to_carry_to(arm_, coordinator::CameraView(guess.pose, model_), mark, room, mark_half_mm + unsure,
                            wanted_);
@@ -224,8 +226,8 @@ Task<Result<void>> HandEye::carry_to(CarriedPose pose) {
       fmt::format("(move {:.2f} {:.2f} {:.2f})", pose.grip_mm.x(), pose.grip_mm.y(), pose.grip_mm.z());
   const Result<Eigen::Isometry3d> now = co_await tool();
   if (!now) co_return fail(now);
-  const double tilted = std::asin(std::clamp(now->linear()(0, 2), -1.0, 1.0)) * 180 / M_PI;
-  const double yaw = std::atan2(now->linear()(1, 0), now->linear()(0, 0)) * 180 / M_PI;
+  const double tilted = degrees(std::asin(std::clamp(now->linear()(0, 2), -1.0, 1.0)));
+  const double yaw = degrees(std::atan2(now->linear()(1, 0), now->linear()(0, 0)));
   const double turn = std::remainder(pose.yaw_deg - yaw, 360);
   const std::vector<Datum> operations{
       list("turn-ef"_sym, Datum::symbol(tilted > 0 ? "down" : "up"), std::abs(tilted)), list("do-action"_sym, move),

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "lisp/numbers.hpp"
+
 namespace pizarra::programs {
 
 namespace {
@@ -16,10 +18,9 @@ constexpr double tilts_deg[] = {0, 12};
 constexpr double mm_per_degree = 4;
 
 Eigen::Isometry3d tool_at(const CarriedPose& pose) {
-  constexpr double degree = std::numbers::pi / 180;
   Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();
-  tool.linear() = (Eigen::AngleAxisd(pose.yaw_deg * degree, Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(-pose.tilt_deg * degree, Eigen::Vector3d::UnitY()) *
+  tool.linear() = (Eigen::AngleAxisd(radians(pose.yaw_deg), Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(radians(-pose.tilt_deg), Eigen::Vector3d::UnitY()) *
                    Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()))
                       .toRotationMatrix();
   tool.translation() = pose.grip_mm;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-#include "drivers/arm/angles.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::arm {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/kinematics.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::arm {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/move_check.hpp"
 #include "drivers/arm/universal/move_script.hpp"
 #include "drivers/line/printable.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::arm {
 

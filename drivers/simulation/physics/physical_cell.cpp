@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "drivers/arm/kinematics.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::simulation {
 
@@ -23,7 +23,7 @@ constexpr double gone_below_mm = -150;
 Pose standing(double x_mm, double y_mm, double z_mm, double yaw_deg) {
   Pose pose = Pose::Identity();
   pose.translation() = Vector3d(x_mm, y_mm, z_mm);
-  pose.linear() = Eigen::AngleAxisd(yaw_deg * std::numbers::pi / 180, Vector3d::UnitZ()).toRotationMatrix();
+  pose.linear() = Eigen::AngleAxisd(radians(yaw_deg), Vector3d::UnitZ()).toRotationMatrix();
   return pose;
 }
 

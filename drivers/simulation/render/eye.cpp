@@ -1,7 +1,8 @@
 #include "drivers/simulation/render/eye.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "lisp/numbers.hpp"
 
 namespace pizarra::simulation {
 
@@ -11,10 +12,10 @@ Eigen::Vector3d Eye::project(const Eigen::Vector3d& point_mm) const {
 }
 
 Eye make_eye(const CameraConfig& camera, Side side) {
-  const double pan = camera.pose.pan_deg * std::numbers::pi / 180;
-  const double tilt = camera.pose.tilt_deg * std::numbers::pi / 180;
+  const double pan = radians(camera.pose.pan_deg);
+  const double tilt = radians(camera.pose.tilt_deg);
   const Eigen::Vector3d forward(-std::cos(pan) * std::cos(tilt), std::sin(pan) * std::cos(tilt), std::sin(tilt));
-  const double roll = camera.pose.roll_deg * std::numbers::pi / 180;
+  const double roll = radians(camera.pose.roll_deg);
   const Eigen::Vector3d level = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
   const Eigen::Vector3d right = std::cos(roll) * level + std::sin(roll) * forward.cross(level);
   Eye eye{.width = camera.model.width,

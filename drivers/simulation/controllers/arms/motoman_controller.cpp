@@ -26,7 +26,7 @@ arm::ToolPose transform_of(const arm::MotomanPose& pose) {
   arm::ToolPose flange;
   for (std::size_t i = 0; i < 3; ++i) flange.translation()[static_cast<Eigen::Index>(i)] = pose.place_mm[i];
   const auto& [rx, ry, rz] = pose.angles_deg;
-  const Eigen::AngleAxisd about_x(arm::radians(rx), Eigen::Vector3d::UnitX());
+  const Eigen::AngleAxisd about_x(radians(rx), Eigen::Vector3d::UnitX());
   flange.linear() = arm::about_z(rz) * arm::about_y(ry) * about_x.toRotationMatrix();
   return flange;
 }

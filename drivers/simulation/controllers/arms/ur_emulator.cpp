@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/kinematics.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::simulation {
 
@@ -65,9 +65,9 @@ Task<UrState> UrEmulator::state() {
   const arm::ArmReading reading = co_await cabinet_.read();
   const Time now = executor_.now();
   UrState state;
-  for (std::size_t axis = 0; axis < 4; ++axis) state.joints_rad[axis] = arm::radians(reading.joints[axis]);
-  state.joints_rad[4] = arm::radians(-90);
-  state.joints_rad[5] = arm::radians(reading.joints[4]);
+  for (std::size_t axis = 0; axis < 4; ++axis) state.joints_rad[axis] = radians(reading.joints[axis]);
+  state.joints_rad[4] = radians(-90);
+  state.joints_rad[5] = radians(reading.joints[4]);
   const double since_s = std::chrono::duration<double>(now - told_at_).count();
   state.joints_rad_s = told_.joints_rad_s;
   for (std::size_t axis = 0; axis < 6 && since_s >= slowest_look_s; ++axis) {

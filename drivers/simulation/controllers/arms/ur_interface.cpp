@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "drivers/arm/angles.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::simulation {
 
@@ -122,7 +122,7 @@ std::string configuration_package(const arm::ArmModel& model) {
   for (std::size_t joint = 0; joint < joint_count; ++joint) says.f64(-farthest).f64(farthest);
   for (std::size_t joint = 0; joint < joint_count; ++joint) {
     const std::size_t axis = joint < 4 ? joint : 4;  // wrist 2 has none; it is told as wrist 3
-    says.f64(arm::radians(model.axes[axis].speed)).f64(acceleration);
+    says.f64(radians(model.axes[axis].speed)).f64(acceleration);
   }
   says.f64(1.05).f64(1.4).f64(0.25).f64(1.2).f64(0.13);  // what moves go at where they do not say; the tool's radius
   for (const UrValue* values : {&dh.a, &dh.d, &dh.alpha, &dh.theta}) put_all(says, *values);

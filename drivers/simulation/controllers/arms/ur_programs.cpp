@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/route.hpp"
 #include "drivers/simulation/controllers/arms/straight_way.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
+#include "lisp/numbers.hpp"
 
 // What the controller makes of programs: those that come over a line, and those that the dashboard loads and plays.
 namespace pizarra::simulation {
@@ -14,7 +14,7 @@ namespace pizarra::simulation {
 namespace {
 
 arm::Joints five_of(const std::array<double, 6>& q) {
-  return {arm::degrees(q[0]), arm::degrees(q[1]), arm::degrees(q[2]), arm::degrees(q[3]), arm::degrees(q[5])};
+  return {degrees(q[0]), degrees(q[1]), degrees(q[2]), degrees(q[3]), degrees(q[5])};
 }
 
 bool is_move(const UrStep& step) {
@@ -37,7 +37,7 @@ std::optional<arm::Joints> joints_of(const arm::ArmModel& model, const UrStep& s
     return joints ? std::optional(*joints) : std::nullopt;
   }
   const arm::Joints joints = five_of(step.target);
-  const bool can = std::abs(arm::degrees(step.target[4]) + 90) <= 0.1 && arm::check_limits(model, joints);
+  const bool can = std::abs(degrees(step.target[4]) + 90) <= 0.1 && arm::check_limits(model, joints);
   return can ? std::optional(joints) : std::nullopt;
 }
 
@@ -235,7 +235,7 @@ Task<bool> UrEmulator::move(std::vector<UrStep> moves) {
     } else {
       double furthest = 0;
       for (std::size_t axis = 0; axis < to.size(); ++axis) furthest = std::max(furthest, std::abs(to[axis] - at[axis]));
-      const double wanted_s = step.time_s > 0 ? step.time_s : arm::radians(furthest) / step.speed;
+      const double wanted_s = step.time_s > 0 ? step.time_s : radians(furthest) / step.speed;
       if (wanted_s > 0) part = std::min(part, std::max(1e-3, arm::seconds_between(model, at, to) / wanted_s));
     }
     waypoints.push_back(to);

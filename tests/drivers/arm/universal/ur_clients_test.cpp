@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/line/octets.hpp"
+#include "lisp/numbers.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
 
 namespace pizarra::arm {

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "blackboard/time/virtual_executor.hpp"
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
+#include "lisp/numbers.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
 #include "tests/run_task.hpp"
 
