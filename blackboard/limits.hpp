@@ -1,6 +1,6 @@
 #pragma once
 
-// How much the board takes at once. All walls refuse the same things, so that an agent that works on one works on
+// How much the board takes at once. All kinds of board refuse the same, so that an agent that works on one works on
 // another; the bound is below what a frame of the wire may hold.
 
 #include <cstddef>
