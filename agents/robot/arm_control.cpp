@@ -28,20 +28,30 @@ InHand::~InHand() {
   if (control_ != nullptr) control_->let_go();
 }
 
-Result<InHand> ArmControl::take_in_hand(Datum motion) {
-  if (released_by_.empty()) return occupy(std::move(motion));
+Result<InHand> ArmControl::take_in_hand(const Datum& request) {
+  if (released_by_.empty()) {
+    Result<InHand> in_hand = occupy(request[3]);
+    if (in_hand) request_ = request[1];
+    return in_hand;
+  }
   return refused({"not-in-control", released_by_ + " released control of the arm", Datum::symbol(released_by_), {}});
 }
 
 Result<InHand> ArmControl::occupy(Datum operation) {
   if (!connected_) return fail("disconnected", why_lost_);
-  if (running_) return fail("busy", fmt::format("the arm is doing {}", write(*running_)), *running_);
+  if (running_) return fail(busy());
   running_ = std::move(operation);
   ++motions_;
+  request_ = Datum();
   stop_requested_ = false;
+  stop_asked_ = Datum();
   why_stopped_.reset();
   guard_.begin();
   return InHand(*this);
+}
+
+Failure ArmControl::busy() const {
+  return {"busy", fmt::format("the arm is doing {}", write(*running_)), *running_, {}};
 }
 
 void ArmControl::let_go() {
@@ -292,7 +302,7 @@ Task<Result<void>> ArmControl::grip(double opening_mm) {
 
 std::unexpected<Failure> ArmControl::stopped() const {
   if (why_stopped_) return std::unexpected(*why_stopped_);
-  return fail("stopped", "the motion was stopped before its end", running_.value_or(Datum()));
+  return fail("stopped", "the motion was stopped before its end", stop_asked_);
 }
 
 void ArmControl::stop_at_once(Failure why) {
@@ -318,9 +328,10 @@ Task<void> ArmControl::obey() {
   }
 }
 
-Task<Result<void>> ArmControl::stop() {
+Task<Result<void>> ArmControl::stop(Datum asked) {
   const std::uint64_t motion = motions_;
   stop_requested_ = running_.has_value();
+  stop_asked_ = std::move(asked);
   const Result<void> stopping = co_await brake();
   if (!stopping) co_return stopping;
   if (gripping_) {

@@ -17,7 +17,7 @@
 // for as long as it lives (tells what changes by itself, connects again after the controller was away). A motion:
 // take_in_hand(), then follow() or grip(), then the InHand goes.
 //
-//   const Result<InHand> in_hand = control.take_in_hand(operation);   // or busy, disconnected
+//   const Result<InHand> in_hand = control.take_in_hand(request);     // or busy, disconnected
 //   const Result<void> moved = co_await control.follow(reading.joints, waypoints, 1.0);
 //
 // Failures: busy, disconnected, unknown-arm, stopped, fault, those of the Guard, and the driver's own.
@@ -82,8 +82,13 @@ class ArmControl {
   bool connected() const { return connected_; }
   const arm::ArmModel& model() const { return model_; }
   const std::optional<Datum>& running() const { return running_; }
+  // The ID of the request whose motion is in hand.
+  const Datum& request() const { return request_; }
+  // What is answered while it runs.
+  Failure busy() const;
 
-  Result<InHand> take_in_hand(Datum motion);
+  // The motion of (request ID ROBOT OPERATION).
+  Result<InHand> take_in_hand(const Datum& request);
   // Of what moves nothing, released or not.
   Result<InHand> occupy(Datum operation);
   Task<Result<arm::ArmReading>> read();
@@ -92,8 +97,9 @@ class ArmControl {
   Task<Result<void>> follow(arm::Joints from, std::vector<arm::Joints> waypoints, double speed);
   // Answers when the fingers stand, at the opening or on something between them.
   Task<Result<void>> grip(double opening_mm);
-  // Answers when the arm stands and the motion it was in has failed with `stopped`; at rest it does nothing.
-  Task<Result<void>> stop();
+  // Answers when the arm stands and the motion it was in has failed with `stopped`, its subject what asked for that; at
+  // rest it does nothing.
+  Task<Result<void>> stop(Datum asked = {});
   // The reflex: brakes at once, without waiting for anything; the motion in hand fails with `why`. With none in hand
   // the arm is looked at at once, and what moves for nobody is stopped.
   void stop_at_once(Failure why);
@@ -128,6 +134,8 @@ class ArmControl {
   std::string why_lost_;
   std::string released_by_;  // empty: it is not
   std::optional<Datum> running_;
+  Datum request_;
+  Datum stop_asked_;
   std::uint64_t motions_ = 0;
   bool stop_requested_ = false;
   std::optional<Failure> why_stopped_;

@@ -14,7 +14,7 @@ inline constexpr std::string_view robot_contract = R"scheme(
           (move-h (direction symbol) (mm number)) (move-v (direction symbol) (mm number))
           (turn-ef (direction symbol) (degrees number)) (turn-wrist (direction symbol) (degrees number))
           (home) (ready) (speed (percent number)) (learn (variable symbol)) (goto (variable symbol))
-          (gripper (mm number)) (monitor) (finish (option symbol))
+          (gripper (mm number)) (monitor) (finish (option symbol)) (finish (option symbol) (request symbol))
           (get-control) (release-control) (jog (direction symbol) (deadline number)))
   (posts (relation arm ((robot symbol) (state symbol) (action string)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))

@@ -14,7 +14,7 @@ constexpr double max_opening_mm = 100;
 
 Task<Result<Datum>> RobotAgent::State::move(Fact request) {
   const Datum operation = request.datum[3];
-  const Result<InHand> in_hand = control.take_in_hand(operation);
+  const Result<InHand> in_hand = control.take_in_hand(request.datum);
   if (!in_hand) co_return fail(in_hand);
   const Result<arm::ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
@@ -41,7 +41,7 @@ Task<Result<Datum>> RobotAgent::State::jog(Fact request) {
   const Result<double> given_ms = amount_in(operation[2], least_ms, longest_ms, "ms");
   if (!given_ms) co_return fail(given_ms);
   const auto deadline = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(*given_ms));
-  const Result<InHand> in_hand = control.take_in_hand(operation);
+  const Result<InHand> in_hand = control.take_in_hand(request.datum);
   if (!in_hand) co_return fail(in_hand);
   const Result<void> held = co_await holds.await(request.teller, deadline);
   if (!held) co_return fail(held);
@@ -72,7 +72,7 @@ Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {
   const Datum operation = request.datum[3];
   const Result<double> opening_mm = amount_in(operation[1], 0, max_opening_mm, "mm");
   if (!opening_mm) co_return fail(opening_mm);
-  const Result<InHand> in_hand = control.take_in_hand(operation);
+  const Result<InHand> in_hand = control.take_in_hand(request.datum);
   if (!in_hand) co_return fail(in_hand);
   Task<Result<void>> gripping = control.grip(*opening_mm);
   co_return co_await carry_out(std::move(request), std::move(gripping));

@@ -76,11 +76,17 @@ Task<Result<Datum>> RobotAgent::State::monitor() {
 }
 
 Task<Result<Datum>> RobotAgent::State::finish(Datum operation) {
-  if (operation[1].is_symbol("report")) co_return answer(!control.running());
-  if (!operation[1].is_symbol("stop")) {
+  const bool reports = operation[1].is_symbol("report");
+  if (!reports && !operation[1].is_symbol("stop")) {
     co_return fail("wrong-direction", "finish takes report or stop", operation[1]);
   }
-  const Result<void> stopped = co_await control.stop();
+  const bool named = operation.size() > 2;
+  const bool is_its_own = control.running() && (!named || control.request() == operation[2]);
+  if (reports) co_return answer(!is_its_own);
+  if (control.running() && !is_its_own) co_return fail(control.busy());
+  // What has ended is not stopped.
+  if (named && !is_its_own) co_return answer(true);
+  const Result<void> stopped = co_await control.stop(operation);
   if (!stopped) co_return fail(stopped);
   co_return answer(true);
 }

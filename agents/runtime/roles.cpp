@@ -180,14 +180,14 @@ Task<bool> Roles::wait_for(std::string role, Time deadline) {
   co_return true;
 }
 
-Task<Result<Datum>> Roles::call(std::string role, Datum operation, Duration timeout) {
+Task<Result<Datum>> Roles::call(std::string role, Datum operation, Duration timeout, Datum id) {
   const std::string server = holder(role).server;
   const auto left = [this, role, server] {
     const Holder& now = holder(role);
     return now.server != server && now.is_present() && !kinds_.contains(server);
   };
   Caller::GiveUp replaced = left;
-  co_return co_await caller_.call(server, std::move(operation), timeout, std::move(replaced));
+  co_return co_await caller_.call(server, std::move(operation), timeout, std::move(replaced), std::move(id));
 }
 
 Task<void> Roles::keep_told() {

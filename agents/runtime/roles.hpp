@@ -64,7 +64,8 @@ class Roles {
   WaitList& changed() { return changed_; }
   // A call that is under way stays with the server that it went to, unless that is gone and another stands in: then
   // the request is withdrawn. Failures: those of Caller::call, and `replaced`.
-  Task<Result<Datum>> call(std::string role, Datum operation, Duration timeout);
+  Task<Result<Datum>> call(std::string role, Datum operation, Duration timeout, Datum id = {});
+  Datum next_id() { return caller_.next_id(); }
 
  private:
   using Take = void (Roles::*)(const Datum& fact, bool stands);

@@ -302,8 +302,10 @@ Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
   co_return answer;
 }
 
-Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout, GiveUp give_up) {
-  const Datum id = Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_));
+Datum Caller::next_id() { return Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_)); }
+
+Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout, GiveUp give_up, Datum id) {
+  if (!id.is_symbol()) id = next_id();
   const Datum request = list("request"_sym, id, Datum::symbol(agent), operation);
   const Time deadline = context_.executor.now() + timeout;
   const Result<Answer> answer = co_await ask(request, deadline, std::move(give_up));

@@ -81,8 +81,10 @@ class Caller {
   using GiveUp = std::function<bool()>;
 
   Caller(AgentContext& context, const Service& service) : context_(context), service_(service) {}
-  // Given up, the request is withdrawn and the failure is `replaced`.
-  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout, GiveUp give_up = {});
+  // The ID of a request to come, for a caller that names it to others.
+  Datum next_id();
+  // Under the given ID, or one of its own. Given up, the request is withdrawn and the failure is `replaced`.
+  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout, GiveUp give_up = {}, Datum id = {});
 
  private:
   Task<Result<Answer>> ask(Datum request, Time deadline, GiveUp give_up);

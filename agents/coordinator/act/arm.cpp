@@ -26,9 +26,9 @@ Task<Result<Datum>> Arm::ask(Datum operation) {
       const bool back = co_await roles_.wait_for("robot", deadline);
       if (!back) co_return fail("absent", "the robot agent stays away", robot);
     }
-    is_asked_ = true;
-    const Result<Datum> done = co_await roles_.call("robot", operation, motion_timeout);
-    is_asked_ = false;
+    asked_ = roles_.next_id();
+    const Result<Datum> done = co_await roles_.call("robot", operation, motion_timeout, *asked_);
+    asked_.reset();
     if (done) co_return done;
     // Another arm does not stand where this one was going.
     if (done.error().symbol == "replaced") co_return fail("stopped", done.error().sentence, operation);
@@ -74,7 +74,8 @@ Task<Result<void>> Arm::perform(ServoCommand command) {
 }
 
 Task<Result<void>> Arm::cut_short() {
-  const Datum operation = list("finish"_sym, "stop"_sym);
+  if (!asked_) co_return Result<void>();
+  const Datum operation = list("finish"_sym, "stop"_sym, *asked_);
   const Result<Datum> stopped = co_await roles_.call("robot", operation, stop_timeout);
   if (!stopped) co_return fail(stopped);
   co_return Result<void>();
@@ -121,6 +122,8 @@ Task<Result<double>> Arm::grip(double opening_mm) {
   if (told.empty()) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
   co_return told.back().datum[2].number();
 }
+
+bool was_cut_short(const Failure& why) { return why.symbol == "stopped" && why.subject.is_form("finish"); }
 
 bool is_beyond_reach(const Failure& why) { return why.symbol == "unreachable" || why.symbol == "joint-limit"; }
 

@@ -26,8 +26,8 @@ class Arm {
   // Carries out the servo's decision. A turn is taken back by the wrist, so that the fingers stay along the base's y.
   Task<Result<void>> perform(ServoCommand command);
   // The robot has a request of ours and has not answered. It answers at once while it moves for somebody else.
-  bool is_asked() const { return is_asked_; }
-  // Ends the motion in hand, which then fails with `stopped`, and answers when the arm stands.
+  bool is_asked() const { return asked_.has_value(); }
+  // Ends the motion of that request, and no other, and answers when the arm stands.
   Task<Result<void>> cut_short();
   // The grip centre in a straight line to a point of the base frame, carried on by a track where the links end.
   Task<Result<void>> move_to(Eigen::Vector3d point_mm);
@@ -43,9 +43,11 @@ class Arm {
   const CoordinatorOptions& options_;
   runtime::Roles& roles_;
   Story& story_;
-  bool is_asked_ = false;
+  std::optional<Datum> asked_;  // the ID of the request that is not answered yet
 };
 
+// Whether a motion ended as cut_short() asked for that, and nobody else did.
+bool was_cut_short(const Failure& why);
 // Whether a motion was refused since the arm does not come there.
 bool is_beyond_reach(const Failure& why);
 

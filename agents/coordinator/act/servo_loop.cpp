@@ -97,7 +97,7 @@ Task<Result<bool>> ServoLoop::move(Datum target, Aim aim, ServoCommand command, 
   if (links_end) moved = co_await go_down(command.amount);
   // The next motion must not meet the stop.
   if (cut.begun) co_await cut.ended.wait();
-  const bool was_cut = cut.begun && !moved && moved.error().symbol == "stopped";
+  const bool was_cut = cut.begun && !moved && was_cut_short(moved.error());
   if (!was_cut && !moved) co_return fail(moved);
   if (!was_cut) co_return true;
   const std::string sentence = fmt::format("{} was moved: the motion towards it is cut short", write(target));

@@ -126,18 +126,31 @@ TEST_F(Coordinator, CutsAMotionShortWithinALookAfterTheOneThatShowsItsTargetElse
   cell.run_for(500ms);
   const int motions = cell.motions;
   cell.cubes["circle"].x() += 40;
-  EXPECT_TRUE(cell.run_until("(request ? robot (finish stop))", 220ms));
+  EXPECT_TRUE(cell.run_until("(request ? robot (finish stop ?))", 220ms));
   cell.run_for(1800ms);
   EXPECT_EQ(cell.motions, motions) << "the motion goes no further";
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
   EXPECT_EQ(cell.held, "circle");
 }
 
+TEST_F(Coordinator, TellsAPersonsStopDuringACutAsAStop) {
+  cell.motion_takes = 2s;
+  cell.also_stopped_by = list("stop"_sym, "anna"_sym, "wait");
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(servo 2 circle ? ? ?)", 60s));
+  cell.run_for(500ms);
+  cell.cubes["circle"].x() += 40;
+  ASSERT_TRUE(cell.run_until("(request ? robot (finish stop ?))", 220ms));
+  cell.run_for(500ms);
+  EXPECT_EQ(cell.times_told("(event ? servo \"circle was moved: the motion towards it is cut short\" ?)"), 0);
+  EXPECT_EQ(cell.times_told("(operation ? ? failed)"), 1);
+}
+
 TEST_F(Coordinator, CutsNoMotionShortWhoseTargetRests) {
   cell.motion_takes = 2s;
   want("(goal (on circle square))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 180s));
-  EXPECT_EQ(cell.times_told("(request ? robot (finish stop))"), 0);
+  EXPECT_EQ(cell.times_told("(request ? robot (finish stop ?))"), 0);
 }
 
 TEST_F(Coordinator, FollowsACubeThatIsMovedDuringTheApproachWithoutANewPlan) {

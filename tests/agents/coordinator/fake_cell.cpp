@@ -21,7 +21,7 @@ constexpr std::string_view robot_text = R"(
 (contract robot
   (offers (retract (mm number)) (extend (keep symbol) (mm number)) (turn (d symbol) (deg number))
           (move-h (d symbol) (mm number)) (move-v (d symbol) (mm number)) (turn-wrist (d symbol) (deg number))
-          (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)) (finish (option symbol)))
+          (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)) (finish (option symbol)) (finish (option symbol) (request symbol)))
   (posts (relation gripper ((robot symbol) (opening number)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
                    (key robot))
@@ -223,12 +223,13 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   const Eigen::Vector3d said = grip + pose_error_mm;
   if (name == "monitor") co_return list(said.x(), said.y(), said.z(), 180.0, 0.0, yaw_deg_);
   if (name == "finish") {
+    stopped_by_ = also_stopped_by.value_or(operation);
     stopped_.wake_all();
     co_return list("true"_sym);
   }
   const Time ends = executor_.now() + motion_takes;
   const bool stopped = co_await stopped_.wait(ends);
-  if (stopped) co_return fail("stopped", "the arm was stopped", operation);
+  if (stopped) co_return fail("stopped", "the arm was stopped", stopped_by_);
   if (!refusal.empty()) co_return fail(refusal, "the test has the robot refuse", operation);
   const bool positive = operation.size() > 1 && (operation[1].is_symbol("right") || operation[1].is_symbol("up"));
   const double amount = (positive ? 1 : -1) * operation[operation.size() - 1].number();

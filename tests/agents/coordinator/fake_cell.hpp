@@ -76,8 +76,9 @@ class FakeCell {
   std::optional<double> stuck_mm;  // what the gripper's sensor says, however far the fingers are open
   std::string refusal;             // the symbol with which the robot refuses to move, such as halted
   int motions = 0;
-  Duration motion_takes = 300ms;  // a motion that is stopped meanwhile moves nothing
-  Disk disk = Disk::sound;        // of the board's journal, for what the coordinator tells
+  Duration motion_takes = 300ms;         // a motion that is stopped meanwhile moves nothing
+  std::optional<Datum> also_stopped_by;  // a person's stop fact, together with the coordinator's own stop
+  Disk disk = Disk::sound;               // of the board's journal, for what the coordinator tells
 
  private:
   struct Agents;
@@ -100,6 +101,7 @@ class FakeCell {
   TaskDomain domain_;
   std::set<std::string> tracked_;
   WaitList stopped_{executor_};
+  Datum stopped_by_;
   std::int64_t frame_ = 0;
   double yaw_deg_ = 0;
   int requests_ = 0;

@@ -46,6 +46,32 @@ TEST_F(Robot, StopAskedTogetherWithAMotionIsNotLost) {
   EXPECT_LT(arm.at()[0], 2);
 }
 
+TEST_F(Robot, AStopThatNamesARequestEndsItsMotionAndNoOther) {
+  call("(speed 10)");
+  const std::string turning = ask("(turn right 90)", "turning");
+  executor.run_for(1s);
+  EXPECT_EQ(refusal("(finish stop another)"), "busy");
+  EXPECT_EQ(call("(finish report another)"), "(ok true)");
+  EXPECT_EQ(call("(finish report turning)"), "(ok false)");
+  EXPECT_TRUE(arm.moving());
+  EXPECT_EQ(call("(finish stop turning)"), "(ok true)");
+  EXPECT_EQ(reply(turning), "(fail stopped \"the motion was stopped before its end\" (finish stop turning))");
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(call("(finish stop turning)"), "(ok true)") << "it has ended";
+}
+
+TEST_F(Robot, APersonsStopDuringANamedOneIsTheReason) {
+  call("(speed 10)");
+  const std::string turning = ask("(turn right 90)", "turning");
+  executor.run_for(1s);
+  ask("(finish stop turning)");
+  Transaction stop;
+  stop.tell(form("(stop anna \"wait\")"));
+  ASSERT_TRUE(board.transact("anna", stop));
+  executor.run_for(1s);
+  EXPECT_EQ(form(reply(turning))[3], form("(stop anna \"wait\")"));
+}
+
 TEST_F(Robot, StopAtRestDoesNothing) {
   EXPECT_EQ(call("(finish stop)"), "(ok true)");
   EXPECT_EQ(call("(turn right 5)"), "(ok true)");
