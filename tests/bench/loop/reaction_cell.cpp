@@ -34,7 +34,7 @@ constexpr std::chrono::minutes life_patience{3};
 Duration seconds(double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); }
 
 std::string write_cell(const std::string& folder, int frames_per_s) {
-  const std::string path = folder + "/cell.scm";
+  std::string path = folder + "/cell.scm";
   std::ofstream(path) << fmt::format(
       "(cell reaction\n"
       "  (world (camera (at 1330 0 200) (rate {}))\n"
