@@ -51,12 +51,27 @@ Result<std::size_t> LogCopy::follow() {
     weight_.bytes += value.value.size();
     ++entries;
   }
-  is_behind_ = entries == asked;
+  is_behind_ = is_behind_ || entries >= asked;
   return entries;
 }
 
+// Etcd walks over every key of a range, however few it is asked for. So a range has an end where many may come.
 Result<std::vector<KeyValue>> LogCopy::next_entries() {
-  Result<std::vector<KeyValue>> came = key_values_.range(keys_.entries_from(number_ + 1, true), at_once_, patience);
+  const std::uint64_t next = number_ + 1;
+  if (!is_behind_) return some_of(keys_.entries_and_alive(next));
+  const std::size_t asked = at_once_;
+  Result<std::vector<KeyValue>> came = some_of(keys_.entries(next, next + asked));
+  const bool may_be_more = !came || came->size() == asked;
+  if (may_be_more) return came;
+  const Result<std::vector<KeyValue>> rest = some_of(keys_.entries_and_alive(next + came->size()));
+  if (!rest) return fail(rest);
+  is_behind_ = false;
+  came->insert(came->end(), rest->begin(), rest->end());
+  return came;
+}
+
+Result<std::vector<KeyValue>> LogCopy::some_of(const KeyValues::Range& range) {
+  Result<std::vector<KeyValue>> came = key_values_.range(range, at_once_, patience);
   at_once_ = came ? std::min(at_once_ + 1, most_at_once) : std::max(at_once_ / 2, least_at_once);
   return came;
 }
@@ -78,6 +93,7 @@ Result<void> LogCopy::begin() {
   own_ = into_ == nullptr ? std::make_unique<store::Store>() : nullptr;
   store_ = into_ == nullptr ? own_.get() : into_;
   number_ = 0;
+  is_behind_ = true;
   end_ = {};
   later_.clear();
   replies_.clear();
@@ -190,6 +206,23 @@ std::vector<journal::RememberedReply> LogCopy::replies() const {
 
 std::string LogCopy::text() const { return snapshot_text(*store_, end_, replies_); }
 
+namespace {
+
+// Etcd does nothing else while it deletes. Some may be left from when this failed.
+Result<void> delete_entries(KeyValues& key_values, const LogKeys& keys, std::uint64_t from, std::uint64_t to) {
+  constexpr std::uint64_t at_once = 1000;
+  for (std::uint64_t first = 0; first < to;) {
+    const std::uint64_t end = std::min(std::max(first, from) + at_once, to);
+    const Result<KeyValues::Reply> gone =
+        key_values.transact({.compares = {}, .deletes = {keys.entries(first, end)}}, 5 * patience);
+    if (!gone) return fail(gone);
+    first = end;
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce) {
   const Result<std::optional<std::string>> former = get(key_values, keys.snapshot());
   if (!former) return fail(former);
@@ -210,15 +243,16 @@ Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, st
   const std::string name = fmt::format("{}-{}", copy.number(), nonce);
   const Result<SnapshotValue> put = put_snapshot(key_values, keys, copy.number(), name, text);
   if (!put) return fail(put);
-  // The newest entry stays, so that who has fewer sees the gap before it.
-  std::vector<KeyValues::Range> gone = keys.snapshots_but(name);
-  gone.push_back(keys.entries_before(copy.number()));
   const Result<KeyValues::Reply> turned = key_values.transact({.compares = {{keys.snapshot(), *former}},
                                                                .puts = {{keys.snapshot(), text_of(*put)}},
-                                                               .deletes = std::move(gone)},
+                                                               .deletes = keys.snapshots_but(name)},
                                                               5 * patience);
   if (!turned) return fail(turned);
-  return turned->succeeded ? text.size() : 0;
+  if (!turned->succeeded) return 0;
+  // The newest entry stays, so that who has fewer sees the gap before it.
+  const Result<void> deleted = delete_entries(key_values, keys, before, copy.number());
+  if (!deleted) return fail(deleted);
+  return text.size();
 }
 
 }  // namespace pizarra::cluster

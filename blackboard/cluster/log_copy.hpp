@@ -35,7 +35,7 @@ class LogCopy {
       : key_values_(key_values), keys_(std::move(keys)), into_(&into), until_(until) {}
 
   Result<std::size_t> follow();
-  // Whether as many came as it asked for, so that there may be more.
+  // Whether there may be more, before what the leader said last.
   bool is_behind() const { return is_behind_; }
   // Until it has the entry with that number. Asks for fewer entries where an answer did not come in time.
   Result<void> follow_to(std::uint64_t number);
@@ -55,6 +55,7 @@ class LogCopy {
 
  private:
   Result<std::vector<KeyValue>> next_entries();
+  Result<std::vector<KeyValue>> some_of(const KeyValues::Range& range);
   Result<void> begin();
   Result<void> restore_snapshot();
   Result<void> part_is_missing(const std::string& snapshot);

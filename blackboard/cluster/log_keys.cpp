@@ -43,12 +43,6 @@ std::vector<KeyValues::Range> LogKeys::snapshots_but(const std::string& name) co
   return {{base_ + "snapshots/", kept.from}, {kept.to, base_ + "snapshots0"}};
 }
 
-KeyValues::Range LogKeys::entries_from(std::uint64_t number, bool and_alive) const {
-  return {entry(number), base_ + (and_alive ? "log0" : "log/a")};
-}
-
-KeyValues::Range LogKeys::entries_before(std::uint64_t number) const { return {entry(0), entry(number)}; }
-
 std::string text_of(const EpochValue& epoch) {
   return write(list("epoch"_sym, epoch.number, to_datum(epoch.board), epoch.nonce));
 }

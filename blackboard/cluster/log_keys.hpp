@@ -2,7 +2,7 @@
 
 // Where a cell's log lies among the keys of a cluster, and what is written there, so that people can read it:
 //
-//   pizarra/CELL/cell              NAME                            of the cell whose log it is
+//   pizarra/CELL/cell              NAME, or NAME KEY               of the cell whose log it is
 //   pizarra/CELL/epoch             (epoch NUMBER BOARD NONCE)      who leads
 //   pizarra/CELL/head              NUMBER                          of the newest entry
 //   pizarra/CELL/log/0000000000042 (entry NUMBER EPOCH SUM) and its lines, then its replies
@@ -33,9 +33,10 @@ class LogKeys {
   KeyValues::Range parts_of(const std::string& name) const;
   // All snapshots but that one.
   std::vector<KeyValues::Range> snapshots_but(const std::string& name) const;
-  // Entries from that one on; where it is `and_alive`, what the leader says comes behind them.
-  KeyValues::Range entries_from(std::uint64_t number, bool and_alive) const;
-  KeyValues::Range entries_before(std::uint64_t number) const;
+  // Not `to` itself.
+  KeyValues::Range entries(std::uint64_t from, std::uint64_t to) const { return {entry(from), entry(to)}; }
+  // From that one on; what the leader says comes behind them.
+  KeyValues::Range entries_and_alive(std::uint64_t from) const { return {entry(from), base_ + "log0"}; }
 
  private:
   std::string base_;

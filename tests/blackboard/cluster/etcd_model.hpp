@@ -8,6 +8,7 @@
 //   client.transact(...);               // takes some of etcd.now
 //   etcd.trouble = 0;                   // a good day
 
+#include <algorithm>
 #include <limits>
 #include <list>
 #include <map>
@@ -42,7 +43,9 @@ class EtcdModel {
       if (range.from >= range.to) continue;
       const auto from = values.lower_bound(range.from);
       const auto to = values.lower_bound(range.to);
-      for (auto at = from; at != to; ++at) former_bytes_ += at->second.size();
+      std::size_t deleted = 0;
+      for (auto at = from; at != to; ++at, ++deleted) former_bytes_ += at->second.size();
+      most_deleted = std::max(most_deleted, deleted);
       values.erase(from, to);
     }
     for (const KeyValue& put : transaction.puts) {
@@ -62,7 +65,10 @@ class EtcdModel {
     space.refuses = space.refuses || space.taken + bytes > space.most;
     return space.refuses && bytes > 0;
   }
-  void forget_former() { holes_ += std::exchange(former_bytes_, 0); }
+  void forget_former() {
+    holes_ += std::exchange(former_bytes_, 0);
+    ++forgotten;
+  }
   void close_holes() { space.taken -= std::exchange(holes_, 0); }
 
   void let_late_ones_come() {
@@ -83,6 +89,10 @@ class EtcdModel {
   double trouble = 0.15;
   std::size_t bytes_in_time = std::numeric_limits<std::size_t>::max();  // of an answer, over its line
   KeyValues::Space space{.most = std::uint64_t{2} << 30};
+  std::size_t walked = 0;        // over keys of ranges, those too that were more than asked for
+  std::size_t most_deleted = 0;  // at once
+  bool forgets = true;
+  int forgotten = 0;  // how often
 
  private:
   std::uint64_t former_bytes_ = 0;
@@ -114,7 +124,8 @@ class ModelClient : public KeyValues {
     std::size_t bytes = 0;
     std::vector<KeyValue> found;
     for (auto at = etcd_.values.lower_bound(range.from); at != etcd_.values.end() && at->first < range.to; ++at) {
-      if (found.size() == most) break;
+      ++etcd_.walked;
+      if (found.size() == most) continue;
       found.push_back({at->first, at->second});
       bytes += at->second.size();
     }
@@ -126,7 +137,7 @@ class ModelClient : public KeyValues {
     return etcd_.space;
   }
   Result<void> forget_former(Duration wait) override {
-    if (cut || etcd_.happens(etcd_.trouble)) return lost(wait);
+    if (cut || !etcd_.forgets || etcd_.happens(etcd_.trouble)) return lost(wait);
     etcd_.forget_former();
     return {};
   }

@@ -230,6 +230,22 @@ TEST_F(ClusterLogs, OfLargeEntriesAreReadOverALineThatTakesAFewAtATime) {
   EXPECT_EQ(copy.number(), 300u);
 }
 
+TEST_F(ClusterLogs, AreReadAndCutShortAFewEntriesAtATime) {
+  const EpochValue epoch{1, "a", 1};
+  etcd_.values[keys.epoch()] = text_of(epoch);
+  etcd_.values[keys.head()] = "0";
+  ClusterLog log(client_, client_, keys, epoch, 0, "etcd://model/cell");
+  constexpr std::uint64_t many = 5000;
+  for (std::uint64_t n = 1; n <= many; ++n) ASSERT_TRUE(log.append(group(0), true));
+  LogCopy copy(*client_, keys);
+  EXPECT_TRUE(copy.follow_to(many));
+  EXPECT_LT(etcd_.walked, 2 * many);
+  EXPECT_GT(take_snapshot(*client_, keys, 1).value(), 0u);
+  EXPECT_LE(etcd_.most_deleted, many / 5);
+  EXPECT_FALSE(etcd_.values.contains(keys.entry(many - 1)));
+  EXPECT_TRUE(etcd_.values.contains(keys.entry(many)));
+}
+
 TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
   etcd_.values[keys.epoch()] = text_of(EpochValue{1, "a", 1});
   etcd_.values[keys.head()] = "0";
