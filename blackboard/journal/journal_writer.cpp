@@ -65,12 +65,31 @@ void JournalWriter::remember(const RememberedReply& reply) {
 
 void JournalWriter::keep() {
   if (pending_.empty()) pending_.push_back({.group = {}, .last = position_});
-  if (std::exchange(pending_.back().group.durable, true)) return;
+  pending_.back().group.durable = true;
+  ++pending_.back().waiting;
+  if (is_writing_) return;
+  const std::size_t here = waiting();
+  const bool first_or_last = here == 1 || here == company_;
+  if (first_or_last) wait_for_company();
+}
+
+void JournalWriter::wait_for_company() {
+  const bool all_are_here = waiting() >= company_;
+  write_at(executor_.now() + (all_are_here ? Duration::zero() : disk_takes_ / 8));
+}
+
+void JournalWriter::write_at(Time when) {
   if (timer_ != 0) executor_.cancel(timer_);
-  timer_ = executor_.call_at(executor_.now() + disk_takes_ / 8, [this] {
+  timer_ = executor_.call_at(when, [this] {
     timer_ = 0;
     due_.set();
   });
+}
+
+std::size_t JournalWriter::waiting() const {
+  std::size_t all = 0;
+  for (const Pending& pending : pending_) all += pending.waiting;
+  return all;
 }
 
 std::optional<Failure> JournalWriter::lack_of_room() const {
@@ -139,6 +158,7 @@ Task<void> JournalWriter::write_group() {
   // On a full disk, what need not last leaves what is set aside alone, unless what must last comes after it.
   work->may_spend = room_.for_all > 0 || work->what.group.durable || durable_waits();
   const Time begun = executor_.now();
+  is_writing_ = true;
   std::function<void(const std::function<bool()>&)> job = [work](const std::function<bool()>&) {
     work->write();
     work->room = work->log->room();
@@ -146,6 +166,7 @@ Task<void> JournalWriter::write_group() {
     work->ended.notify_all();
   };
   co_await executor_.offload(std::move(job), Duration::zero());
+  is_writing_ = false;
   const Duration took = executor_.now() - begun;
   if (work->what.group.durable) disk_takes_ = std::min((3 * disk_takes_ + took) / 4, longest_disk);
   finish();
@@ -161,6 +182,8 @@ void JournalWriter::finish() {
     kept_ = work->what.last;
     written_bytes_ += work->what.group.bytes();
     work_ = nullptr;
+    company_ = work->what.waiting + waiting();
+    if (waiting() > 0) wait_for_company();
   } else {
     failure_ = work->written.error();
     // Something that must last has come meanwhile.

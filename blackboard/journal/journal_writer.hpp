@@ -8,12 +8,12 @@
 //   writer.on_progress = [&] { answer whoever waits for a position up to writer.kept(); };
 //   writer.keep();                        // everything so far, soon; otherwise within 100 ms, and not waited for
 //
-// A group waits a little for company, an eighth of what the disk took lately: those who are acknowledged together come
-// again together. No more should wait to be written than the file has set space aside for, which check_room() says.
-// When the disk is full, the space is used for what waits, and writer.failure() says so until there is space again:
-// what adds to durable relations should be refused meanwhile, and what only takes from them while check_room() says so.
-// The past is let go then. Groups that cannot be written even so are tried again four times a second. Destroying it
-// writes what is left.
+// Those who are acknowledged together come again together: a group waits for as many as wait for an answer, an eighth
+// of what the disk took lately at most. No more should wait to be written than the file has set space aside for, which
+// check_room() says. When the disk is full, the space is used for what waits, and writer.failure() says so until there
+// is space again: what adds to durable relations should be refused meanwhile, and what only takes from them while
+// check_room() says so. The past is let go then. Groups that cannot be written even so are tried again four times a
+// second. Destroying it writes what is left.
 
 #include <atomic>
 #include <deque>
@@ -50,6 +50,7 @@ class JournalWriter {
   void append(std::string_view line);
   // With the lines appended last, or, if those changed nothing, not at all.
   void remember(const RememberedReply& reply);
+  // Once for each who waits for an answer.
   void keep();
   Position position() const { return position_; }
   Position kept() const { return kept_; }
@@ -65,6 +66,7 @@ class JournalWriter {
   struct Pending {
     JournalGroup group;
     Position last = 0;
+    std::size_t waiting = 0;  // for an answer
     ReplyLines replies = {};
   };
   // What a worker does away from the board's thread; it outlives the writer if need be.
@@ -83,7 +85,10 @@ class JournalWriter {
   Task<void> compact();
   std::optional<Time> look_again() const;
   void take_pending();
+  void wait_for_company();
+  void write_at(Time when);
   bool durable_waits() const;
+  std::size_t waiting() const;
   std::size_t waiting_bytes() const;
   std::size_t most_passing() const;
   void finish();
@@ -95,9 +100,11 @@ class JournalWriter {
   Position position_ = 0;
   Position kept_ = 0;
   std::shared_ptr<Work> work_;  // under way, or to be tried again
+  bool is_writing_ = false;
   JournalRoom room_;
   std::size_t written_bytes_ = 0;  // that compaction has to make up for
   Duration disk_takes_{};          // to make a group durable, lately
+  std::size_t company_ = 0;        // how many waited for an answer when the last group was written
   std::optional<Failure> failure_;
   bool stuck_ = false;
   Event due_;
