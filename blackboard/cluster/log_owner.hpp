@@ -1,9 +1,10 @@
 #pragma once
 
-// Whose log it is: `pizarra/CELL/cell` has the name of the cell whose board came first. A board of another cell would
-// follow its facts, and take its lead.
+// Whose log it is: `pizarra/CELL/cell` has the name of the cell whose board came first, and the key of its boards, by
+// which two cells of one name differ. A board of another cell would follow its facts, and take its lead.
 //
-//   const Result<void> mine = claim_log(key_values, keys, "blocks");    // also where it was claimed before
+//   const Result<void> mine = claim_log(key_values, keys, {"blocks", public_key});    // also where it was claimed
+//   before
 
 #include <string>
 
@@ -11,7 +12,12 @@
 
 namespace pizarra::cluster {
 
+struct LogOwner {
+  std::string cell;
+  std::string key = {};  // public; empty where its boards have none
+};
+
 // Failures other-cell, and unavailable.
-Result<void> claim_log(KeyValues& key_values, const LogKeys& keys, const std::string& cell);
+Result<void> claim_log(KeyValues& key_values, const LogKeys& keys, const LogOwner& owner);
 
 }  // namespace pizarra::cluster

@@ -9,6 +9,7 @@
 #include "blackboard/cluster/log_owner.hpp"
 #include "blackboard/cluster/troubles.hpp"
 #include "blackboard/server/kept_board.hpp"
+#include "blackboard/server/key_folder.hpp"
 #include "blackboard/server/sessions.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
@@ -54,10 +55,19 @@ Result<std::shared_ptr<cluster::KeyValues>> connect(const cluster::LogAddress& l
   return std::shared_ptr<EtcdClient>(std::move(*opened));
 }
 
+// Its folder of keys was checked before.
+cluster::LogOwner owner_of(const ClusterChoices& choices) {
+  cluster::LogOwner owner{choices.cell};
+  if (choices.server.keys.empty()) return owner;
+  const Result<server::KeyFolder> keys = server::KeyFolder::open(choices.server.keys);
+  if (keys) owner.key = keys->own().public_key;
+  return owner;
+}
+
 class StandingBy {
  public:
   StandingBy(const ClusterChoices& choices, std::shared_ptr<cluster::KeyValues> etcd)
-      : cell_(choices.cell),
+      : owner_(owner_of(choices)),
         keys_(choices.log.cell),
         etcd_(std::move(etcd)),
         standby_(std::make_shared<Standby>(*etcd_, keys_, choices.name, server::Sessions::random_number(),
@@ -88,11 +98,13 @@ class StandingBy {
 
   // The log for this cell alone.
   Task<void> claim(cluster::OnAttempt on_log) {
-    bool claimed = cell_.empty();
+    bool claimed = owner_.cell.empty();
     while (!claimed && !failure_) {
       const auto mine = std::make_shared<Result<void>>();
-      std::function<void(const std::function<bool()>&)> work =
-          [mine, etcd = etcd_, keys = keys_, cell = cell_](auto&&) { *mine = cluster::claim_log(*etcd, keys, cell); };
+      std::function<void(const std::function<bool()>&)> work = [mine, etcd = etcd_, keys = keys_,
+                                                                owner = owner_](auto&&) {
+        *mine = cluster::claim_log(*etcd, keys, owner);
+      };
       co_await executor_.offload(std::move(work), Duration::zero());
       claimed = mine->has_value();
       if (!claimed && mine->error().symbol != "unavailable") failure_ = mine->error();
@@ -103,7 +115,7 @@ class StandingBy {
   }
 
   RealExecutor executor_;
-  const std::string cell_;
+  const cluster::LogOwner owner_;
   const cluster::LogKeys keys_;
   const std::shared_ptr<cluster::KeyValues> etcd_;
   const std::shared_ptr<Standby> standby_;
