@@ -52,6 +52,11 @@ bool LogSpace::is_snapshot_due() const {
          left(most_ / adds_within, weight_.all()) == 0;
 }
 
+bool LogSpace::is_full() const {
+  const std::lock_guard lock(mutex_);
+  return left(most_ / adds_within, weight_.all()) == 0;
+}
+
 journal::JournalRoom LogSpace::room(const std::string& path) const {
   const std::lock_guard lock(mutex_);
   journal::JournalRoom room;

@@ -45,6 +45,8 @@ class LogSpace {
   // Of all that the log had when it weighed `before`.
   void snapshot_taken(const LogWeight& before, std::uint64_t bytes);
   bool is_snapshot_due() const;
+  // Whether nothing may be added.
+  bool is_full() const;
   journal::JournalRoom room(const std::string& path) const;
 
  private:

@@ -1,6 +1,8 @@
 #include "blackboard/cluster/log_upkeep.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "blackboard/cluster/log_copy.hpp"
 
@@ -54,13 +56,22 @@ Result<void> LogUpkeep::step(Time now, std::uint64_t nonce) {
     if (!looked) return looked;
   }
   if (owes_forgetting_) return forget();
-  if (!space_->is_snapshot_due()) return {};
+  const bool is_due = space_->is_snapshot_due() && now >= snapshots_at_;
+  if (!is_due) return {};
   const LogWeight before = space_->weight();
   const Result<std::size_t> bytes = take_snapshot(*key_values_, keys_, nonce);
   if (!bytes) return fail(bytes);
   if (*bytes == 0) return {};
   space_->snapshot_taken(before, *bytes);
+  pause_where_full(now);
   return forget();
+}
+
+// The next one would be as large, and may make no room either.
+void LogUpkeep::pause_where_full(Time now) {
+  const bool in_vain = std::exchange(was_full_, space_->is_full()) && was_full_;
+  pause_ = in_vain ? std::clamp(2 * pause_, first_pause, longest_pause) : Duration::zero();
+  snapshots_at_ = now + pause_;
 }
 
 }  // namespace pizarra::cluster

@@ -20,6 +20,9 @@ inline constexpr Duration upkeep_every = 100ms;
 class LogUpkeep {
  public:
   static constexpr Duration looks_for_space_every = 1s;
+  // After a snapshot that made no room, for the second time and later.
+  static constexpr Duration first_pause = 1s;
+  static constexpr Duration longest_pause = 32s;
 
   LogUpkeep(std::shared_ptr<KeyValues> key_values, LogKeys keys, std::shared_ptr<LogSpace> space)
       : key_values_(std::move(key_values)), keys_(std::move(keys)), space_(std::move(space)) {}
@@ -30,12 +33,16 @@ class LogUpkeep {
  private:
   Result<void> look_for_space(Time now);
   Result<void> forget();
+  void pause_where_full(Time now);
 
   const std::shared_ptr<KeyValues> key_values_;
   const LogKeys keys_;
   const std::shared_ptr<LogSpace> space_;
   Time looks_at_{};
   bool owes_forgetting_ = false;
+  Time snapshots_at_{};
+  Duration pause_{};
+  bool was_full_ = false;
 };
 
 // Where the store refuses: has it forget what keys were, closes its holes where that is not enough, and ends the

@@ -1,6 +1,7 @@
 // A log stays within a part of what its store may take, and a store that was full takes new things again.
 
 #include <gtest/gtest.h>
+#include <set>
 
 #include "blackboard/cluster/cluster_log.hpp"
 #include "blackboard/cluster/log_upkeep.hpp"
@@ -114,6 +115,66 @@ TEST_F(LogSpaces, ThatOthersNeedAreSaidToBeFull) {
   EXPECT_TRUE(lacks_space(made.error()));
   EXPECT_TRUE(made.error().sentence.contains("alarm NOSPACE")) << made.error().sentence;
   EXPECT_TRUE(etcd_.space.refuses);
+}
+
+TEST_F(LogSpaces, ThatTheirOwnSnapshotFillsAreNotWrittenAnewForEachRetraction) {
+  keep_up();
+  std::int64_t told = 0;
+  for (; tell(told, 20'000); ++told) keep_up();
+  ASSERT_GT(told, 50);
+  etcd_.space.most = small / 2;
+  etcd_.now += LogUpkeep::looks_for_space_every;
+  keep_up();
+  std::set<std::string> snapshots;
+  for (std::int64_t n = 0; n < 40; ++n) {
+    (void)store_.transact("eyes", Transaction().retract(list("picture"_sym, n, "?"_sym, "?"_sym)), etcd_.now);
+    EXPECT_TRUE(write());
+    keep_up();
+    snapshots.insert(etcd_.values.at(small_cell.snapshot()));
+  }
+  EXPECT_LE(snapshots.size(), 5u) << "in 4 s";
+  etcd_.now += LogUpkeep::longest_pause;
+  keep_up();
+  EXPECT_FALSE(snapshots.contains(etcd_.values.at(small_cell.snapshot())));
+}
+
+TEST_F(LogSpaces, GrowWithTheQuota) {
+  keep_up();
+  for (std::int64_t n = 0; tell(n, 900'000); ++n) keep_up();
+  ASSERT_EQ(log_->room().for_all, 0u);
+  etcd_.space.most = 4 * small;
+  etcd_.now += LogUpkeep::looks_for_space_every;
+  keep_up();
+  EXPECT_GT(log_->room().for_all, 0u);
+}
+
+TEST_F(LogSpaces, AreForgottenLaterWhereTheStoreDoesNotForgetAtOnce) {
+  keep_up();
+  EXPECT_TRUE(tell(1, 900'000));
+  EXPECT_TRUE(tell(1, 900'000));
+  etcd_.forgets = false;
+  etcd_.now += upkeep_every;
+  EXPECT_FALSE(upkeep_->step(etcd_.now, ++nonce_));
+  EXPECT_EQ(etcd_.forgotten, 0);
+  etcd_.forgets = true;
+  keep_up();
+  EXPECT_EQ(etcd_.forgotten, 1);
+  keep_up();
+  EXPECT_EQ(etcd_.forgotten, 1);
+}
+
+TEST_F(LogSpaces, ThatOthersNeedAreSeenToSeldomByWhoStandsBy) {
+  KeyValues::Transaction junk{.compares = {}, .puts = {{"junk", std::string(1 << 20, 'x')}}};
+  for (int n = 0; client_->transact(junk, patience); ++n) junk.puts.front().key = "junk" + std::to_string(n);
+  const LogKeys other("other");
+  Standby standby(*client_, other, "b", 7, etcd_.now);
+  const auto now = [this] { return etcd_.now; };
+  const Time begun = etcd_.now;
+  int steps = 0;
+  for (; etcd_.now < begun + 3 * sees_to_space_every; ++steps, etcd_.now += looks_every)
+    EXPECT_FALSE(standby.step(now));
+  EXPECT_GT(steps, 100);
+  EXPECT_EQ(etcd_.forgotten, 3);
 }
 
 TEST_F(LogSpaces, AreFreedByWhoStandsByWhereNobodyLeads) {
