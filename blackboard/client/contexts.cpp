@@ -63,7 +63,11 @@ Task<Result<void>> Contexts::add(std::string root, std::string name, std::string
   const auto above = reach(root);
   if (!above) co_return fail(above);
   const std::vector<Row> way_up = co_await ascend(root);
-  if (std::ranges::count(way_up, address, &Row::address) > 0) {
+  // One that names it no more is none.
+  const auto is_above = [&](const Row& row) {
+    return row.address == address && !(row.fault && row.fault->symbol == "orphan");
+  };
+  if (std::ranges::any_of(way_up, is_above)) {
     const std::string where = address == root ? "itself" : "a board above it";
     co_return fail("context-loop", fmt::format("{} cannot name {}", root, where), to_datum(address));
   }

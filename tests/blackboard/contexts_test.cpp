@@ -129,6 +129,12 @@ TEST_F(ContextsTest, ABoardNamesNeitherItselfNorOneAboveIt) {
   EXPECT_EQ(above(hall), " there\n");
 }
 
+TEST_F(ContextsTest, ABoardMayNameTheOneThatNamedItBefore) {
+  ASSERT_TRUE(hall.board.transact("bob", Transaction().retract(read("(context-board north ?)"))).has_value());
+  EXPECT_EQ(add(north, "hall", hall.address), "ok");
+  EXPECT_EQ(above(hall), " there\nhall there\nnorth/hall context-loop\n");
+}
+
 TEST_F(ContextsTest, TheBoardsAboveAreListedByAllParentsAlsoWhereOneDoesNotAnswer) {
   Served kits(executor);
   Served office(executor);
