@@ -70,7 +70,7 @@ journal::JournalRoom LogSpace::room(const std::string& path) const {
       "the log {} takes up {:.1f} MB, of which a snapshot has {:.1f}, and may have {:.1f}, a quarter of etcd's quota: "
       "wait for the next snapshot, retract facts, or give etcd a larger --quota-backend-bytes",
       path, static_cast<double>(weight_.all()) / mega, static_cast<double>(weight_.snapshot_bytes) / mega,
-      static_cast<double>(most_ / adds_within) / mega);
+      static_cast<double>(most_) / adds_within / mega);
   return room;
 }
 
