@@ -77,7 +77,7 @@ Supervisor::~Supervisor() {
 
 void Supervisor::tell(Child& child, std::string sentence) {
   child.newest = sentence;
-  if (tell_) tell_(ProcessEvent{child.program.name, std::move(sentence), child.given_up});
+  if (tell_) tell_(ProcessEvent{child.program.name, std::move(sentence), child.given_up, child.pid == 0});
 }
 
 Result<void> Supervisor::spawn(Child& child) {
@@ -150,7 +150,7 @@ void Supervisor::on_death(Child& child, int status) {
 // One that cannot be started, as while the disk is full, may be started later.
 void Supervisor::start_again(Child& child, const std::string& why) {
   ++child.deaths;
-  if (child.deaths >= most_deaths_in_a_row) {
+  if (child.program.is_given_up && child.deaths >= most_deaths_in_a_row) {
     child.given_up = true;
     tell(child, fmt::format("{}; failed {} times in a row and is given up, see {}", why, most_deaths_in_a_row,
                             child.program.log_file));

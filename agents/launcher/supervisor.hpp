@@ -26,12 +26,14 @@ struct Program {
   std::string log_file;                  // what it prints
   std::vector<int> final_statuses = {};  // it does not start again when it ends with one of these
   int niceness = 0;                      // beyond our own, up to 19: the nicer, the more the others go first
+  bool is_given_up = true;               // when it dies again and again
 };
 
 struct ProcessEvent {
   std::string name;
   std::string sentence;   // "started as process 4711", "killed by signal 9; starts again in 0.5 s"
   bool given_up = false;  // it does not start again
+  bool ended = false;     // by itself, or it could not be started
 };
 
 class Supervisor {

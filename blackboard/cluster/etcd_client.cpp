@@ -184,4 +184,13 @@ Result<void> EtcdClient::end_refusing(Duration wait) {
   return {};
 }
 
+Result<std::string> EtcdClient::read(std::size_t member, const char* path, Duration wait) {
+  return ask(member, path, std::nullopt, wait);
+}
+
+Result<void> EtcdClient::order(const char* path, const std::string& body, Duration wait) {
+  const Result<std::string> done = post(path, body, wait);
+  return done ? Result<void>() : fail(done);
+}
+
 }  // namespace pizarra::cluster

@@ -29,6 +29,10 @@ class EtcdClient : public KeyValues {
   Result<void> close_holes(Duration wait) override;
   Result<void> end_refusing(Duration wait) override;
 
+  // What one member says there, and what any of them is told there. Failure unavailable.
+  Result<std::string> read(std::size_t member, const char* path, Duration wait);
+  Result<void> order(const char* path, const std::string& body, Duration wait);
+
  private:
   class Connection;
   explicit EtcdClient(const LogAddress& address);

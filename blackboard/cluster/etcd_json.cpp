@@ -166,6 +166,27 @@ Result<std::vector<std::string>> disarming(const std::string& body) {
   return requests;
 }
 
+Result<std::vector<LogMember>> members_from(const std::string& body) {
+  const json form = json::parse(body, nullptr, false);
+  if (!form.is_array()) return not_understood();
+  std::vector<LogMember> members;
+  for (const json& each : form) {
+    const bool sound = each.is_object() && each.contains("id") && each["id"].is_number_unsigned();
+    if (!sound) return not_understood();
+    LogMember member{.id = each["id"].get<std::uint64_t>()};
+    const json urls = each.value("peerURLs", json::array());
+    if (!urls.empty() && urls.front().is_string()) member.peer_url = urls.front().get<std::string>();
+    member.was_added = !each.contains("name") || each["name"] == "";
+    member.has_run = each.contains("clientURLs") && !each["clientURLs"].empty();
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+std::string removal(std::uint64_t member) { return json({{"ID", std::to_string(member)}}).dump(); }
+
+std::string addition(const std::string& peer_url) { return json({{"peerURLs", json::array({peer_url})}}).dump(); }
+
 std::string error_from(const std::string& body) {
   const std::optional<json> form = object_from(body);
   constexpr std::size_t longest = 200;

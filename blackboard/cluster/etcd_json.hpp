@@ -5,6 +5,7 @@
 #include <string>
 
 #include "blackboard/cluster/key_values.hpp"
+#include "blackboard/cluster/log_members.hpp"
 
 namespace pizarra::cluster::etcd_json {
 
@@ -19,6 +20,9 @@ Result<std::string> revision_from(const std::string& body);
 std::string compaction(const std::string& revision);
 // The requests that end each alarm for lack of space that an answer lists.
 Result<std::vector<std::string>> disarming(const std::string& body);
+Result<std::vector<LogMember>> members_from(const std::string& body);
+std::string removal(std::uint64_t member);
+std::string addition(const std::string& peer_url);
 // What an error says, or a beginning of it.
 std::string error_from(const std::string& body);
 

@@ -100,12 +100,11 @@ Result<void> make_log_folder(const UpChoices& up) {
   return fail("cannot-write", "the member's folder cannot be made: " + text_of_bytes(up.log_folder));
 }
 
-Result<void> check_member(const UpChoices& up) {
+Result<void> check_own_member(const UpChoices& up) {
   if (up.log_here.empty()) return {};
   const Result<cluster::LogAddress> log = cluster::LogAddress::from(up.log, up.certificates, up.log_insecure);
   if (!log) return fail(log);
-  const Result<std::vector<std::string>> member = log_member(*log, up.log_here, up.log_folder);
-  return member ? Result<void>() : fail(member);
+  return check_member({*log, up.log_here, up.log_folder});
 }
 
 // The board of a log comes to itself with its host's key, too.
@@ -115,7 +114,7 @@ Result<void> check_join(const UpChoices& up, const forms::CellDescription& cell,
   }
   if (up.log.empty()) return {};
   const Result<void> log = check_log(up, cell, host);
-  return log ? check_member(up) : log;
+  return log ? check_own_member(up) : log;
 }
 
 // One that is there is kept: the board may know it already.

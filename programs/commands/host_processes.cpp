@@ -56,7 +56,15 @@ Result<Command> Commands::log() const {
   const Result<cluster::LogAddress> log =
       cluster::LogAddress::from(choices_.log, choices_.certificates, choices_.log_insecure);
   if (!log) return fail(log);
-  return log_member(*log, choices_.log_here, choices_.log_folder);
+  const Result<void> sound = check_member({*log, choices_.log_here, choices_.log_folder});
+  if (!sound) return fail(sound);
+  Command command = {beside_this_program("pizarra-cell"), "log", "member", choices_.log, choices_.log_here,
+                     whole_path(choices_.log_folder)};
+  if (!choices_.certificates.empty()) {
+    command.insert(command.end(), {"--log-certificates", whole_path(choices_.certificates)});
+  }
+  if (choices_.log_insecure) command.push_back("--log-insecure");
+  return command;
 }
 
 // A board that leads or stands by; none where this host has no address for one.

@@ -1,14 +1,20 @@
-// `log copy`: a cell's durable facts from the journal in a file to a log in an etcd cluster, or back.
+// `log copy`: a cell's durable facts from the journal in a file to a log in an etcd cluster, or back. `log member`: a
+// member of that cluster.
 
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 #include <thread>
+#include <unistd.h>
 
 #include "blackboard/cluster/log_address.hpp"
 #include "blackboard/cluster/transfer.hpp"
 #include "blackboard/server/sessions.hpp"
+#include "blackboard/time/real_executor.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/kept_journal.hpp"
+#include "programs/commands/log_member.hpp"
 
 namespace pizarra::programs {
 
@@ -47,11 +53,66 @@ int run_copy(const CopyChoices& choices) {
   return exit_reached;
 }
 
+struct MemberChoices {
+  std::string log;
+  std::string here;
+  std::string folder;
+  std::string certificates;
+  bool insecure = false;
+};
+
+// It ends then, and says why; `up` starts it again.
+constexpr Duration waits_for_others = 25s;
+
+Task<void> find_beginning(Executor& executor, MemberHere member, Result<cluster::Beginning>* begins) {
+  *begins = co_await beginning_of(executor, std::move(member), executor.now() + waits_for_others);
+}
+
+Result<cluster::Beginning> await_beginning(const MemberHere& member) {
+  RealExecutor executor;
+  Result<cluster::Beginning> begins = cluster::Beginning::anew;
+  const Job job = executor.spawn(find_beginning(executor, member, &begins));
+  executor.run_until([&] { return job.done(); });
+  return begins;
+}
+
+// Becomes the member.
+int run_member(const MemberChoices& choices) {
+  const Result<cluster::LogAddress> log =
+      cluster::LogAddress::from(choices.log, choices.certificates, choices.insecure);
+  if (!log) return complain(log.error(), exit_usage);
+  const MemberHere member{*log, choices.here, choices.folder};
+  const Result<void> sound = check_member(member);
+  if (!sound) return complain(sound.error(), sound.error().symbol == "bad-address" ? exit_usage : exit_unavailable);
+  const Result<cluster::Beginning> begins = has_data(member) ? cluster::Beginning::anew : await_beginning(member);
+  if (!begins) return complain(begins.error(), exit_unavailable);
+  std::vector<std::string> command = etcd_command(member, *begins);
+  std::vector<char*> words;
+  for (std::string& word : command) words.push_back(word.data());
+  words.push_back(nullptr);
+  execv(words.front(), words.data());
+  return complain(Failure{"no-program", fmt::format("{}: {}", command.front(), std::strerror(errno)), {}, {}},
+                  exit_unavailable);
+}
+
+void add_member_command(CLI::App& log, int& status) {
+  auto choices = std::make_shared<MemberChoices>();
+  CLI::App* member = log.add_subcommand(
+      "member", "Run an etcd member of a log on this host, as `up --log-here` does; one without data is brought back.");
+  member->add_option("LOG", choices->log, "The log: etcd://A,B,C/CELL")->required();
+  member->add_option("ADDRESS", choices->here, "Which of its members this host has")->required();
+  member->add_option("DIR", choices->folder, "Where it keeps its data, on a disk that lasts")->required();
+  add_log_options(*member, choices->certificates, choices->insecure);
+  member->footer(help_footer("log member etcd://127.0.0.1/blocks 127.0.0.1 /var/lib/pizarra-etcd"));
+  member->callback([choices, &status] { status = run_member(*choices); });
+}
+
 }  // namespace
 
 void add_log_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<CopyChoices>();
-  CLI::App* log = app.add_subcommand("log", "Move a cell between a journal in a file and a log in an etcd cluster.");
+  CLI::App* log = app.add_subcommand(
+      "log", "Move a cell between a journal in a file and a log in an etcd cluster; run a member of that cluster.");
   log->require_subcommand(1);
   CLI::App* copying = log->add_subcommand(
       "copy", "Copy the durable facts of a cell whose boards have ended, with the replies that are remembered.");
@@ -62,6 +123,7 @@ void add_log_command(CLI::App& app, int& status) {
   copying->footer(
       help_footer("log copy cell.journal etcd://10.0.0.1,10.0.0.2,10.0.0.3/blocks --log-certificates certs"));
   copying->callback([choices, &status] { status = run_copy(*choices); });
+  add_member_command(*log, status);
 }
 
 }  // namespace pizarra::programs

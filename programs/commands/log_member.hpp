@@ -1,9 +1,13 @@
 #pragma once
 
-// An etcd member of a cell's log on this host, as a process: its command line. Started again with the same folder it is
-// the same member.
+// An etcd member of a cell's log on this host, as a process: how it begins, and its command line. Started again with
+// the same folder it is the same member. One without data begins a new log together with all others that have none, or
+// is brought back among those that have.
 //
-//   Result<std::vector<std::string>> command = log_member(*address, "10.0.0.1", "/var/lib/pizarra/blocks");
+//   const MemberHere member{*address, "10.0.0.1", "/var/lib/pizarra/blocks"};
+//   Result<void> sound = check_member(member);
+//   Result<cluster::Beginning> begins = co_await beginning_of(executor, member, deadline);     // where
+//   !has_data(member) std::vector<std::string> command = etcd_command(member, *begins);
 //
 // Members speak to one another at the port above the one at which they are asked. With certificates both ways are
 // encrypted, by server.crt and server.key, to whom ca.crt vouches for.
@@ -11,12 +15,23 @@
 #include <string>
 #include <vector>
 
-#include "blackboard/cluster/log_address.hpp"
+#include "blackboard/cluster/log_members.hpp"
+#include "blackboard/time/executor.hpp"
 
 namespace pizarra::programs {
 
-// `here`: which of the log's members it is. Failures bad-address, and no-program where etcd is not installed.
-Result<std::vector<std::string>> log_member(const cluster::LogAddress& log, const std::string& here,
-                                            const std::string& folder);
+struct MemberHere {
+  cluster::LogAddress log;
+  std::string here;    // which of the log's members it is
+  std::string folder;  // of its data
+};
+
+// Failures bad-address, and no-program where etcd is not installed.
+Result<void> check_member(const MemberHere& member);
+bool has_data(const MemberHere& member);
+// Failures bad-address, and unavailable: for whom it waited.
+Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere member, Time deadline);
+// Of a member that was checked.
+std::vector<std::string> etcd_command(const MemberHere& member, cluster::Beginning begins);
 
 }  // namespace pizarra::programs

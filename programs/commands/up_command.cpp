@@ -32,6 +32,10 @@ namespace {
 // file or a key that cannot be read, a board with relations of another shape.
 const std::vector<int> hopeless_board{2, 3, 4};
 const std::vector<int> hopeless_agent{exit_usage};
+// Other hosts lead meanwhile, and the address may become free.
+const std::vector<int> hopeless_among_boards{2, 4};
+// Etcd ends with any, also where its disk was full.
+const std::vector<int> hopeless_log;
 
 std::string last_line_of(const std::string& file) {
   std::ifstream in(file);
@@ -58,6 +62,11 @@ class Up {
   Result<void> start_console();
   // Neither a board elsewhere nor a log keeps what was.
   bool begins_anew() const { return places_.owns_board && choices_.log.empty(); }
+  // With the log, or one of its boards: it is started again as long as this host is up.
+  bool serves_other_hosts(const std::string& name) const {
+    return !choices_.log_here.empty() && (name == "log" || name == "board");
+  }
+  const std::vector<int>& final_statuses_of(const std::string& name) const;
   Result<void> start(HostProcess process);
   int run_until_stopped(client::RemoteBoard& ears);
   void on_process(const launcher::ProcessEvent& event);
@@ -75,11 +84,16 @@ class Up {
   launcher::Supervisor supervisor_;
 };
 
+const std::vector<int>& Up::final_statuses_of(const std::string& name) const {
+  if (name == "log") return hopeless_log;
+  if (name != "board") return hopeless_agent;
+  return serves_other_hosts(name) ? hopeless_among_boards : hopeless_board;
+}
+
 Result<void> Up::start(HostProcess process) {
-  const std::vector<int>& final_statuses = process.name == "board" ? hopeless_board : hopeless_agent;
   const std::string log = directory_.file(process.name + ".log");
-  return supervisor_.start(
-      {std::move(process.name), std::move(process.command), log, final_statuses, process.niceness});
+  return supervisor_.start({process.name, std::move(process.command), log, final_statuses_of(process.name),
+                            process.niceness, !serves_other_hosts(process.name)});
 }
 
 Result<void> Up::start_all() {
@@ -112,10 +126,10 @@ Result<void> Up::start_console() {
 void Up::on_process(const launcher::ProcessEvent& event) {
   narrator_.say(executor_.now(), "process", fmt::format("{} {}", event.name, event.sentence));
   save_state();
-  if (!event.given_up) return;
+  const bool has_failed = event.given_up || (event.ended && serves_other_hosts(event.name));
+  if (!has_failed) return;
   const std::string last_words = last_line_of(directory_.file(event.name + ".log"));
-  // A member of the log serves the boards of other hosts, too.
-  if (event.name != "board" || !choices_.log_here.empty()) {
+  if (event.name != "board" || serves_other_hosts(event.name)) {
     return narrator_.say(executor_.now(), "failure", event.name + ": " + last_words);
   }
   board_failure_ = last_words;

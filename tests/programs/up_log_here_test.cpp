@@ -1,5 +1,6 @@
 // A cell whose hosts run the members of its log themselves: here three hosts of one machine.
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ class UpWithLogHere : public testing::Test {
  protected:
   void SetUp() override {
     if (!cluster::RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+    for (const char* host : {"a", "b", "c"}) std::filesystem::remove_all(scratch_folder() + "member-" + host);
     for (const char* host : {"a", "b", "c"}) members_[host] = fmt::format("127.0.0.1:{}", two_free_ports());
     board_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
     standby_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
@@ -61,6 +63,21 @@ class UpWithLogHere : public testing::Test {
   bool comes(const std::string& words, const std::string& wanted) const {
     return wait_until([&] { return run(words).text.contains(wanted); }, seconds(120));
   }
+  void begin_log() {
+    up("a", {});
+    up("b", {"--standby", standby_});
+    up("c", {});
+    ASSERT_TRUE(comes("ask '(agent coordinator ?kind ?host)'", "?host = \"c\"")) << said();
+    ASSERT_EQ(run("declare '(relation note ((n integer)) (key n) (durable))'").status, 0) << said();
+    ASSERT_EQ(run("tell '(note 1)'").status, 0) << said();
+  }
+  void end(const std::string& host) {
+    running_.at(host)->signal(SIGTERM);
+    EXPECT_TRUE(running_.at(host)->end(seconds(60)).has_value()) << host;
+  }
+  bool is_healthy(const std::string& host) const {
+    return shell_in_scratch("curl -s http://" + members_.at(host) + "/health").text.contains("true");
+  }
   std::string said() const {
     std::string all;
     for (const auto& [host, up] : running_) all += "--- " + host + "\n" + up->said();
@@ -75,14 +92,8 @@ class UpWithLogHere : public testing::Test {
 };
 
 TEST_F(UpWithLogHere, KeepsWhatIsDurableWhenTheHostOfTheFirstBoardAndItsMemberEnd) {
-  up("a", {});
-  up("b", {"--standby", standby_});
-  up("c", {});
-  ASSERT_TRUE(comes("ask '(agent coordinator ?kind ?host)'", "?host = \"c\"")) << said();
-  ASSERT_EQ(run("declare '(relation note ((n integer)) (key n) (durable))'").status, 0) << said();
-  ASSERT_EQ(run("tell '(note 1)'").status, 0) << said();
-  running_.at("a")->signal(SIGTERM);
-  EXPECT_TRUE(running_.at("a")->end(seconds(60)).has_value());
+  begin_log();
+  end("a");
   EXPECT_TRUE(comes("ask '(note ?n)'", "?n = 1")) << said();
   EXPECT_TRUE(comes("hosts " + cell_, "\nb                leads ")) << run("hosts " + cell_).text;
   EXPECT_EQ(run("tell '(note 2)'").status, 0) << said();
@@ -98,14 +109,20 @@ TEST_F(UpWithLogHere, GoesOnWithItsMemberWhereItsBoardCannotListen) {
   up("b", {"--standby", standby_});
   const auto fault_is_told = [&] { return running_.at("b")->said().contains("board: pizarra-board: ZeroMQ refuses"); };
   ASSERT_TRUE(wait_until(fault_is_told, seconds(60))) << said();
-  // Of three members two have to be there.
+  // A log is begun by all.
   up("a", {});
+  up("c", {});
   const auto board_leads = [&] {
     const std::string note = "'(relation note ((n integer)) (key n) (durable))'";
     return shell(fmt::format("{} declare --board {} {}", PIZARRA_CELL, board_, note)).status == 0;
   };
   EXPECT_TRUE(wait_until(board_leads, seconds(120))) << said();
   EXPECT_FALSE(running_.at("b")->end(seconds(0)).has_value());
+  // It is tried again until the address is free.
+  other.signal(SIGTERM);
+  end("a");
+  const auto it_leads = [&] { return run("declare '(relation more ((n integer)) (key n) (durable))'").status == 0; };
+  EXPECT_TRUE(wait_until(it_leads, seconds(60))) << said();
 }
 
 TEST_F(UpWithLogHere, IsRefusedWithWhatWouldKeepABoardFromTakingOver) {
@@ -122,6 +139,33 @@ TEST_F(UpWithLogHere, IsRefusedWithWhatWouldKeepABoardFromTakingOver) {
   EXPECT_TRUE(own.contains("--standby is for another host than that of the cell's board")) << own;
   const std::string keys = refusal(" --host b --standby " + standby_ + " --keys " + scratch_folder() + "no-keys");
   EXPECT_TRUE(keys.contains("the board has no key of its own there")) << keys;
+}
+
+TEST_F(UpWithLogHere, BringsAMemberBackWhoseDataIsGone) {
+  begin_log();
+  end("c");
+  std::filesystem::remove_all(scratch_folder() + "member-c");
+  up("c", {});
+  ASSERT_TRUE(wait_until([&] { return is_healthy("c"); }, seconds(60))) << said();
+  // Without another member, the log has its quorum by this one.
+  end("a");
+  EXPECT_TRUE(comes("ask '(note ?n)'", "?n = 1")) << said();
+  EXPECT_EQ(run("tell '(note 2)'").status, 0) << said();
+}
+
+TEST_F(UpWithLogHere, WaitsForTheOthersWhereAMemberHasLostItsData) {
+  begin_log();
+  for (const char* host : {"a", "b", "c"}) end(host);
+  std::filesystem::remove_all(scratch_folder() + "member-c");
+  up("c", {});
+  const auto waits_aloud = [&] { return running_.at("c")->said().contains("member-c has no data, and waits for "); };
+  ASSERT_TRUE(wait_until(waits_aloud, seconds(60))) << said();
+  // With this one alone it has no majority that remembers.
+  up("b", {"--standby", standby_});
+  EXPECT_FALSE(wait_until([&] { return is_healthy("c"); }, seconds(3))) << said();
+  up("a", {});
+  EXPECT_TRUE(comes("ask '(note ?n)'", "?n = 1")) << said();
+  EXPECT_TRUE(wait_until([&] { return is_healthy("c"); }, seconds(60))) << said();
 }
 
 TEST_F(UpWithLogHere, IsRefusedForAnAddressThatIsNoMember) {
