@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "blackboard/time/together.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::client {
@@ -10,10 +11,6 @@ namespace pizarra::client {
 namespace {
 
 Relation relation(const char* text) { return relation_from_datum(read_one(text).value()).value(); }
-
-Relation context_relation() {
-  return relation("(relation context-board ((name symbol) (address string)) (key name) (durable))");
-}
 
 Relation parent_relation() {
   return relation("(relation parent-board ((address string) (name symbol)) (key address) (durable))");
@@ -36,6 +33,10 @@ Failure of_board(Failure failure, const std::string& path, const std::string& ad
 }
 
 }  // namespace
+
+Relation Contexts::context_relation() {
+  return relation("(relation context-board ((name symbol) (address string)) (key name) (durable))");
+}
 
 Result<std::unique_ptr<RemoteBoard>> Contexts::reach(const std::string& address) const {
   return RemoteBoard::connect(executor_, address, teller_, patience_, keys_);
@@ -122,40 +123,27 @@ Task<Result<Contexts::Pairs>> Contexts::next_of(Listed* listed, Direction direct
   co_return parents;
 }
 
-Task<void> Contexts::ask(Listed* listed, Direction direction, std::size_t* waiting, Event* answered) {
+Task<void> Contexts::ask(Listed* listed, Direction direction) {
   Result<Pairs> next = co_await next_of(listed, direction);
   if (next) listed->next = std::move(*next);
   if (!next && next.error().symbol == "orphan") listed->row.fault = next.error();
   if (!next && !listed->row.fault) listed->row.fault = of_board(next.error(), listed->row.path, listed->row.address);
-  --*waiting;
-  answered->set();
 }
 
 Task<void> Contexts::ask_all(std::vector<Listed>* level, Direction direction) {
-  Event answered(executor_);
-  std::size_t waiting = 0;
-  std::vector<Job> asking;
+  std::vector<Task<void>> asking;
   for (Listed& listed : *level) {
-    if (listed.row.fault) continue;
-    while (waiting == most_asked_at_once) {
-      answered.reset();
-      co_await answered.wait();
-    }
-    ++waiting;
-    asking.push_back(executor_.spawn(ask(&listed, direction, &waiting, &answered)));
+    if (!listed.row.fault) asking.push_back(ask(&listed, direction));
   }
-  while (waiting > 0) {
-    answered.reset();
-    co_await answered.wait();
-  }
+  co_await run_together(executor_, std::move(asking), most_asked_at_once);
 }
 
-Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction direction) {
+Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction direction, std::size_t most) {
   std::vector<Row> rows;
   std::map<std::string, std::string> paths;  // of the boards, by address
   std::vector<Listed> level = {{Row{"", first}}};
   for (std::size_t deep = 0; !level.empty(); ++deep) {
-    level.resize(std::min(level.size(), most_listed - rows.size()));
+    level.resize(std::min(level.size(), most - rows.size()));
     for (Listed& listed : level) {
       Row& row = listed.row;
       const auto [known, is_new] = paths.emplace(row.address, row.path);
@@ -181,8 +169,12 @@ Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction dir
   co_return rows;
 }
 
-Task<std::vector<Contexts::Row>> Contexts::list(std::string root) { return walk(std::move(root), Direction::down); }
+Task<std::vector<Contexts::Row>> Contexts::list(std::string root, std::size_t most) {
+  return walk(std::move(root), Direction::down, most);
+}
 
-Task<std::vector<Contexts::Row>> Contexts::ascend(std::string board) { return walk(std::move(board), Direction::up); }
+Task<std::vector<Contexts::Row>> Contexts::ascend(std::string board) {
+  return walk(std::move(board), Direction::up, most_listed);
+}
 
 }  // namespace pizarra::client

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "blackboard/client/remote_board.hpp"
-#include "blackboard/time/latch.hpp"
 
 namespace pizarra::client {
 
@@ -32,6 +31,9 @@ class Contexts {
   Contexts(Executor& executor, std::string teller, std::optional<wire::ClientKeys> keys, Duration patience = 2s)
       : executor_(executor), teller_(std::move(teller)), keys_(std::move(keys)), patience_(patience) {}
 
+  // That of the first of both facts. Who follows it where nobody may have named a board yet declares it first.
+  static Relation context_relation();
+
   // Both facts. An earlier context of that name is replaced. Failure context-loop for the root itself, and for a board
   // above it.
   Task<Result<void>> add(std::string root, std::string name, std::string address);
@@ -43,15 +45,17 @@ class Contexts {
     std::string address;
     std::optional<Failure> fault = {};  // why nothing beyond it is listed
   };
-  // All that is reached from there, each board once, what is named first before what is below it. Boards of a level
-  // are asked together, so that silent ones are waited for together.
-  Task<std::vector<Row>> list(std::string root);
+  // What is reached from there, `most` boards at most, each once, what is named first before what is below it. Boards
+  // of a level are asked together, so that silent ones are waited for together.
+  Task<std::vector<Row>> list(std::string root, std::size_t most = most_listed);
   // The same in the other direction, by all parents of each board. A path leads from the row's board to the first.
   Task<std::vector<Row>> ascend(std::string board);
 
+  // A session with the board there.
+  Result<std::unique_ptr<RemoteBoard>> reach(const std::string& address) const;
+
  private:
   using Pairs = std::vector<std::pair<std::string, std::string>>;
-  Result<std::unique_ptr<RemoteBoard>> reach(const std::string& address) const;
   // The two parts of each fact of the relation on that board, sorted.
   Task<Result<Pairs>> pairs_of(std::string address, std::string relation);
   enum class Direction : std::uint8_t { down, up };
@@ -62,9 +66,9 @@ class Contexts {
     std::string name = {};  // of the lower one of both
     Pairs next = {};        // name and address
   };
-  Task<std::vector<Row>> walk(std::string first, Direction direction);
+  Task<std::vector<Row>> walk(std::string first, Direction direction, std::size_t most);
   Task<Result<Pairs>> next_of(Listed* listed, Direction direction);
-  Task<void> ask(Listed* listed, Direction direction, std::size_t* waiting, Event* answered);
+  Task<void> ask(Listed* listed, Direction direction);
   Task<void> ask_all(std::vector<Listed>* level, Direction direction);
 
   Executor& executor_;
