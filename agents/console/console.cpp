@@ -106,7 +106,7 @@ Result<void> Console::keep_changes() {
 Result<void> Console::tell_wiring() {
   Result<std::unique_ptr<Board>> board = setup_.board(Wiring::client, "");
   if (!board) return fail(board);
-  wiring_ = std::make_unique<Wiring>(setup_.executor, std::move(*board));
+  wiring_ = std::make_unique<Wiring>(setup_.executor, std::move(*board), setup_.abroad ? address() : std::string());
   return {};
 }
 
@@ -250,6 +250,7 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
   setup.truth = &truth_;
   setup.kept = kept_.get();
   setup.instruments = &setup_.instruments;
+  setup.key = session.key;
   setup.connect = [this, key = session.key](const std::string& as) { return setup_.board(as, key); };
   pages_.emplace(number, Page{session.number, std::make_unique<Session>(std::move(setup), std::move(socket))});
 }

@@ -90,6 +90,7 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"activity-no-more", {}, &Session::activity_no_more},
                                           {"work", {number}, &Session::work},
                                           {"method", {number, number}, &Session::method},
+                                          {"cells", {number}, &Session::cells},
                                           {"look", {name}, &Session::look},
                                           {"look-away", {name}, &Session::look_away},
                                           {"heard", {number}, &Session::heard}};
@@ -128,6 +129,7 @@ void Session::leave() {
   arms_ = Job();
   activity_ = Job();
   method_ = Job();
+  cells_ = Job();
   truth_.reset();
   beating_ = Job();
   hands_ = Job();

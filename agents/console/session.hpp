@@ -24,6 +24,7 @@
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
 //   (work N)                    what went on so far (kept_changes.hpp)
 //   (method N SECONDS)          what the components are and how they are connected, as seen for so long
+//   (cells N)                   how the cells do that this board names
 //   (look STREAM), (look-away STREAM)                            images, on the lanes that it opens (page_images.hpp)
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
@@ -88,6 +89,7 @@ class Session {
     TruthFeed* truth = nullptr;
     KeptChanges* kept = nullptr;
     const Instruments* instruments = nullptr;
+    std::string key = {};                    // whose the page is; empty: the console's own
     Instruments::Connect connect = nullptr;  // others on the board with this page's rights
   };
 
@@ -143,6 +145,7 @@ class Session {
   void activity_no_more(const Datum& form);
   void work(const Datum& form);
   void method(const Datum& form);
+  void cells(const Datum& form);
   void look(const Datum& form);
   void look_away(const Datum& form);
   void heard(const Datum& form);
@@ -159,6 +162,7 @@ class Session {
   Task<void> sample_activity();
   Task<void> show_work(Number number);
   Task<void> say_kept(std::string kind, Datum pattern, const std::deque<KeptChange>& kept);
+  Task<void> look_at_cells(Number number);
   Task<void> look_at_method(Number number, Duration length);
   Task<void> show_kept(Number number, std::string stream, Time moment);
   void say_arms(const std::vector<Answer>& answers, const std::string& past);
@@ -200,6 +204,7 @@ class Session {
   Job arms_;
   Job activity_;
   Job method_;
+  Job cells_;
   Job beating_;
   Job hands_;
   Job holding_;     // the newest hold on its way to the board

@@ -91,6 +91,25 @@ void Session::method(const Datum& form) {
   method_ = setup_.executor.spawn(look_at_method(number, seconds * 1s));
 }
 
+void Session::cells(const Datum& form) {
+  const Number number = form[1].integer();
+  if (setup_.instruments == nullptr || !setup_.instruments->cells) {
+    return refuse(number, "unknown-operation", "this console cannot look at other cells");
+  }
+  if (!cells_.done()) return refuse(number, "too-many", "this page looks already");
+  cells_ = setup_.executor.spawn(look_at_cells(number));
+}
+
+Task<void> Session::look_at_cells(Number number) {
+  const Result<std::string> seen = co_await setup_.instruments->cells(setup_.key);
+  if (!seen) {
+    say(refusal_text(number, seen.error()));
+    co_return;
+  }
+  const Datum cells = list(*seen);
+  say(reply_text(number, cells));
+}
+
 Task<void> Session::look_at_method(Number number, Duration length) {
   const std::string name = setup_.name + "-method";
   const Result<std::string> seen = co_await setup_.instruments->method(context_.board, name, setup_.connect, length);

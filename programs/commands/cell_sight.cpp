@@ -2,36 +2,30 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <span>
 
 #include "agents/runtime/declared.hpp"
+#include "blackboard/boards_own.hpp"
+#include "blackboard/time/together.hpp"
+#include "lisp/json.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::programs {
 
 namespace {
 
-Datum any_fact(std::string_view relation, std::size_t arguments) {
-  std::vector<Datum> items{Datum::symbol(relation)};
-  items.resize(1 + arguments, "?"_sym);
-  return Datum::list(std::move(items));
-}
+constexpr Duration longest_look = 2s;  // and one question more, to each cell
+constexpr std::size_t most_at_once = client::Contexts::most_asked_at_once;
 
-// Of the fact with the highest number: (goal N (FORM ...)), (goal-state N STATE DETAIL).
-const Datum* newest_of(const std::vector<Fact>& facts) {
-  const auto found = std::ranges::max_element(facts, {}, [](const Fact& fact) { return fact.datum[1].integer(); });
-  return found == facts.end() ? nullptr : &found->datum;
-}
-
-std::string goal_line(const std::vector<Fact>& goals, const std::vector<Fact>& states) {
-  const Datum* const state = newest_of(states);
-  if (state == nullptr) return "";
-  std::string text = fmt::format("{} {}", (*state)[1].integer(), (*state)[2].text());
-  const auto goal = std::ranges::find(goals, (*state)[1], [](const Fact& fact) { return fact.datum[1]; });
-  if (goal == goals.end()) return text;
-  for (const Datum& form : goal->datum[2].items()) text += " " + write(form);
-  return text;
-}
+// What is asked of each cell. Another board may hold any number of each.
+constexpr const char* agents_there = "(query (agent ?name ?kind ?host) (limit 1000))";
+constexpr const char* newest_goal = "(query (goal-state ?n ?state ?detail) (order (down ?n)) (limit 1))";
+constexpr const char* arms_there = "(query (arm ?robot ?state ?action) (limit 20))";
+constexpr const char* stops_standing = "(query (stop ?who ?reason) (limit 20))";
+constexpr const char* who_leads = "(query (board-leads ?name) (limit 20))";
+constexpr const char* newest_event = "(query (event ?n ?kind ?sentence ?detail) (order (down ?n)) (limit 1))";
+constexpr const char* its_console = "(query (console-address ?client ?address) (limit 1))";
 
 // (arm ROBOT STATE ACTION)
 std::string arm_line(const Datum& arm) {
@@ -42,6 +36,12 @@ std::string arm_line(const Datum& arm) {
 // (stop WHO REASON)
 std::string stop_line(const Datum& stop) { return fmt::format("{}: {}", stop[1].text(), stop[2].text()); }
 
+// (board-leads NAME), where the board tells it.
+std::string leader_of(const std::vector<Fact>& leaders) {
+  const auto told = std::ranges::find(leaders, board_teller, &Fact::teller);
+  return told == leaders.end() ? "" : std::string(told->datum[1].text());
+}
+
 std::string joined(const std::vector<Fact>& facts, std::string (*text_of)(const Datum&)) {
   std::vector<std::string> texts;
   for (const Fact& fact : facts) texts.push_back(text_of(fact.datum));
@@ -49,51 +49,98 @@ std::string joined(const std::vector<Fact>& facts, std::string (*text_of)(const 
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-// None, and why, where the board does not say.
-Task<std::vector<Fact>> facts_of(Board& board, Datum pattern, CellSight* cell) {
-  if (cell->fault) co_return std::vector<Fact>();
-  Result<std::vector<Fact>> facts = co_await runtime::facts_if_declared(board, std::move(pattern));
-  if (!facts) cell->fault = facts.error();
-  co_return facts.value_or(std::vector<Fact>());
+// That text of the one fact that was asked for, where there is one.
+std::string text_in(const std::vector<Fact>& facts, std::size_t argument) {
+  return facts.empty() ? "" : std::string(facts.front().datum[argument].text());
 }
 
-Task<void> look_at_cell(std::unique_ptr<client::RemoteBoard> board, CellSight* cell) {
-  const std::vector<Fact> agents = co_await facts_of(*board, any_fact("agent", 3), cell);
-  const std::vector<Fact> goals = co_await facts_of(*board, any_fact("goal", 2), cell);
-  const std::vector<Fact> states = co_await facts_of(*board, any_fact("goal-state", 3), cell);
-  const std::vector<Fact> arms = co_await facts_of(*board, any_fact("arm", 3), cell);
-  const std::vector<Fact> stops = co_await facts_of(*board, any_fact("stop", 2), cell);
+// The questions to one cell. Once its board does not answer one, or takes too long, the cell's fault says so, and
+// nothing more is asked.
+class Questions {
+ public:
+  Questions(Executor& executor, Board& board, CellSight& cell)
+      : executor_(executor), until_(executor.now() + longest_look), board_(board), cell_(cell) {}
+
+  Task<std::vector<Fact>> ask(std::string question) {
+    std::vector<Fact> facts;
+    if (!cell_.fault && executor_.now() > until_) cell_.fault = Failure{"timeout", "its board answers slowly", {}, {}};
+    if (cell_.fault) co_return facts;
+    Query query = query_from_datum(read_one(question).value()).value();
+    Result<Answers> answers = co_await runtime::answers_if_declared(board_, std::move(query));
+    if (!answers) {
+      cell_.fault = answers.error();
+      co_return facts;
+    }
+    for (Answer& answer : answers->answers) facts.push_back(std::move(answer.facts.front()));
+    co_return facts;
+  }
+
+ private:
+  Executor& executor_;
+  const Time until_;
+  Board& board_;
+  CellSight& cell_;
+};
+
+// (goal N (FORM ...)), (goal-state N STATE DETAIL)
+Task<std::string> goal_line(Questions& questions) {
+  const std::vector<Fact> states = co_await questions.ask(newest_goal);
+  if (states.empty()) co_return "";
+  const Datum& state = states.front().datum;
+  std::string text = fmt::format("{} {}", state[1].integer(), state[2].text());
+  std::string its_forms = fmt::format("(goal {} ?forms)", state[1].integer());
+  const std::vector<Fact> goals = co_await questions.ask(std::move(its_forms));
+  if (goals.empty()) co_return text;
+  for (const Datum& form : goals.front().datum[2].items()) text += " " + write(form);
+  co_return text;
+}
+
+Task<void> look_at_cell(Executor& executor, client::Contexts& contexts, CellSight* cell) {
+  const Result<std::unique_ptr<client::RemoteBoard>> board = contexts.reach(cell->address);
+  if (!board) {
+    cell->fault = board.error();
+    co_return;
+  }
+  Questions questions(executor, **board, *cell);
+  const std::vector<Fact> agents = co_await questions.ask(agents_there);
   cell->agents = agents.size();
-  cell->goal = goal_line(goals, states);
+  cell->goal = co_await goal_line(questions);
+  const std::vector<Fact> arms = co_await questions.ask(arms_there);
   cell->arms = joined(arms, arm_line);
+  const std::vector<Fact> stops = co_await questions.ask(stops_standing);
   cell->stops = joined(stops, stop_line);
-}
-
-Task<void> list_boards(client::Contexts& contexts, std::string root, std::vector<CellSight>* cells) {
-  const std::vector<client::Contexts::Row> rows = co_await contexts.list(std::move(root));
-  for (const client::Contexts::Row& row : rows)
-    cells->push_back({.path = row.path, .address = row.address, .fault = row.fault});
+  const std::vector<Fact> leaders = co_await questions.ask(who_leads);
+  cell->leads = leader_of(leaders);
+  const std::vector<Fact> events = co_await questions.ask(newest_event);
+  cell->said = text_in(events, 3);
+  const std::vector<Fact> consoles = co_await questions.ask(its_console);
+  cell->console = text_in(consoles, 2);
 }
 
 }  // namespace
 
-std::vector<CellSight> look_at_cells(Executor& executor, client::Contexts& contexts, const std::string& root,
-                                     const Reach& reach) {
+std::string json_of(const CellSight& cell, std::size_t longest_text) {
+  const auto text = [=](const std::string& whole) { return json_string(shortened(whole, longest_text)); };
+  const std::string fault = cell.fault ? text(describe(*cell.fault)) : "null";
+  return fmt::format(
+      "{{\"path\":{},\"address\":{},\"fault\":{},\"agents\":{},\"goal\":{},\"arms\":{},\"stops\":{},\"leads\":{},"
+      "\"said\":{},\"console\":{}}}",
+      text(cell.path), text(cell.address), fault, cell.agents, text(cell.goal), text(cell.arms), text(cell.stops),
+      text(cell.leads), text(cell.said), text(cell.console));
+}
+
+Task<std::vector<CellSight>> look_at_cells(Executor& executor, client::Contexts& contexts, std::string root,
+                                           std::size_t most) {
+  const std::vector<client::Contexts::Row> rows = co_await contexts.list(std::move(root), most);
   std::vector<CellSight> cells;
-  const Job listing = executor.spawn(list_boards(contexts, root, &cells));
-  executor.run_until([&] { return listing.done(); });
-  constexpr std::size_t together = client::Contexts::most_asked_at_once;
-  for (std::size_t begun = 0; begun < cells.size(); begun += together) {
-    std::vector<Job> looking;
-    for (CellSight& cell : std::span(cells).subspan(begun, std::min(together, cells.size() - begun))) {
-      if (cell.fault) continue;
-      Result<std::unique_ptr<client::RemoteBoard>> board = reach(cell.address);
-      if (!board) cell.fault = board.error();
-      if (board) looking.push_back(executor.spawn(look_at_cell(std::move(*board), &cell)));
-    }
-    executor.run_until([&] { return std::ranges::all_of(looking, &Job::done); });
+  for (const client::Contexts::Row& row : rows)
+    cells.push_back({.path = row.path, .address = row.address, .fault = row.fault});
+  std::vector<Task<void>> looking;
+  for (CellSight& cell : cells) {
+    if (!cell.fault) looking.push_back(look_at_cell(executor, contexts, &cell));
   }
-  return cells;
+  co_await run_together(executor, std::move(looking), most_at_once);
+  co_return cells;
 }
 
 }  // namespace pizarra::programs

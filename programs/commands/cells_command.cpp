@@ -5,7 +5,6 @@
 
 #include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
@@ -33,11 +32,8 @@ void print_cell(const CellSight& cell) {
              or_dash(cell.stops));
 }
 
-void print_json(const CellSight& cell) {
-  const std::string fault = cell.fault ? json_string(describe(*cell.fault)) : "null";
-  fmt::print("{{\"path\":{},\"address\":{},\"fault\":{},\"agents\":{},\"goal\":{},\"arms\":{},\"stops\":{}}}\n",
-             json_string(cell.path), json_string(cell.address), fault, cell.agents, json_string(cell.goal),
-             json_string(cell.arms), json_string(cell.stops));
+Task<void> look_into(std::vector<CellSight>* cells, Executor& executor, client::Contexts& contexts, std::string root) {
+  *cells = co_await look_at_cells(executor, contexts, std::move(root));
 }
 
 int run_cells(const CellsChoices& choices) {
@@ -47,12 +43,11 @@ int run_cells(const CellsChoices& choices) {
   if (!keys) return complain(keys.error(), exit_usage);
   RealExecutor executor;
   client::Contexts contexts(executor, prompt_name(), *keys, answers_within);
-  const Reach reach = [&](const std::string& address) {
-    return client::RemoteBoard::connect(executor, address, prompt_name(), answers_within, *keys);
-  };
-  const std::vector<CellSight> cells = look_at_cells(executor, contexts, to->address, reach);
+  std::vector<CellSight> cells;
+  const Job looking = executor.spawn(look_into(&cells, executor, contexts, to->address));
+  executor.run_until([&looking] { return looking.done(); });
   if (!choices.json) fmt::print("{:<20} {:>6}  {:<36} {:<24} {}\n", "CELL", "AGENTS", "GOAL", "ARMS", "STOPPED BY");
-  for (const CellSight& cell : cells) choices.json ? print_json(cell) : print_cell(cell);
+  for (const CellSight& cell : cells) choices.json ? fmt::print("{}\n", json_of(cell)) : print_cell(cell);
   return std::ranges::any_of(cells, [](const CellSight& cell) { return cell.fault.has_value(); }) ? exit_failed
                                                                                                   : exit_reached;
 }

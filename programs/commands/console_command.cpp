@@ -203,9 +203,11 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   zmq::context_t device_context(1);
   std::optional<simulation::SocketLink> world;
   if (*cell && is_simulated(**cell) && to->run) world.emplace(executor, device_context, to->run->world_address);
+  const auto secret_of = [&](const std::string& key) {
+    return key.empty() ? to->key : choices.keys + "/" + key + ".secret";
+  };
   const auto board_of_page = [&](const std::string& name, const std::string& key) -> Result<std::unique_ptr<Board>> {
-    Result<std::optional<wire::ClientKeys>> its = *keys;
-    if (!key.empty()) its = client::keys_from(choices.keys + "/" + key + ".secret");
+    const Result<std::optional<wire::ClientKeys>> its = client::keys_from(secret_of(key));
     if (!its) return fail(its);
     auto made = client::RemoteBoard::connect(executor, to->address, name, client::RemoteBoard::default_timeout, *its);
     if (!made) return fail(made);
@@ -223,7 +225,7 @@ int console_of_running_cell(const ConsoleChoices& choices) {
                 .abroad = *abroad,
                 .foxglove = choices.viewers(),
                 .truth = world ? truth_of_world(*world) : nullptr,
-                .instruments = console_instruments(executor)},
+                .instruments = console_instruments(executor, to->address, secret_of)},
                choices);
 }
 

@@ -1,6 +1,13 @@
 #include "programs/commands/console_instruments.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "blackboard/client/keyed_board.hpp"
+#include "blackboard/time/turns.hpp"
 #include "programs/commands/board_sample.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/cell_sight.hpp"
 #include "programs/commands/live_traffic.hpp"
 #include "programs/method/report.hpp"
 
@@ -10,6 +17,8 @@ namespace {
 
 constexpr Duration first_sample = 500ms;
 constexpr Duration longest_answer = 2s;
+constexpr std::size_t most_cells = 200;  // on a page
+constexpr std::size_t longest_text_of_cell = 200;
 
 struct Sampling {
   Executor& executor;
@@ -41,6 +50,21 @@ Task<Result<std::string>> method_of(Executor& executor, Board& board, std::strin
   co_return method::json_of(method::report_on(*traffic, *kinds, *lists));
 }
 
+// One page after the other: a look has a session with each of many boards.
+Task<Result<std::string>> cells_of(Executor& executor, std::shared_ptr<Turns> turns, std::string address,
+                                   std::string secret) {
+  const Turns::Turn turn = co_await turns->take();
+  const Result<std::optional<wire::ClientKeys>> keys = client::keys_from(secret);
+  if (!keys) co_return fail(keys);
+  client::Contexts contexts(executor, prompt_name(), *keys, longest_answer);
+  std::vector<CellSight> cells = co_await look_at_cells(executor, contexts, std::move(address), most_cells + 1);
+  const bool more = cells.size() > most_cells;
+  if (more) cells.pop_back();
+  std::vector<std::string> texts;
+  for (const CellSight& cell : cells) texts.push_back(json_of(cell, longest_text_of_cell));
+  co_return fmt::format("{{\"cells\":[{}],\"more\":{}}}", fmt::join(texts, ","), more);
+}
+
 Task<Result<Datum>> ask_truth(simulation::Link& link) {
   Datum request = list("truth"_sym);
   Result<simulation::Message> answer = co_await link.call(std::move(request), longest_answer);
@@ -59,6 +83,16 @@ console::Instruments console_instruments(Executor& executor) {
   instruments.method = [&executor](Board& board, const std::string& name, console::Instruments::Connect connect,
                                    Duration length) {
     return method_of(executor, board, name, std::move(connect), length);
+  };
+  return instruments;
+}
+
+console::Instruments console_instruments(Executor& executor, std::string address,
+                                         std::function<std::string(const std::string&)> secret_of) {
+  console::Instruments instruments = console_instruments(executor);
+  instruments.cells = [&executor, turns = std::make_shared<Turns>(executor), address = std::move(address),
+                       secret_of = std::move(secret_of)](const std::string& key) {
+    return cells_of(executor, turns, address, secret_of(key));
   };
   return instruments;
 }

@@ -38,10 +38,15 @@ const described = readFileSync(join(source, 'examples/01-blocks/cell.scm'), 'utf
 writeFileSync(inFolder('cell.scm'), described);
 const up = start([cell, 'up', inFolder('cell.scm')], folder);
 await up.line;
-const asked = ['ask', '--board', board, '--key', inFolder('keys/console.secret'), '(agent ?n ?k ?h)'];
-while (spawnSync(cell, asked, { env: { ...process.env, XDG_RUNTIME_DIR: folder } }).status !== 0) {
-  await new Promise((resolve) => setTimeout(resolve, 200));
-}
+const untilTold = async (fact, words) => {
+  const ask = ['ask', '--board', board, '--key', inFolder('keys/console.secret'), fact];
+  for (;;) {
+    const { stdout } = spawnSync(cell, ask, { env: { ...process.env, XDG_RUNTIME_DIR: folder }, encoding: 'utf8' });
+    if (stdout.includes(words)) return;
+    await new Promise((resolve) => setTimeout(resolve, 200));
+  }
+};
+await untilTold('(agent ?n ?k ?h)', 'coordinator');
 const listening = [
   cell, 'console', inFolder('cell.scm'), '--board', board, '--key', inFolder('keys/console.secret'),
   '--listen', '127.0.0.1', '--host', 'localhost', '--keys', inFolder('keys'),
@@ -52,6 +57,8 @@ expect(refused.status === 2 && /certificate/.test(refused.stderr), `without a ce
 const served = start(listening, folder);
 const address = await served.line;
 expect(/^https:\/\/localhost:\d+\/$/.test(address), `the address says no secret: ${address}`);
+await untilTold('(console-address console ?address)', `"${address}"`);
+expect(true, "the board knows it, so that a hall's page leads there");
 
 const { port } = new URL(address);
 const status = (headers) =>

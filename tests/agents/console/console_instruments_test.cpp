@@ -66,8 +66,30 @@ TEST_F(ConsoleTest, MeasuresWithTheRightsOfItsPage) {
   EXPECT_EQ(of, "console-1-method 60 true");
 }
 
+Task<Result<std::string>> seen_when(Event* may) {
+  co_await may->wait();
+  co_return R"({"cells":[],"more":false})";
+}
+
+TEST_F(ConsoleTest, LooksAtTheCellsOfAHallOnceAtATime) {
+  Event may(executor_);
+  reopen([&may](Console::Setup& setup) {
+    setup.instruments.cells = [&may](const std::string&) { return seen_when(&may); };
+  });
+  const auto client = page(cookie());
+  serve([&] {
+    client->send_frame(RawClient::text, "(cells 5)");
+    return true;
+  });
+  EXPECT_TRUE(has(said(*client, "(cells 6)"), R"({"reply":6,"error":{"symbol":"too-many")"));
+  may.set();
+  EXPECT_TRUE(begins(serve([&] { return client->read_frame()->payload; }), R"({"reply":5,"values")"));
+  EXPECT_TRUE(begins(said(*client, "(cells 7)"), R"({"reply":7,"values")")) << "and again";
+}
+
 TEST_F(ConsoleTest, ACellWithoutInstrumentsSaysSo) {
   const auto client = page(cookie());
+  EXPECT_TRUE(has(said(*client, "(cells 4)"), "unknown-operation"));
   EXPECT_TRUE(has(said(*client, "(method 5 10)"), "unknown-operation"));
 }
 

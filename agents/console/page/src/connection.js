@@ -299,6 +299,11 @@ export class Connection {
     this.#earlier = show;
     this.#say(sym('work'), this.#next++);
   }
+  // How the cells do that this board names: {cells, more}.
+  async cells() {
+    const [seen] = await this.#call(null, 'cells');
+    return JSON.parse(seen);
+  }
   async method(seconds) {
     const [report] = await this.#call(null, 'method', seconds);
     return JSON.parse(report);

@@ -5,6 +5,7 @@ import { Connection } from './connection.js';
 import { Hands } from './hands.js';
 import { find } from './dom.js';
 import { showAgents } from './agents.js';
+import { showCells } from './cells.js';
 import { showDrive } from './drive.js';
 import { Roles } from './roles.js';
 import { showEyes } from './eyes.js';
@@ -43,6 +44,7 @@ showDrive(connection, hands);
 const activity = new Activity(connection);
 showFacts(connection, activity);
 showAgents(connection, activity);
+showCells(connection);
 
 connection.onArm = scene.moveArm;
 connection.onHello = (hello) => {

@@ -1,13 +1,16 @@
 // Tables whose rows are filled anew while they are read.
 //
 //   const refusals = table({ id: 'refusals' }, ['Client', 'Times']);
-//   refusals.fill([['anna', '3']]);              a cell is text or an element
+//   refusals.fill([['anna', '3']]);              a cell is text, an element, or a whole `td`
 
 import { clipped, element } from './dom.js';
 
 export function table(attributes, heads) {
   const body = element('tbody', {});
-  const cellOf = (cell) => element('td', {}, cell instanceof Node ? cell : clipped(String(cell)));
+  const cellOf = (cell) => {
+    if (cell instanceof HTMLTableCellElement) return cell;
+    return element('td', {}, cell instanceof Node ? cell : clipped(String(cell)));
+  };
   return {
     panel: element(
       'table',

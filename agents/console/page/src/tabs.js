@@ -9,15 +9,16 @@ export function showTabs() {
       document.getElementById(tab.getAttribute('aria-controls')).hidden = tab !== chosen;
     }
   };
-  tabs.forEach((tab, index) => {
+  for (const tab of tabs) {
     tab.addEventListener('click', () => choose(tab));
     tab.addEventListener('keydown', (event) => {
       const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
       if (!step) return;
-      const next = tabs[(index + step + tabs.length) % tabs.length];
+      const shown = tabs.filter((one) => !one.hidden);
+      const next = shown[(shown.indexOf(tab) + step + shown.length) % shown.length];
       choose(next);
       next.focus();
     });
-  });
+  }
   choose(tabs[0]);
 }
