@@ -146,7 +146,7 @@ class Dispatcher:
         while True:
             try:
                 await self._hall.tell(fact)
-                return
+                return print(f"job {number} is {state}: {cell}", flush=True)
             except Failure as failure:
                 if failure.symbol not in ("unreachable", "unavailable"):
                     raise
@@ -162,4 +162,7 @@ async def main():
 
 
 if __name__ == "__main__":
-    asyncio.run(main())
+    try:
+        asyncio.run(main())
+    except KeyboardInterrupt:
+        pass
