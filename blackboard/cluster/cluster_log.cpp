@@ -15,7 +15,7 @@ ClusterLog::ClusterLog(std::shared_ptr<KeyValues> key_values, std::shared_ptr<Ke
       head_(head) {}
 
 Result<std::vector<journal::RememberedReply>> ClusterLog::recover(store::Store& store) {
-  LogCopy copy(*key_values_, keys_, store, {});
+  FollowedLog copy(*key_values_, keys_, store, {});
   const Result<void> whole = copy.follow_to(head_);
   if (!whole) return fail(whole);
   return copy.replies();
@@ -86,7 +86,7 @@ Result<journal::PlayedBack> ClusterLog::read(store::Store& store, const Moment& 
 
 Result<journal::PlayedBack> read_log(KeyValues& key_values, const LogKeys& keys, store::Store& store,
                                      const Moment& until) {
-  LogCopy copy(key_values, keys, store, until);
+  FollowedLog copy(key_values, keys, store, until);
   while (true) {
     const Result<std::size_t> came = copy.follow();
     if (!came) return fail(came);

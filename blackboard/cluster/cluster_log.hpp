@@ -12,7 +12,7 @@
 
 #include <memory>
 
-#include "blackboard/cluster/log_copy.hpp"
+#include "blackboard/cluster/followed_log.hpp"
 #include "blackboard/cluster/log_keys.hpp"
 #include "blackboard/journal/log.hpp"
 

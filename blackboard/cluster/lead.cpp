@@ -106,7 +106,7 @@ Result<Lead::Begun> Lead::begin(const std::string& path) {
   if (!writing) return fail(writing);
   const Result<std::shared_ptr<KeyValues>> reading = connect();
   if (!reading) return fail(reading);
-  LogCopy& copy = standby_->copy();
+  FollowedLog& copy = standby_->copy();
   Begun begun;
   begun.log =
       std::make_shared<ClusterLog>(*writing, *reading, keys_, leadership_->epoch(), copy.number(), path, copy.weight());

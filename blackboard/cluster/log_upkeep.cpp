@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "blackboard/cluster/log_copy.hpp"
+#include "blackboard/cluster/followed_log.hpp"
 
 namespace pizarra::cluster {
 

@@ -6,7 +6,7 @@
 //   key_values.transact({.compares = ..., .puts = {{keys.snapshot(), text_of(*put)}}}, patience);   // from now it
 //   counts
 //
-// Parts that no snapshot names count for nothing. LogCopy reads them.
+// Parts that no snapshot names count for nothing. FollowedLog reads them.
 
 #include <deque>
 

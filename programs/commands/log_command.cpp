@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "blackboard/cluster/log_address.hpp"
-#include "blackboard/cluster/transfer.hpp"
+#include "blackboard/cluster/log_transfer.hpp"
 #include "blackboard/server/sessions.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "programs/command_line/command_tools.hpp"

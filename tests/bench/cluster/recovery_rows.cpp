@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "blackboard/cluster/etcd_client.hpp"
-#include "blackboard/cluster/log_copy.hpp"
+#include "blackboard/cluster/followed_log.hpp"
 #include "blackboard/journal/journal.hpp"
 #include "lisp/reader.hpp"
 #include "tests/bench/measure.hpp"
@@ -64,7 +64,7 @@ auto until_it_answers(Ask ask) {
 }
 
 std::optional<double> seconds_to_follow(cluster::KeyValues& etcd, const cluster::LogKeys& keys, std::uint64_t count) {
-  cluster::LogCopy copy(etcd, keys);
+  cluster::FollowedLog copy(etcd, keys);
   Result<void> whole;
   const double seconds = seconds_of([&] { whole = until_it_answers([&] { return copy.follow_to(count); }); });
   return whole ? std::optional(seconds) : std::nullopt;

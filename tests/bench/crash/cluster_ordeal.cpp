@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "blackboard/cluster/etcd_client.hpp"
-#include "blackboard/cluster/log_copy.hpp"
+#include "blackboard/cluster/followed_log.hpp"
 
 namespace pizarra::bench {
 
@@ -199,7 +199,7 @@ Result<void> ClusterOrdeal::read_the_end(store::Store& store) {
   Result<std::optional<std::string>> head = cluster::get(**client, keys.head(), 5s);
   while (!head && Clock::now() < patience) head = cluster::get(**client, keys.head(), 5s);
   if (!head) return fail(head);
-  cluster::LogCopy copy(**client, keys, store, {});
+  cluster::FollowedLog copy(**client, keys, store, {});
   const std::uint64_t newest = std::stoull(head->value_or("0"));
   Result<void> read = copy.follow_to(newest);
   while (!read && read.error().symbol == "unavailable" && Clock::now() < patience) read = copy.follow_to(newest);

@@ -70,7 +70,7 @@ TEST_F(LogSpaces, AreEnoughForLargeFactsThatTakeEachOthersPlace) {
   }
   EXPECT_FALSE(etcd_.space.refuses);
   EXPECT_LT(etcd_.space.taken, small / 4 * 3);
-  LogCopy copy(*client_, small_cell);
+  FollowedLog copy(*client_, small_cell);
   EXPECT_TRUE(copy.follow_to(log_->head()));
   EXPECT_LT(copy.weight().all(), small / 4);
 }

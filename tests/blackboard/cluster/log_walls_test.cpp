@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include "blackboard/cluster/cluster_log.hpp"
+#include "blackboard/cluster/log_transfer.hpp"
 #include "blackboard/cluster/standby.hpp"
-#include "blackboard/cluster/transfer.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -47,7 +47,7 @@ class FileWall : public Wall {
 class ClusterWall : public Wall {
  public:
   std::shared_ptr<journal::Log> open() override {
-    LogCopy copy(*client_, keys);
+    FollowedLog copy(*client_, keys);
     while (copy.follow().value() > 0) {
     }
     epoch_.nonce++;
@@ -224,7 +224,7 @@ TEST_F(ClusterLogs, OfLargeEntriesAreReadOverALineThatTakesAFewAtATime) {
   const journal::JournalGroup large{"(0 1 \"b\" (declare))" + std::string(1000, ' ') + "\n", "", true};
   for (int n = 1; n <= 300; ++n) ASSERT_TRUE(log.append(large, true));
   etcd_.bytes_in_time = 6000;
-  LogCopy copy(*client_, keys);
+  FollowedLog copy(*client_, keys);
   const Result<void> whole = copy.follow_to(300);
   EXPECT_TRUE(whole) << describe(whole.error());
   EXPECT_EQ(copy.number(), 300u);
@@ -237,7 +237,7 @@ TEST_F(ClusterLogs, AreReadAndCutShortAFewEntriesAtATime) {
   ClusterLog log(client_, client_, keys, epoch, 0, "etcd://model/cell");
   constexpr std::uint64_t many = 5000;
   for (std::uint64_t n = 1; n <= many; ++n) ASSERT_TRUE(log.append(group(0), true));
-  LogCopy copy(*client_, keys);
+  FollowedLog copy(*client_, keys);
   EXPECT_TRUE(copy.follow_to(many));
   EXPECT_LT(etcd_.walked, 2 * many);
   EXPECT_GT(take_snapshot(*client_, keys, 1).value(), 0u);
@@ -252,7 +252,7 @@ TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
   ClusterLog log(client_, client_, keys, {1, "a", 1}, 0, "etcd://model/cell");
   ASSERT_TRUE(log.append(group(3), true));
   etcd_.values[keys.entry(1)].back() ^= 1;
-  LogCopy copy(*client_, keys);
+  FollowedLog copy(*client_, keys);
   EXPECT_EQ(copy.follow().error().symbol, "bad-journal");
 }
 
@@ -285,7 +285,7 @@ TEST_F(ClusterLogs, WithADamagedNumberAreRefusedByEveryoneWhoReadsIt) {
 TEST_F(ClusterLogs, WhoseSnapshotLacksAPartAreDamaged) {
   etcd_.values[keys.snapshot()] = text_of(SnapshotValue{1, "1-1", 2, 0});
   etcd_.values[keys.snapshot_part("1-1", 0)] = "";
-  LogCopy copy(*client_, keys);
+  FollowedLog copy(*client_, keys);
   EXPECT_EQ(copy.follow().error().sentence, "the log in the cluster is damaged: a part of the snapshot is missing");
 }
 

@@ -33,7 +33,7 @@ class OwnPasts : public testing::Test {
     ++epoch_;
     const EpochValue mine{epoch_, "board", epoch_};
     etcd_.values[past_keys.epoch()] = text_of(mine);
-    LogCopy copy(*client_, past_keys);
+    FollowedLog copy(*client_, past_keys);
     ASSERT_TRUE(copy.follow_to(std::stoull(etcd_.values[past_keys.head()])).has_value());
     ASSERT_TRUE(copy.follow().has_value());
     const auto log =

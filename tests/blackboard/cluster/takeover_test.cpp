@@ -214,7 +214,7 @@ class ModelBoard {
 // The marks in the log at the end, each as often as it was told.
 std::multiset<std::int64_t> marks_of(EtcdModel& etcd) {
   ModelClient reader(etcd);
-  LogCopy copy(reader, cell_keys);
+  FollowedLog copy(reader, cell_keys);
   while (true) {
     const Result<std::size_t> came = copy.follow();
     if (came && *came == 0) break;

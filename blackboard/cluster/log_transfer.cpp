@@ -1,9 +1,9 @@
-#include "blackboard/cluster/transfer.hpp"
+#include "blackboard/cluster/log_transfer.hpp"
 
 #include <fmt/format.h>
 
+#include "blackboard/cluster/followed_log.hpp"
 #include "blackboard/cluster/leadership.hpp"
-#include "blackboard/cluster/log_copy.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/store/durable_facts.hpp"
 
@@ -40,7 +40,7 @@ std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapsh
 }
 
 // A group needs at least one line. Declaring relations once more changes nothing.
-journal::JournalGroup remembered(const LogCopy& copy, const store::Store& store) {
+journal::JournalGroup remembered(const FollowedLog& copy, const store::Store& store) {
   std::vector<Relation> relations;
   for (const auto& [name, table] : store.tables()) relations.push_back(table.relation());
   journal::JournalGroup group;
@@ -51,7 +51,7 @@ journal::JournalGroup remembered(const LogCopy& copy, const store::Store& store)
   return group;
 }
 
-Result<void> write_file(const std::string& path, LogCopy& copy) {
+Result<void> write_file(const std::string& path, FollowedLog& copy) {
   const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
   if (!file) return fail(file);
   const Result<void> begun = (*file)->begin_with(copy.store(), copy.end());
@@ -97,7 +97,7 @@ Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, 
   const Result<std::optional<std::string>> leader = who_leads(key_values, keys, pause);
   if (!leader) return fail(leader);
   if (*leader) return fail("in-use", "the board " + **leader + " leads this cell: end its boards first");
-  LogCopy copy(key_values, keys);
+  FollowedLog copy(key_values, keys);
   const Result<void> whole = copy.follow_to(**head);
   if (!whole) return fail(whole);
   const Result<void> written = write_file(path, copy);

@@ -1,12 +1,12 @@
 #pragma once
 
-// A copy of what a cell's log in a cluster says, brought up to date entry by entry: what a standby has in memory, and
+// What a cell's log in a cluster says, in memory, brought up to date entry by entry: what a standby has, and
 // what whoever reads the log begins with.
 //
-//   LogCopy copy(key_values, LogKeys("blocks"));
-//   Result<std::size_t> came = copy.follow();      // some entries; 0: that is all there is
-//   copy.store(); copy.number();                   // the newest entry that it has
-//   copy.alive();                                  // what the leader said last
+//   FollowedLog followed(key_values, LogKeys("blocks"));
+//   Result<std::size_t> came = followed.follow();  // some entries; 0: that is all there is
+//   followed.store(); followed.number();           // the newest entry that it has
+//   followed.alive();                              // what the leader said last
 //
 // Entries are numbered without a gap. Where the next one is gone, because others came meanwhile and a snapshot took
 // their place, the copy begins anew from that. Failures: unavailable, bad-journal.
@@ -20,7 +20,7 @@
 
 namespace pizarra::cluster {
 
-class LogCopy {
+class FollowedLog {
  public:
   // Replies are remembered for longer than any client waits for them.
   static constexpr Duration replies_kept = 20s;
@@ -30,8 +30,8 @@ class LogCopy {
   static constexpr std::size_t least_at_once = 2;
 
   // In a store of its own; or up to a moment, into an empty one of the caller's.
-  LogCopy(KeyValues& key_values, LogKeys keys) : key_values_(key_values), keys_(std::move(keys)) {}
-  LogCopy(KeyValues& key_values, LogKeys keys, store::Store& into, Moment until)
+  FollowedLog(KeyValues& key_values, LogKeys keys) : key_values_(key_values), keys_(std::move(keys)) {}
+  FollowedLog(KeyValues& key_values, LogKeys keys, store::Store& into, Moment until)
       : key_values_(key_values), keys_(std::move(keys)), into_(&into), until_(until) {}
 
   Result<std::size_t> follow();

@@ -1,6 +1,6 @@
 // A journal that goes from a file to a cluster and back is the same cell's.
 
-#include "blackboard/cluster/transfer.hpp"
+#include "blackboard/cluster/log_transfer.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "blackboard/cluster/log_copy.hpp"
+#include "blackboard/cluster/followed_log.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::unexpected<Failure> damaged(const std::string& what) {
 
 }  // namespace
 
-Result<std::size_t> LogCopy::follow() {
+Result<std::size_t> FollowedLog::follow() {
   if (store_ == nullptr) {
     const Result<void> begun = begin();
     if (!begun) return fail(begun);
@@ -56,7 +56,7 @@ Result<std::size_t> LogCopy::follow() {
 }
 
 // Etcd walks over every key of a range, however few it is asked for. So a range has an end where many may come.
-Result<std::vector<KeyValue>> LogCopy::next_entries() {
+Result<std::vector<KeyValue>> FollowedLog::next_entries() {
   const std::uint64_t next = number_ + 1;
   if (!is_behind_) return some_of(keys_.entries_and_alive(next));
   const std::size_t asked = at_once_;
@@ -70,13 +70,13 @@ Result<std::vector<KeyValue>> LogCopy::next_entries() {
   return came;
 }
 
-Result<std::vector<KeyValue>> LogCopy::some_of(const KeyValues::Range& range) {
+Result<std::vector<KeyValue>> FollowedLog::some_of(const KeyValues::Range& range) {
   Result<std::vector<KeyValue>> came = key_values_.range(range, at_once_, patience);
   at_once_ = came ? std::min(at_once_ + 1, most_at_once) : std::max(at_once_ / 2, least_at_once);
   return came;
 }
 
-Result<void> LogCopy::follow_to(std::uint64_t number) {
+Result<void> FollowedLog::follow_to(std::uint64_t number) {
   while (store_ == nullptr || number_ < number) {
     const std::size_t asked = at_once_;
     const Result<std::size_t> came = follow();
@@ -88,7 +88,7 @@ Result<void> LogCopy::follow_to(std::uint64_t number) {
   return {};
 }
 
-Result<void> LogCopy::begin() {
+Result<void> FollowedLog::begin() {
   if (into_ != nullptr && begun_ > 0) return fail("unavailable", "a snapshot took the log's place while it was read");
   own_ = into_ == nullptr ? std::make_unique<store::Store>() : nullptr;
   store_ = into_ == nullptr ? own_.get() : into_;
@@ -105,7 +105,7 @@ Result<void> LogCopy::begin() {
   return restored;
 }
 
-Result<void> LogCopy::restore_snapshot() {
+Result<void> FollowedLog::restore_snapshot() {
   const Result<std::optional<std::string>> pointer = get(key_values_, keys_.snapshot());
   if (!pointer) return fail(pointer);
   if (!*pointer) return {};
@@ -126,14 +126,14 @@ Result<void> LogCopy::restore_snapshot() {
 }
 
 // Another snapshot took its place meanwhile, which the next attempt finds.
-Result<void> LogCopy::part_is_missing(const std::string& snapshot) {
+Result<void> FollowedLog::part_is_missing(const std::string& snapshot) {
   const Result<std::optional<std::string>> pointer = get(key_values_, keys_.snapshot());
   if (!pointer) return fail(pointer);
   if (*pointer == snapshot) return damaged("a part of the snapshot is missing");
   return fail("unavailable", "the snapshot went while it was read");
 }
 
-Result<void> LogCopy::restore(const std::string& text) {
+Result<void> FollowedLog::restore(const std::string& text) {
   std::string_view rest = text;
   for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
     const Result<Datum> line = read_one(rest.substr(0, end), line_limits, "snapshot");
@@ -145,7 +145,7 @@ Result<void> LogCopy::restore(const std::string& text) {
   return {};
 }
 
-Result<void> LogCopy::restore_line(const Datum& line) {
+Result<void> FollowedLog::restore_line(const Datum& line) {
   if (line.is_form("relation") && line.size() == 2) {
     Result<Relation> relation = relation_from_datum(line[1]);
     if (!relation) return fail(relation);
@@ -173,7 +173,7 @@ Result<void> LogCopy::restore_line(const Datum& line) {
   return {};
 }
 
-Result<void> LogCopy::apply(const Entry& entry) {
+Result<void> FollowedLog::apply(const Entry& entry) {
   number_ = entry.number;
   if (!later_.empty()) {
     later_ += entry.group.lines;
@@ -191,20 +191,20 @@ Result<void> LogCopy::apply(const Entry& entry) {
   return {};
 }
 
-void LogCopy::remember(Time when, std::vector<journal::RememberedReply> replies) {
+void FollowedLog::remember(Time when, std::vector<journal::RememberedReply> replies) {
   for (journal::RememberedReply& reply : replies) replies_.emplace_back(when, std::move(reply));
   while (!replies_.empty() && (replies_.front().first < when - replies_kept || replies_.size() > most_replies)) {
     replies_.pop_front();
   }
 }
 
-std::vector<journal::RememberedReply> LogCopy::replies() const {
+std::vector<journal::RememberedReply> FollowedLog::replies() const {
   std::vector<journal::RememberedReply> replies;
   for (const auto& [when, reply] : replies_) replies.push_back(reply);
   return replies;
 }
 
-std::string LogCopy::text() const { return snapshot_text(*store_, end_, replies_); }
+std::string FollowedLog::text() const { return snapshot_text(*store_, end_, replies_); }
 
 namespace {
 
@@ -236,7 +236,7 @@ Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, st
   }
   const std::uint64_t newest = head->value_or(0);
   if (newest == before) return 0;
-  LogCopy copy(key_values, keys);
+  FollowedLog copy(key_values, keys);
   const Result<void> whole = copy.follow_to(newest);
   if (!whole) return fail(whole);
   const std::string text = copy.text();
