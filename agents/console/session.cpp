@@ -135,6 +135,7 @@ void Session::leave() {
   hands_ = Job();
   holding_ = Job();
   letting_go_ = Job();
+  looks_.clear();
   watches_.clear();
   requests_.clear();
   images_.reset();

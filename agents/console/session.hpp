@@ -25,7 +25,8 @@
 //   (work N)                    what went on so far (kept_changes.hpp)
 //   (method N SECONDS)          what the components are and how they are connected, as seen for so long
 //   (cells N)                   how the cells do that this board names
-//   (look STREAM), (look-away STREAM)                            images, on the lanes that it opens (page_images.hpp)
+//   (look STREAM), (look-away STREAM)            images, on the lanes that it opens (page_images.hpp), of a stream
+//                               whose fact it may read
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...} (of the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
@@ -165,6 +166,7 @@ class Session {
   Task<void> look_at_cells(Number number);
   Task<void> look_at_method(Number number, Duration length);
   Task<void> show_kept(Number number, std::string stream, Time moment);
+  Task<void> look_if_readable(std::string stream);
   void say_arms(const std::vector<Answer>& answers, const std::string& past);
   Task<void> room();
   Task<void> follow_arms();
@@ -210,6 +212,7 @@ class Session {
   Job holding_;     // the newest hold on its way to the board
   Job letting_go_;  // its end
   Job closing_;
+  std::map<std::string, Job> looks_;
   std::map<Number, Job> watches_;
   std::map<Number, Job> requests_;
   std::vector<Job> stopping_;

@@ -45,6 +45,11 @@ std::optional<arm::Joints> joints_in(const Datum& readings, const arm::ArmModel&
   return joints;
 }
 
+// Who may read this fact may see the stream's images.
+Datum fact_of_stream(const std::string& stream) {
+  return list("stream"_sym, Datum::symbol(stream), "?kind"_sym, "?place"_sym);
+}
+
 // An object that says of which moment it is; as it is where that is now.
 std::string of_the_past(std::string object, const std::string& past) {
   return past.empty() ? object : fmt::format("{{\"past\":{},{}", past, object.substr(1));
@@ -173,6 +178,11 @@ void Session::picture(const Datum& form) {
 }
 
 Task<void> Session::show_kept(Number number, std::string stream, Time moment) {
+  const Result<std::vector<Fact>> readable = co_await context_.board.facts(fact_of_stream(stream));
+  if (!readable) {
+    say(refusal_text(number, readable.error()));
+    co_return;
+  }
   const Result<PictureStore::Picture> kept = co_await setup_.pictures->find(std::move(stream), moment);
   if (!kept) {
     say(refusal_text(number, kept.error()));
@@ -215,9 +225,23 @@ Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
 }
 
 void Session::look(const Datum& form) {
-  if (!images_->look(std::string(form[1].text()))) socket_->close(1008, "too many streams");
+  const std::string stream(form[1].text());
+  if (looks_.contains(stream)) return;
+  if (looks_.size() >= PageImages::max_streams) return socket_->close(1008, "too many streams");
+  looks_.emplace(stream, setup_.executor.spawn(look_if_readable(stream)));
 }
 
-void Session::look_away(const Datum& form) { images_->look_away(std::string(form[1].text())); }
+// A page may choose only streams that its own session can read; where it cannot, no image comes.
+Task<void> Session::look_if_readable(std::string stream) {
+  const Query query = query_for(fact_of_stream(stream));
+  const Result<std::unique_ptr<Watch>> readable = co_await runtime::watch_when_declared(context_.board, query);
+  if (readable) images_->look(stream);
+}
+
+void Session::look_away(const Datum& form) {
+  const std::string stream(form[1].text());
+  looks_.erase(stream);
+  images_->look_away(stream);
+}
 
 }  // namespace pizarra::console

@@ -1,14 +1,44 @@
 // Which images a page is sent, and on which connections.
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "tests/agents/console/console_fixture.hpp"
+#include "tests/blackboard/passing_board.hpp"
 
 namespace pizarra::console {
 namespace {
 
+// As a board is for a key that may not read `stream`.
+class NoStreams : public PassingBoard {
+ public:
+  using PassingBoard::PassingBoard;
+
+  Task<Result<Answers>> ask(Query query) override {
+    if (asks_for_streams(query)) co_return fail("not-permitted", "the key blind may not read facts of stream");
+    co_return co_await PassingBoard::ask(std::move(query));
+  }
+
+  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override {
+    if (asks_for_streams(query)) co_return fail("not-permitted", "the key blind may not read facts of stream");
+    co_return co_await PassingBoard::watch(std::move(query));
+  }
+
+ private:
+  static bool asks_for_streams(const Query& query) {
+    return std::ranges::any_of(query.clauses, [](const Query::Clause& clause) {
+      return clause.form.is_list() && clause.form.size() > 0 && clause.form.head() == "stream";
+    });
+  }
+};
+
 class ConsoleImagesTest : public ConsoleTest {
  protected:
+  ConsoleImagesTest() {
+    const std::vector<Relation> streams{stream_relation()};
+    EXPECT_TRUE(run(executor_, here_->declare(streams)));
+  }
+
   // One more connection of the page `number`, for its images.
   std::unique_ptr<RawClient> lane(const std::string& cookie, int number = 1) {
     return serve([=, port = port_] {
@@ -120,6 +150,19 @@ TEST_F(ConsoleImagesTest, HaveLanesOfTheirOwnPageAndSessionAloneAndSoManyOfThem)
   look(*client);
   publish(1);
   EXPECT_EQ(next_image(*lanes.front()), 1);
+}
+
+TEST_F(ConsoleImagesTest, AreSentToNoPageThatMayNotReadTheirStream) {
+  const Console::BoardMaker blind = [this](const std::string& name,
+                                           const std::string&) -> Result<std::unique_ptr<Board>> {
+    return std::make_unique<NoStreams>(board_.view(name));
+  };
+  reopen([&](Console::Setup& setup) { setup.board = blind; });
+  const auto client = page(cookie());
+  client->send_frame(RawClient::text, "(look eyes)");
+  // It takes the same way to the board as the look before it.
+  EXPECT_TRUE(has(said(*client, "(follow 7 (stream ?name ?kind ?place))"), "may not read facts of stream"));
+  EXPECT_FALSE(streams_.watched("eyes"));
 }
 
 TEST_F(ConsoleImagesTest, EndALaneThatSaysWhatNoneSays) {
