@@ -28,6 +28,9 @@ struct BoardChoices {
   std::string board;  // an address
   std::string cell;   // the name of a running cell
   std::string key;    // the file of a secret key
+
+  // A cell in this process is none of them.
+  bool name_one_that_runs() const { return !board.empty() || !cell.empty() || !key.empty(); }
 };
 
 void add_board_options(CLI::App* word, BoardChoices& choices);

@@ -72,14 +72,29 @@ std::string replay_with(const ChaosChoices& choices) {
   return words;
 }
 
+// Those of `faults`, of a run that has so many.
+Result<std::optional<std::vector<std::size_t>>> chosen_faults(const ChaosChoices& choices, std::size_t drawn) {
+  if (choices.faults.empty()) return std::nullopt;
+  const std::optional<std::vector<std::size_t>> numbers = numbers_of(choices.faults);
+  for (const std::size_t number : *numbers) {
+    if (number >= drawn) {
+      return fail("no-such-fault", fmt::format("seed {} has {} faults, counted from 0, and none is number {}",
+                                               *choices.replay, drawn, number));
+    }
+  }
+  return numbers;
+}
+
 int replay_one(const ChaosChoices& choices, const forms::CellDescription& cell) {
   const chaos::ChaosStory story = chaos::draw_story(cell, *choices.replay, choices.only);
+  const auto faults = chosen_faults(choices, story.faults.size());
+  if (!faults) return complain(faults.error(), exit_usage);
   fmt::print("seed {}\n", story.seed);
   for (const std::string& line : chaos::describe(story)) fmt::print("  {}\n", line);
   chaos::PlayOptions options;
   options.film_file = choices.video;
   options.plant = choices.plant;
-  if (!choices.faults.empty()) options.faults = numbers_of(choices.faults);
+  options.faults = *faults;
   story::Narrator narrator(stdout, story::Narrator::style_for(stdout, false));
   const Result<chaos::RunResult> result = chaos::play(story, options, narrator);
   if (!result) return complain(result.error(), exit_unavailable);
@@ -184,14 +199,17 @@ int run_chaos(const ChaosChoices& choices) {
   return choices.plant.empty() ? run_many(choices, *cell) : find_plants(choices, *cell);
 }
 
-void add_replay_options(CLI::App* word, ChaosChoices& choices) {
-  word->add_option("--replay", choices.replay, "Play the run of this seed and tell its story")->check(seed_check());
+CLI::Option* add_replay_options(CLI::App* word, ChaosChoices& choices) {
+  CLI::Option* const replay =
+      word->add_option("--replay", choices.replay, "Play the run of this seed and tell its story")->check(seed_check());
   word->add_option("--faults", choices.faults, "With --replay: of its faults these alone: N,... or none")
       ->check([](const std::string& text) {
         return numbers_of(text) ? std::string() : "not numbers with commas between, or none";
       })
-      ->type_name("N,...");
-  word->add_option("--video", choices.video, "With --replay: film it (.avi or .mp4)");
+      ->type_name("N,...")
+      ->needs(replay);
+  word->add_option("--video", choices.video, "With --replay: film it (.avi or .mp4)")->needs(replay);
+  return replay;
 }
 
 void add_lists(CLI::App* word) {
@@ -229,16 +247,18 @@ void add_chaos_command(CLI::App& app, int& status) {
       ->delimiter(',')
       ->check(class_fault);
   word->add_option("--arm", choices->arm, "Another arm in place of the cell's: of arms/, or an arm file");
-  add_replay_options(word, *choices);
+  CLI::Option* const replay = add_replay_options(word, *choices);
   word->add_option("--plant", choices->plant, "Plant this fault into the cell, or `all` one after another, and find it")
       ->check(plant_fault)
       ->type_name("NAME");
   word->add_option("--coverage", choices->coverage,
-                   "Write how many runs failed, were unsafe and hung, and how often each point was come to");
+                   "Write how many runs failed, were unsafe and hung, and how often each point was come to")
+      ->excludes(replay);
   word->add_option("--reference", choices->reference,
                    "A file of --coverage of the same runs: the status says whether no more fail, are unsafe or hang, "
                    "and each point that it has five times or more is come to still")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->excludes(replay);
   word->add_flag("--no-shrink", choices->no_shrink, "Leave out to look for the fewest faults that still fail");
   add_lists(word);
   word->footer(

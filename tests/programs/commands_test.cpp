@@ -193,6 +193,22 @@ TEST(Words, WhatIsForACellInThisProcessIsNotLeftOutWithoutAWord) {
   }
 }
 
+TEST(Words, WhereNoCellOfThatNameRunsNoOtherTakesItsPlace) {
+  for (const char* command : {"repl --cell no-such-cell --eval '(help)'", "console --cell no-such-cell"}) {
+    const Said said = run(command);
+    EXPECT_EQ(said.status, 4) << said.text;
+    EXPECT_TRUE(contains(said, "no cell named no-such-cell runs here")) << said.text;
+  }
+}
+
+TEST(Words, AReplayRefusesWhatItWouldLeaveOut) {
+  const Said beyond = run("chaos --replay 7 --faults 99");
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_TRUE(contains(beyond, "counted from 0, and none is number 99")) << beyond.text;
+  EXPECT_EQ(run("chaos --runs 1 --video film.avi").status, 2);
+  EXPECT_EQ(run("chaos --replay 7 --coverage points.txt").status, 2);
+}
+
 TEST(Words, APromptHasTheAgentsThatItsCellNamesAndNoOthers) {
   const std::string file = scratch_folder() + "alone.scm";
   std::ofstream(file) << "(cell alone (world (cube circle (at 450 0))) (host \"desk\" (agents robot)))";

@@ -6,7 +6,7 @@ const [cell, scratch] = process.argv.slice(2);
 const { page, picture, end } = await begin(scratch, [cell, 'console']);
 await page.waitForFunction(() => /mm/.test(document.getElementById('readings').textContent));
 const look = (view) => expectAccessible(page, scratch, view);
-for (const tab of await page.locator('[role=tab]').allInnerTexts()) {
+for (const tab of await page.locator('[role=tab]:visible').allInnerTexts()) {
   await page.click(`[role=tab]:text-is("${tab}")`);
   await picture(`view-${tab.toLowerCase()}`);
   await look(tab);
