@@ -51,7 +51,7 @@ for (const [index, { name, width, height, touch }] of screens.entries()) {
   await page.click('#tab-eyes');
   await page.click('#eyes button:text-is("Connect")');
   await page.waitForFunction(() => document.querySelector('figure canvas').dataset.frame);
-  for (const tab of await page.locator('[role=tab]').allInnerTexts()) {
+  for (const tab of await page.locator('[role=tab]:visible').allInnerTexts()) {
     await page.click(`[role=tab]:text-is("${tab}")`);
     await page.screenshot({ path: join(pictures, `${name}-${tab.toLowerCase()}.png`), fullPage: touch });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

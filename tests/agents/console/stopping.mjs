@@ -27,7 +27,7 @@ async function stops(where) {
   await page.waitForSelector('#stopped', { state: 'hidden' });
 }
 
-for (const tab of await page.locator('[role=tab]').allInnerTexts()) {
+for (const tab of await page.locator('[role=tab]:visible').allInnerTexts()) {
   await page.click(`[role=tab]:text-is("${tab}")`);
   await stops(tab);
 }

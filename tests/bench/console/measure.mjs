@@ -169,7 +169,7 @@ for (let i = 0; i < 5; ++i) {
   const stood = seen.find(({ text, when }) => / stopped /.test(text) && when / 1000 > silentSince);
   const place = ({ text }) => text.slice(10).split(' ').slice(1, 4).map(Number);
   const before = poses.filter(({ when }) => when / 1000 <= silentSince).at(-1);
-  if (!stood || !before) continue;
+  if (!stood || !before) throw new Error(`cut ${i + 1}: ${before ? 'the arm did not stop' : 'the arm did not move before'}`);
   const [a, b] = [place(before), place(poses.at(-1))];
   distances.push(Math.hypot(...a.map((value, axis) => value - b[axis])));
   const [, deadline] = stood.text.match(/\(jog \S+ ([\d.]+)\)/);

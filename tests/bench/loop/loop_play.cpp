@@ -27,6 +27,8 @@ constexpr double rest_s = 0.3;
 constexpr double off_x_mm = 25;
 constexpr double off_y_mm = 15;
 constexpr double off_yaw_deg = 10;
+// From middle to middle: there two cubes of 60 mm have room, however they are turned.
+constexpr double nearest_mm = 86;
 
 template <class T>
 void shuffle(std::vector<T>& items, Random& random) {
@@ -65,10 +67,11 @@ Start drawn_start(forms::CellDescription cell, int cubes, Random& random) {
   shuffle(cell.cubes, random);
   cell.cubes.resize(static_cast<std::size_t>(cubes));
   const double share_mm = (cell.row.y_high_mm - cell.row.y_low_mm) / cubes;
+  const double room_mm = std::min(off_y_mm, (share_mm - nearest_mm) / 2);
   for (int i = 0; i < cubes; ++i) {
     forms::CubePlacement& cube = cell.cubes[static_cast<std::size_t>(i)];
     cube.x_mm = cell.row.x_mm + random.uniform(-off_x_mm, off_x_mm);
-    cube.y_mm = cell.row.y_low_mm + (i + 0.5) * share_mm + random.uniform(-off_y_mm, off_y_mm);
+    cube.y_mm = cell.row.y_low_mm + (i + 0.5) * share_mm + random.uniform(-room_mm, room_mm);
     cube.yaw_deg = random.uniform(-off_yaw_deg, off_yaw_deg);
     cube.on.clear();
   }
