@@ -37,8 +37,8 @@ class CellSightTest : public testing::Test {
     for (std::size_t n = 1; n <= count; ++n) facts.push_back(fact(n));
     return facts;
   }
-  void name(const std::vector<std::string>& contexts) {
-    hall.tell("context-board ((name symbol) (address string)) (key name) (durable)", contexts);
+  void name(const std::vector<std::string>& boards) {
+    hall.tell("context-board ((name symbol) (address string)) (key name) (durable)", boards);
   }
   std::vector<CellSight> look(std::size_t most = 1000) {
     return run(executor, look_at_cells(executor, contexts, hall.address, most));

@@ -236,7 +236,7 @@ TEST(Words, TheVersionIsThatOfTheTree) {
 }
 
 std::string pair_with(const std::string& sections) {
-  const std::string file = scratch_folder() + "pair.scm";
+  std::string file = scratch_folder() + "pair.scm";
   std::ofstream(file) << "(cell words-pair (world (cube circle (at 450 -60))) (domain \"" << source_dir()
                       << "/domains/blocks.scm\") " << sections << ")\n";
   return file;

@@ -1,6 +1,7 @@
 // The client interfaces of the emulated Universal Robots controller, as the maker's tables lay them out and its C++
 // client library uses them; and programs that the dashboard loads.
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
