@@ -15,10 +15,10 @@ ClusterLog::ClusterLog(std::shared_ptr<KeyValues> key_values, std::shared_ptr<Ke
       head_(head) {}
 
 Result<std::vector<journal::RememberedReply>> ClusterLog::recover(store::Store& store) {
-  FollowedLog copy(*key_values_, keys_, store, {});
-  const Result<void> whole = copy.follow_to(head_);
+  FollowedLog followed(*key_values_, keys_, store, {});
+  const Result<void> whole = followed.follow_to(head_);
   if (!whole) return fail(whole);
-  return copy.replies();
+  return followed.replies();
 }
 
 Result<bool> ClusterLog::stands(const std::string& text) {
@@ -86,11 +86,11 @@ Result<journal::PlayedBack> ClusterLog::read(store::Store& store, const Moment& 
 
 Result<journal::PlayedBack> read_log(KeyValues& key_values, const LogKeys& keys, store::Store& store,
                                      const Moment& until) {
-  FollowedLog copy(key_values, keys, store, until);
+  FollowedLog followed(key_values, keys, store, until);
   while (true) {
-    const Result<std::size_t> came = copy.follow();
+    const Result<std::size_t> came = followed.follow();
     if (!came) return fail(came);
-    if (*came == 0) return journal::PlayedBack{copy.end(), copy.later()};
+    if (*came == 0) return journal::PlayedBack{followed.end(), followed.later()};
   }
 }
 

@@ -236,12 +236,12 @@ Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, st
   }
   const std::uint64_t newest = head->value_or(0);
   if (newest == before) return 0;
-  FollowedLog copy(key_values, keys);
-  const Result<void> whole = copy.follow_to(newest);
+  FollowedLog followed(key_values, keys);
+  const Result<void> whole = followed.follow_to(newest);
   if (!whole) return fail(whole);
-  const std::string text = copy.text();
-  const std::string name = fmt::format("{}-{}", copy.number(), nonce);
-  const Result<SnapshotValue> put = put_snapshot(key_values, keys, copy.number(), name, text);
+  const std::string text = followed.text();
+  const std::string name = fmt::format("{}-{}", followed.number(), nonce);
+  const Result<SnapshotValue> put = put_snapshot(key_values, keys, followed.number(), name, text);
   if (!put) return fail(put);
   const Result<KeyValues::Reply> turned = key_values.transact({.compares = {{keys.snapshot(), *former}},
                                                                .puts = {{keys.snapshot(), text_of(*put)}},
@@ -250,7 +250,7 @@ Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, st
   if (!turned) return fail(turned);
   if (!turned->succeeded) return 0;
   // The newest entry stays, so that who has fewer sees the gap before it.
-  const Result<void> deleted = delete_entries(key_values, keys, before, copy.number());
+  const Result<void> deleted = delete_entries(key_values, keys, before, followed.number());
   if (!deleted) return fail(deleted);
   return text.size();
 }

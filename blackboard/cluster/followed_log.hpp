@@ -1,7 +1,7 @@
 #pragma once
 
-// What a cell's log in a cluster says, in memory, brought up to date entry by entry: what a standby has, and
-// what whoever reads the log begins with.
+// A cell's log in a cluster, followed entry by entry into a store in memory. A standby has one, and whoever reads the
+// log begins with one.
 //
 //   FollowedLog followed(key_values, LogKeys("blocks"));
 //   Result<std::size_t> came = followed.follow();  // some entries; 0: that is all there is
@@ -9,7 +9,7 @@
 //   followed.alive();                              // what the leader said last
 //
 // Entries are numbered without a gap. Where the next one is gone, because others came meanwhile and a snapshot took
-// their place, the copy begins anew from that. Failures: unavailable, bad-journal.
+// their place, it begins anew from that. Failures: unavailable, bad-journal.
 
 #include <memory>
 

@@ -90,7 +90,7 @@ Task<void> Lead::catch_up() {
     const auto whole = std::make_shared<Result<void>>();
     Work work = [store = *store, keys = keys_, standby = standby_, whole](auto&&) {
       const Result<std::optional<std::uint64_t>> head = head_of(*store, keys);
-      *whole = head ? standby->copy().follow_to(head->value_or(0)) : fail(head);
+      *whole = head ? standby->followed().follow_to(head->value_or(0)) : fail(head);
     };
     co_await executor_.offload(std::move(work), Duration::zero());
     if (*whole) co_return;
@@ -106,12 +106,12 @@ Result<Lead::Begun> Lead::begin(const std::string& path) {
   if (!writing) return fail(writing);
   const Result<std::shared_ptr<KeyValues>> reading = connect();
   if (!reading) return fail(reading);
-  FollowedLog& copy = standby_->copy();
+  FollowedLog& followed = standby_->followed();
   Begun begun;
-  begun.log =
-      std::make_shared<ClusterLog>(*writing, *reading, keys_, leadership_->epoch(), copy.number(), path, copy.weight());
-  begun.replies = copy.replies();
-  begun.store = copy.take_store();
+  begun.log = std::make_shared<ClusterLog>(*writing, *reading, keys_, leadership_->epoch(), followed.number(), path,
+                                           followed.weight());
+  begun.replies = followed.replies();
+  begun.store = followed.take_store();
   begun.store->restore_counters(leadership_->first_revision(), leadership_->first_fact());
   space_ = begun.log->space();
   return begun;

@@ -40,22 +40,22 @@ std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapsh
 }
 
 // A group needs at least one line. Declaring relations once more changes nothing.
-journal::JournalGroup remembered(const FollowedLog& copy, const store::Store& store) {
+journal::JournalGroup remembered(const FollowedLog& followed, const store::Store& store) {
   std::vector<Relation> relations;
   for (const auto& [name, table] : store.tables()) relations.push_back(table.relation());
   journal::JournalGroup group;
-  group.lines = journal::journal_line(copy.end().revision, copy.end().when, "board", relations) + '\n';
+  group.lines = journal::journal_line(followed.end().revision, followed.end().when, "board", relations) + '\n';
   journal::ReplyLines lines;
-  for (const journal::RememberedReply& reply : copy.replies()) lines.add(group.replies, reply);
+  for (const journal::RememberedReply& reply : followed.replies()) lines.add(group.replies, reply);
   group.durable = true;
   return group;
 }
 
-Result<void> write_file(const std::string& path, FollowedLog& copy) {
+Result<void> write_file(const std::string& path, FollowedLog& followed) {
   const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
   if (!file) return fail(file);
-  const Result<void> begun = (*file)->begin_with(copy.store(), copy.end());
-  return begun ? (*file)->append(remembered(copy, copy.store())) : begun;
+  const Result<void> begun = (*file)->begin_with(followed.store(), followed.end());
+  return begun ? (*file)->append(remembered(followed, followed.store())) : begun;
 }
 
 }  // namespace
@@ -97,14 +97,14 @@ Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, 
   const Result<std::optional<std::string>> leader = who_leads(key_values, keys, pause);
   if (!leader) return fail(leader);
   if (*leader) return fail("in-use", "the board " + **leader + " leads this cell: end its boards first");
-  FollowedLog copy(key_values, keys);
-  const Result<void> whole = copy.follow_to(**head);
+  FollowedLog followed(key_values, keys);
+  const Result<void> whole = followed.follow_to(**head);
   if (!whole) return fail(whole);
-  const Result<void> written = write_file(path, copy);
+  const Result<void> written = write_file(path, followed);
   // Half a journal would be taken for a whole one.
   if (!written) journal::remove_journal(path);
   if (!written) return fail(written);
-  return Transferred{store::durable_facts(copy.store()).size(), copy.end().revision};
+  return Transferred{store::durable_facts(followed.store()).size(), followed.end().revision};
 }
 
 }  // namespace pizarra::cluster

@@ -5,12 +5,12 @@
 namespace pizarra::cluster {
 
 Result<bool> Standby::step(const std::function<Time()>& now) {
-  const Result<std::size_t> came = copy_->follow();
+  const Result<std::size_t> came = followed_->follow();
   if (!came) return fail(came);
   // One who is far behind looks at the old first.
-  if (copy_->is_behind()) return false;
-  if (copy_->alive() != seen_) {
-    seen_ = copy_->alive();
+  if (followed_->is_behind()) return false;
+  if (followed_->alive() != seen_) {
+    seen_ = followed_->alive();
     seen_at_ = now();
     suspects_ = false;
   }

@@ -4,7 +4,7 @@
 //
 //   Standby standby(key_values, keys, "board-pc", nonce, now());
 //   Result<bool> leads = standby.step(now);             // every 40 ms; failures unavailable, bad-journal
-//   if (leads && *leads) ... standby.take_leadership(), standby.copy()
+//   if (leads && *leads) ... standby.take_leadership(), standby.followed()
 //
 // A nonce is another one for every life of a board.
 
@@ -27,7 +27,7 @@ class Standby {
         keys_(std::move(keys)),
         board_(std::move(board)),
         nonce_(nonce),
-        copy_(std::make_unique<FollowedLog>(key_values_, keys_)),
+        followed_(std::make_unique<FollowedLog>(key_values_, keys_)),
         seen_at_(now) {}
 
   // Whether it leads now.
@@ -35,7 +35,7 @@ class Standby {
   // Suspects who leads, whatever it says.
   void suspect() { suspects_ = true; }
 
-  FollowedLog& copy() { return *copy_; }
+  FollowedLog& followed() { return *followed_; }
   Leadership take_leadership() { return std::move(*won_); }
   // How long whoever led before may still answer. Its last confirmation was sent before it was seen here, and taking
   // the lead compared it. Nothing where nobody led, or who did said that it answers no more.
@@ -48,7 +48,7 @@ class Standby {
   const LogKeys keys_;
   const std::string board_;
   const std::uint64_t nonce_;
-  std::unique_ptr<FollowedLog> copy_;
+  std::unique_ptr<FollowedLog> followed_;
   std::optional<Alive> seen_;
   Time seen_at_;
   Time sees_to_space_at_{};

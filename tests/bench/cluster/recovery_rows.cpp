@@ -64,9 +64,9 @@ auto until_it_answers(Ask ask) {
 }
 
 std::optional<double> seconds_to_follow(cluster::KeyValues& etcd, const cluster::LogKeys& keys, std::uint64_t count) {
-  cluster::FollowedLog copy(etcd, keys);
+  cluster::FollowedLog followed(etcd, keys);
   Result<void> whole;
-  const double seconds = seconds_of([&] { whole = until_it_answers([&] { return copy.follow_to(count); }); });
+  const double seconds = seconds_of([&] { whole = until_it_answers([&] { return followed.follow_to(count); }); });
   return whole ? std::optional(seconds) : std::nullopt;
 }
 

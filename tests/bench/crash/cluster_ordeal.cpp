@@ -199,10 +199,10 @@ Result<void> ClusterOrdeal::read_the_end(store::Store& store) {
   Result<std::optional<std::string>> head = cluster::get(**client, keys.head(), 5s);
   while (!head && Clock::now() < patience) head = cluster::get(**client, keys.head(), 5s);
   if (!head) return fail(head);
-  cluster::FollowedLog copy(**client, keys, store, {});
+  cluster::FollowedLog followed(**client, keys, store, {});
   const std::uint64_t newest = std::stoull(head->value_or("0"));
-  Result<void> read = copy.follow_to(newest);
-  while (!read && read.error().symbol == "unavailable" && Clock::now() < patience) read = copy.follow_to(newest);
+  Result<void> read = followed.follow_to(newest);
+  while (!read && read.error().symbol == "unavailable" && Clock::now() < patience) read = followed.follow_to(newest);
   return read;
 }
 

@@ -30,10 +30,10 @@ class LeasesTakenOver : public testing::Test {
     }
     const Leadership won = standby.take_leadership();
     const std::string head = get(*client_, kept_cell.head()).value().value_or("0");
-    EXPECT_TRUE(standby.copy().follow_to(std::stoull(head)).has_value());
-    const auto log =
-        std::make_shared<ClusterLog>(client_, client_, kept_cell, won.epoch(), standby.copy().number(), "etcd://model");
-    std::unique_ptr<store::Store> store = standby.copy().take_store();
+    EXPECT_TRUE(standby.followed().follow_to(std::stoull(head)).has_value());
+    const auto log = std::make_shared<ClusterLog>(client_, client_, kept_cell, won.epoch(), standby.followed().number(),
+                                                  "etcd://model");
+    std::unique_ptr<store::Store> store = standby.followed().take_store();
     store->restore_counters(won.first_revision(), won.first_fact());
     auto board = std::make_unique<server::KeptBoard>(executor_);
     board->lead(std::move(store), won.epoch().number << 40, {}, log);

@@ -70,9 +70,9 @@ TEST_F(LogSpaces, AreEnoughForLargeFactsThatTakeEachOthersPlace) {
   }
   EXPECT_FALSE(etcd_.space.refuses);
   EXPECT_LT(etcd_.space.taken, small / 4 * 3);
-  FollowedLog copy(*client_, small_cell);
-  EXPECT_TRUE(copy.follow_to(log_->head()));
-  EXPECT_LT(copy.weight().all(), small / 4);
+  FollowedLog followed(*client_, small_cell);
+  EXPECT_TRUE(followed.follow_to(log_->head()));
+  EXPECT_LT(followed.weight().all(), small / 4);
 }
 
 TEST_F(LogSpaces, AreRefusedInWordsWhereFactsTakeTooMuchAndThereAgainWhenTheyAreGone) {

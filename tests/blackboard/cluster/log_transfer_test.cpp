@@ -92,10 +92,10 @@ TEST_F(Transfer, IsFollowedByABoardThatLeadsBehindTheFormerCounters) {
   const Result<bool> leads = standby.step([this] { return etcd_.now; });
   ASSERT_TRUE(leads.has_value() && *leads);
   EXPECT_EQ(standby.must_wait(etcd_.now), Duration::zero());
-  EXPECT_EQ(store::durable_facts(standby.copy().store()).size(), 3u);
+  EXPECT_EQ(store::durable_facts(standby.followed().store()).size(), 3u);
   const Leadership won = standby.take_leadership();
   EXPECT_GE(won.first_revision(), there->revision);
-  EXPECT_GE(won.first_fact(), standby.copy().store().next_fact());
+  EXPECT_GE(won.first_fact(), standby.followed().store().next_fact());
 }
 
 TEST_F(Transfer, GoesOverNothingThatIsThere) {

@@ -47,14 +47,14 @@ class FileWall : public Wall {
 class ClusterWall : public Wall {
  public:
   std::shared_ptr<journal::Log> open() override {
-    FollowedLog copy(*client_, keys);
-    while (copy.follow().value() > 0) {
+    FollowedLog followed(*client_, keys);
+    while (followed.follow().value() > 0) {
     }
     epoch_.nonce++;
     epoch_.number++;
     etcd_.values[keys.epoch()] = text_of(epoch_);
     etcd_.values.try_emplace(keys.head(), "0");
-    return std::make_shared<ClusterLog>(client_, client_, keys, epoch_, copy.number(), "etcd://model/cell");
+    return std::make_shared<ClusterLog>(client_, client_, keys, epoch_, followed.number(), "etcd://model/cell");
   }
   void compact() override { EXPECT_GT(take_snapshot(*client_, keys, ++snapshots_).value(), 0u); }
   EtcdModel& etcd() { return etcd_; }
@@ -224,10 +224,10 @@ TEST_F(ClusterLogs, OfLargeEntriesAreReadOverALineThatTakesAFewAtATime) {
   const journal::JournalGroup large{"(0 1 \"b\" (declare))" + std::string(1000, ' ') + "\n", "", true};
   for (int n = 1; n <= 300; ++n) ASSERT_TRUE(log.append(large, true));
   etcd_.bytes_in_time = 6000;
-  FollowedLog copy(*client_, keys);
-  const Result<void> whole = copy.follow_to(300);
+  FollowedLog followed(*client_, keys);
+  const Result<void> whole = followed.follow_to(300);
   EXPECT_TRUE(whole) << describe(whole.error());
-  EXPECT_EQ(copy.number(), 300u);
+  EXPECT_EQ(followed.number(), 300u);
 }
 
 TEST_F(ClusterLogs, AreReadAndCutShortAFewEntriesAtATime) {
@@ -237,8 +237,8 @@ TEST_F(ClusterLogs, AreReadAndCutShortAFewEntriesAtATime) {
   ClusterLog log(client_, client_, keys, epoch, 0, "etcd://model/cell");
   constexpr std::uint64_t many = 5000;
   for (std::uint64_t n = 1; n <= many; ++n) ASSERT_TRUE(log.append(group(0), true));
-  FollowedLog copy(*client_, keys);
-  EXPECT_TRUE(copy.follow_to(many));
+  FollowedLog followed(*client_, keys);
+  EXPECT_TRUE(followed.follow_to(many));
   EXPECT_LT(etcd_.walked, 2 * many);
   EXPECT_GT(take_snapshot(*client_, keys, 1).value(), 0u);
   EXPECT_LE(etcd_.most_deleted, many / 5);
@@ -252,8 +252,8 @@ TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
   ClusterLog log(client_, client_, keys, {1, "a", 1}, 0, "etcd://model/cell");
   ASSERT_TRUE(log.append(group(3), true));
   etcd_.values[keys.entry(1)].back() ^= 1;
-  FollowedLog copy(*client_, keys);
-  EXPECT_EQ(copy.follow().error().symbol, "bad-journal");
+  FollowedLog followed(*client_, keys);
+  EXPECT_EQ(followed.follow().error().symbol, "bad-journal");
 }
 
 TEST_F(ClusterLogs, WithADamagedNumberAreRefusedByEveryoneWhoReadsIt) {
@@ -285,8 +285,8 @@ TEST_F(ClusterLogs, WithADamagedNumberAreRefusedByEveryoneWhoReadsIt) {
 TEST_F(ClusterLogs, WhoseSnapshotLacksAPartAreDamaged) {
   etcd_.values[keys.snapshot()] = text_of(SnapshotValue{1, "1-1", 2, 0});
   etcd_.values[keys.snapshot_part("1-1", 0)] = "";
-  FollowedLog copy(*client_, keys);
-  EXPECT_EQ(copy.follow().error().sentence, "the log in the cluster is damaged: a part of the snapshot is missing");
+  FollowedLog followed(*client_, keys);
+  EXPECT_EQ(followed.follow().error().sentence, "the log in the cluster is damaged: a part of the snapshot is missing");
 }
 
 }  // namespace

@@ -33,12 +33,12 @@ class OwnPasts : public testing::Test {
     ++epoch_;
     const EpochValue mine{epoch_, "board", epoch_};
     etcd_.values[past_keys.epoch()] = text_of(mine);
-    FollowedLog copy(*client_, past_keys);
-    ASSERT_TRUE(copy.follow_to(std::stoull(etcd_.values[past_keys.head()])).has_value());
-    ASSERT_TRUE(copy.follow().has_value());
+    FollowedLog followed(*client_, past_keys);
+    ASSERT_TRUE(followed.follow_to(std::stoull(etcd_.values[past_keys.head()])).has_value());
+    ASSERT_TRUE(followed.follow().has_value());
     const auto log =
-        std::make_shared<ClusterLog>(client_, client_, past_keys, mine, copy.number(), "etcd://model/blocks");
-    std::unique_ptr<store::Store> store = copy.take_store();
+        std::make_shared<ClusterLog>(client_, client_, past_keys, mine, followed.number(), "etcd://model/blocks");
+    std::unique_ptr<store::Store> store = followed.take_store();
     const Revision first = epoch_ * 1000;
     store->restore_counters(first, first);
     board_ = std::make_unique<server::KeptBoard>(executor_);

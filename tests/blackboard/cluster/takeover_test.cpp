@@ -214,16 +214,16 @@ class ModelBoard {
 // The marks in the log at the end, each as often as it was told.
 std::multiset<std::int64_t> marks_of(EtcdModel& etcd) {
   ModelClient reader(etcd);
-  FollowedLog copy(reader, cell_keys);
+  FollowedLog followed(reader, cell_keys);
   while (true) {
-    const Result<std::size_t> came = copy.follow();
+    const Result<std::size_t> came = followed.follow();
     if (came && *came == 0) break;
     // A snapshot may come late.
     EXPECT_TRUE(came || came.error().symbol == "unavailable");
   }
   std::multiset<std::int64_t> marks;
-  const auto table = copy.store().tables().find("mark");
-  if (table == copy.store().tables().end()) return marks;
+  const auto table = followed.store().tables().find("mark");
+  if (table == followed.store().tables().end()) return marks;
   for (const store::StandingFact& standing : table->second.facts()) marks.insert(standing.fact.datum[1].integer());
   return marks;
 }
