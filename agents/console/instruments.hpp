@@ -22,8 +22,8 @@ struct Instruments {
   // Observes the board for `length`; the answer is that of `method --live --json`.
   std::function<Measured(Board& board, const std::string& name, Connect connect, Duration length)> method = nullptr;
   // How the cells do that this board names, and those that these name: {"cells": [...], "more": false}. Of each stands
-  // there what `cells --json` prints; "more" says that there are others beyond a bound. What is read of them is what
-  // the page's key may read; empty: the console's own key.
+  // there what `cells --json` prints; "more" says that there are others beyond a bound. They are asked with
+  // the page's key; empty: the console's own.
   std::function<Measured(const std::string& key)> cells = nullptr;
 };
 

@@ -45,7 +45,7 @@ std::optional<arm::Joints> joints_in(const Datum& readings, const arm::ArmModel&
   return joints;
 }
 
-// Who may read this fact may see the stream's images.
+// A page that may read this fact may see the stream's images.
 Datum fact_of_stream(const std::string& stream) {
   return list("stream"_sym, Datum::symbol(stream), "?kind"_sym, "?place"_sym);
 }
@@ -231,7 +231,7 @@ void Session::look(const Datum& form) {
   looks_.emplace(stream, setup_.executor.spawn(look_if_readable(stream)));
 }
 
-// A page may choose only streams that its own session can read; where it cannot, no image comes.
+// No image comes of a stream whose fact the page's own session may not read.
 Task<void> Session::look_if_readable(std::string stream) {
   const Query query = query_for(fact_of_stream(stream));
   const Result<std::unique_ptr<Watch>> readable = co_await runtime::watch_when_declared(context_.board, query);

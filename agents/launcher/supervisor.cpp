@@ -150,7 +150,7 @@ void Supervisor::on_death(Child& child, int status) {
 // One that cannot be started, as while the disk is full, may be started later.
 void Supervisor::start_again(Child& child, const std::string& why) {
   ++child.deaths;
-  if (child.program.is_given_up && child.deaths >= most_deaths_in_a_row) {
+  if (child.program.may_be_given_up && child.deaths >= most_deaths_in_a_row) {
     child.given_up = true;
     tell(child, fmt::format("{}; failed {} times in a row and is given up, see {}", why, most_deaths_in_a_row,
                             child.program.log_file));

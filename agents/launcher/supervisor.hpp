@@ -26,7 +26,7 @@ struct Program {
   std::string log_file;                  // what it prints
   std::vector<int> final_statuses = {};  // it does not start again when it ends with one of these
   int niceness = 0;                      // beyond our own, up to 19: the nicer, the more the others go first
-  bool is_given_up = true;               // when it dies again and again
+  bool may_be_given_up = true;           // where it dies again and again
 };
 
 struct ProcessEvent {

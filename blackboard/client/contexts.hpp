@@ -31,7 +31,7 @@ class Contexts {
   Contexts(Executor& executor, std::string teller, std::optional<wire::ClientKeys> keys, Duration patience = 2s)
       : executor_(executor), teller_(std::move(teller)), keys_(std::move(keys)), patience_(patience) {}
 
-  // That of the first of both facts. Who follows it where nobody may have named a board yet declares it first.
+  // Of (context-board NAME ADDRESS). To follow it on a board that may name none yet, declare it first.
   static Relation context_relation();
 
   // Both facts. An earlier context of that name is replaced. Failure context-loop for the root itself, and for a board
@@ -45,8 +45,8 @@ class Contexts {
     std::string address;
     std::optional<Failure> fault = {};  // why nothing beyond it is listed
   };
-  // What is reached from there, `most` boards at most, each once, what is named first before what is below it. Boards
-  // of a level are asked together, so that silent ones are waited for together.
+  // The boards below the root, each once and `most` at most, level by level. Boards of a level are asked together, so
+  // that silent ones are waited for together.
   Task<std::vector<Row>> list(std::string root, std::size_t most = most_listed);
   // The same in the other direction, by all parents of each board. A path leads from the row's board to the first.
   Task<std::vector<Row>> ascend(std::string board);

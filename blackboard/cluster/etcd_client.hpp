@@ -29,7 +29,7 @@ class EtcdClient : public KeyValues {
   Result<void> close_holes(Duration wait) override;
   Result<void> end_refusing(Duration wait) override;
 
-  // What one member says there, and what any of them is told there. Failure unavailable.
+  // Reads a path of one member; posts to a path of any member. Failure unavailable.
   Result<std::string> read(std::size_t member, const char* path, Duration wait);
   Result<void> order(const char* path, const std::string& body, Duration wait);
 

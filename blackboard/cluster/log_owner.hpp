@@ -3,8 +3,9 @@
 // Whose log it is: `pizarra/CELL/cell` has the name of the cell whose board came first, and the key of its boards, by
 // which two cells of one name differ. A board of another cell would follow its facts, and take its lead.
 //
-//   const Result<void> mine = claim_log(key_values, keys, {"blocks", public_key});    // also where it was claimed
-//   before
+//   const Result<void> mine = claim_log(key_values, keys, {"blocks", public_key});
+//
+// A cell may claim its log again.
 
 #include <string>
 

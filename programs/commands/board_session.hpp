@@ -29,8 +29,8 @@ struct BoardChoices {
   std::string cell;   // the name of a running cell
   std::string key;    // the file of a secret key
 
-  // A cell in this process is none of them.
-  bool name_one_that_runs() const { return !board.empty() || !cell.empty() || !key.empty(); }
+  // So that no cell in this process takes its place.
+  bool ask_for_running_cell() const { return !board.empty() || !cell.empty() || !key.empty(); }
 };
 
 void add_board_options(CLI::App* word, BoardChoices& choices);

@@ -233,7 +233,7 @@ int run_console(const ConsoleChoices& choices) {
   // Its images are JPEGs.
   const Result<camera::OpencvFiles> opencv = camera::opencv_files();
   if (!opencv) return complain(opencv.error(), exit_unavailable);
-  const bool own = !choices.board.name_one_that_runs() && launcher::running_cells().empty();
+  const bool own = !choices.board.ask_for_running_cell() && launcher::running_cells().empty();
   if (own && !choices.listen.empty()) {
     return complain(Failure{"bad-option", "--listen is for a cell that runs, whose board asks for keys", {}, {}},
                     exit_usage);

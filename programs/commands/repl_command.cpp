@@ -65,7 +65,7 @@ int talk_to_own_cell(const ReplChoices& choices) {
 
 int run_repl(const ReplChoices& choices) {
   const bool own =
-      !choices.agents.empty() || (!choices.board.name_one_that_runs() && launcher::running_cells().empty());
+      !choices.agents.empty() || (!choices.board.ask_for_running_cell() && launcher::running_cells().empty());
   if (own) return talk_to_own_cell(choices);
   if (!choices.of_own_cell.empty()) {
     const std::string sentence = fmt::format(

@@ -1,4 +1,4 @@
-// Who is written together with whom, on a disk that takes its time.
+// Which transactions a slow disk writes together.
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is seen of the cells of a hall, where their boards hold what no cell of ours tells.
+// A look at the cells of a hall whose boards hold facts that no cell of ours tells.
 
 #include "programs/commands/cell_sight.hpp"
 
