@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <fstream>
 #include <optional>
 #include <poll.h>
 #include <sys/socket.h>
@@ -93,11 +94,11 @@ void ClusterCell::start_member(std::size_t number) {
 }
 
 void ClusterCell::start_board(std::size_t number) {
-  // Its complaints about an etcd that was killed belong to no figure.
   const std::vector<std::string> words = {"/bin/sh",
                                           "-c",
-                                          "exec \"$@\" 2>/dev/null",
+                                          "file=$1; shift; exec \"$@\" 2>\"$file\"",
                                           "sh",
+                                          complaints_of(number),
                                           program_beside("pizarra-board"),
                                           "--listen",
                                           address_of(number),
@@ -106,6 +107,17 @@ void ClusterCell::start_board(std::size_t number) {
                                           log(),
                                           "--log-insecure"};
   boards_.emplace(number, Child::program(network_.on(host(number), words)));
+}
+
+std::string ClusterCell::last_complaint(std::size_t board) const {
+  std::ifstream complaints(complaints_of(board));
+  std::string newest;
+  for (std::string line; std::getline(complaints, line);) newest = line;
+  return newest;
+}
+
+std::string ClusterCell::complaints_of(std::size_t board) const {
+  return fmt::format("{}/board-{}.log", folder_.path(), board);
 }
 
 void ClusterCell::kill_host(std::size_t number) {

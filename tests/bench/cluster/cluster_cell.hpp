@@ -43,6 +43,8 @@ class ClusterCell {
   // Null where it is not running.
   const Child* board(std::size_t number) const { return found(boards_, number); }
   const Child* member(std::size_t number) const { return found(members_, number); }
+  // What that board said last of its troubles; empty: nothing since its newest start.
+  std::string last_complaint(std::size_t board) const;
   // Everything on its host but the wires, which are cut first and laid again.
   void kill_host(std::size_t number);
   // Those that are not running.
@@ -53,6 +55,7 @@ class ClusterCell {
   std::size_t leading_member() const;
 
  private:
+  std::string complaints_of(std::size_t board) const;
   static constexpr const char* beside = "beside";
   static const Child* found(const std::map<std::size_t, Child>& children, std::size_t number) {
     const auto child = children.find(number);

@@ -166,7 +166,8 @@ void ClusterOrdeal::start_who_ended() {
   }
   for (std::size_t number = 0; number < ClusterCell::most_boards; ++number) {
     const Child* const board = cell_.board(number);
-    if (board != nullptr && board->ended()) throw std::runtime_error("a board ended by itself");
+    if (board != nullptr && board->ended())
+      throw std::runtime_error("a board ended by itself: " + cell_.last_complaint(number));
   }
 }
 
