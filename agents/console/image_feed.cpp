@@ -49,9 +49,13 @@ std::string full_jpeg(const Image& image) { return jpeg_of(pixels_of(image), jpe
 
 class ImageFeeds::Feed {
  public:
-  Feed(Executor& executor, Streams& streams, const std::string& stream)
-      : executor_(executor),
-        subscription_(streams.subscribe(stream, [this](const StreamFrame& frame) { take(frame); })) {}
+  // `came`: a frame waits to be encoded.
+  Feed(Streams& streams, const std::string& stream, const std::function<void()>& came)
+      : subscription_(streams.subscribe(stream, [this, came](const StreamFrame& frame) {
+          if (!can_be_encoded(*frame.image)) return;
+          newest_ = frame;
+          came();
+        })) {}
 
   void add(std::uint64_t number, Receiver receiver) {
     if (shown_) receiver(shown_);
@@ -63,53 +67,69 @@ class ImageFeeds::Feed {
     receivers_.erase(number);
     return receivers_.empty();
   }
+  // Of what time the frame is that waits, if one does.
+  std::optional<Time> waits_since() const { return newest_ ? std::optional(newest_->captured) : std::nullopt; }
+  StreamFrame take_newest() { return *std::exchange(newest_, std::nullopt); }
+  bool is_wanted(bool light) const {
+    return std::ranges::any_of(receivers_, [light](const auto& entry) { return entry.second.light == light; });
+  }
+  void show(const std::shared_ptr<const Picture>& made) {
+    shown_ = made;
+    for (const auto& [number, receiver] : receivers_) receiver.show(shown_);
+  }
 
  private:
-  void take(const StreamFrame& frame) {
-    if (!can_be_encoded(*frame.image)) return;
-    newest_ = frame;
-    if (encoding_.done()) encoding_ = executor_.spawn(encode());
-  }
-
-  Task<void> encode() {
-    while (newest_) {
-      const StreamFrame frame = *std::exchange(newest_, std::nullopt);
-      const auto made = std::make_shared<Picture>();
-      made->number = frame.number;
-      made->captured = frame.captured;
-      made->width = frame.image->width;
-      made->height = frame.image->height;
-      const bool light = std::ranges::any_of(receivers_, [](const auto& entry) { return entry.second.light; });
-      const bool full = std::ranges::any_of(receivers_, [](const auto& entry) { return !entry.second.light; });
-      const std::function<void(const std::function<bool()>&)> work =
-          [made, full, light, image = frame.image](const std::function<bool()>&) {
-            encode_picture(*made, *image, full, light);
-          };
-      co_await executor_.offload(work, encoding_cost);
-      shown_ = made;
-      for (const auto& [number, receiver] : receivers_) receiver.show(shown_);
-    }
-  }
-
   struct Looking {
     Receiver show;
     bool light = false;
   };
 
-  Executor& executor_;
   std::map<std::uint64_t, Looking> receivers_;
   std::optional<StreamFrame> newest_;
   std::shared_ptr<const Picture> shown_;
-  Job encoding_;
   std::unique_ptr<Streams::Subscription> subscription_;
 };
 
 ImageFeeds::ImageFeeds(Executor& executor, Streams& streams) : executor_(executor), streams_(streams) {}
 ImageFeeds::~ImageFeeds() = default;
 
+// One at a time, of all streams, so that the console takes one core at most of those that the cell works on.
+Task<void> ImageFeeds::encode_what_waits() {
+  while (const auto* waiting = longest_waiting()) {
+    const std::string stream = waiting->first;
+    const StreamFrame frame = waiting->second->take_newest();
+    const auto made = std::make_shared<Picture>();
+    made->number = frame.number;
+    made->captured = frame.captured;
+    made->width = frame.image->width;
+    made->height = frame.image->height;
+    const bool light = waiting->second->is_wanted(true);
+    const bool full = waiting->second->is_wanted(false);
+    const std::function<void(const std::function<bool()>&)> work = [made, full, light,
+                                                                    image = frame.image](const std::function<bool()>&) {
+      encode_picture(*made, *image, full, light);
+    };
+    co_await executor_.offload(work, encoding_cost);
+    const auto feed = feeds_.find(stream);
+    if (feed != feeds_.end()) feed->second->show(made);
+  }
+}
+
+const std::pair<const std::string, std::unique_ptr<ImageFeeds::Feed>>* ImageFeeds::longest_waiting() const {
+  const std::pair<const std::string, std::unique_ptr<Feed>>* longest = nullptr;
+  for (const auto& entry : feeds_) {
+    const std::optional<Time> since = entry.second->waits_since();
+    if (since && (longest == nullptr || *since < *longest->second->waits_since())) longest = &entry;
+  }
+  return longest;
+}
+
 std::unique_ptr<ImageFeeds::Look> ImageFeeds::look(const std::string& stream, Receiver receiver) {
   std::unique_ptr<Feed>& feed = feeds_[stream];
-  if (!feed) feed = std::make_unique<Feed>(executor_, streams_, stream);
+  const auto came = [this] {
+    if (encoding_.done()) encoding_ = executor_.spawn(encode_what_waits());
+  };
+  if (!feed) feed = std::make_unique<Feed>(streams_, stream, came);
   const std::uint64_t number = next_look_++;
   feed->add(number, std::move(receiver));
   return std::make_unique<Look>(*this, stream, number);

@@ -1,8 +1,8 @@
 #pragma once
 
-// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread. Only the newest frame
-// is encoded: a frame that comes meanwhile replaces the one that waits. A page on a slow line gets a light picture: 240
-// px wide at most, and of less quality.
+// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread, one frame at a time.
+// Only the newest frame of a stream is encoded: a frame that comes meanwhile replaces the one that waits. A page on a
+// slow line gets a light picture: 240 px wide at most, and of less quality.
 //
 //   ImageFeeds feeds(executor, streams);
 //   auto look = feeds.look("vision-colour", [](const ImageFeeds::Picture& picture) { ... });
@@ -19,6 +19,7 @@
 
 #include "blackboard/stream.hpp"
 #include "blackboard/time/executor.hpp"
+#include "blackboard/time/task.hpp"
 
 namespace pizarra::console {
 
@@ -64,10 +65,15 @@ class ImageFeeds {
   std::unique_ptr<Look> look(const std::string& stream, Receiver receiver);
 
  private:
+  Task<void> encode_what_waits();
+  // Null where none waits.
+  const std::pair<const std::string, std::unique_ptr<Feed>>* longest_waiting() const;
+
   Executor& executor_;
   Streams& streams_;
   std::map<std::string, std::unique_ptr<Feed>> feeds_;
   std::uint64_t next_look_ = 1;
+  Job encoding_;
 };
 
 }  // namespace pizarra::console
