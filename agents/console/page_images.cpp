@@ -9,7 +9,7 @@ namespace pizarra::console {
 
 namespace {
 
-constexpr ReadLimits word_limits{.bytes = 64, .depth = 2, .elements = 4};
+constexpr ReadLimits word_limits{.bytes = 256, .depth = 2, .elements = 8};
 
 // Of the two that a picture may have, the one that is wanted.
 const std::string& sent_jpeg(const ImageFeeds::Picture& picture, bool light) {
@@ -19,8 +19,8 @@ const std::string& sent_jpeg(const ImageFeeds::Picture& picture, bool light) {
 
 }  // namespace
 
-PageImages::PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse)
-    : executor_(executor), feeds_(feeds), pulse_(pulse) {}
+PageImages::PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse, Words words)
+    : executor_(executor), feeds_(feeds), pulse_(pulse), words_(std::move(words)) {}
 PageImages::~PageImages() = default;
 
 bool PageImages::look(const std::string& name) {
@@ -53,9 +53,15 @@ void PageImages::add_lane(UpgradedSocket socket) {
 
 void PageImages::hear(Lane& lane, std::string_view message) {
   const Result<Datum> form = read_one(message, word_limits);
-  const bool understood = form && form->is_form("drawn") && form->size() == 2 && (*form)[1].is_integer();
-  if (!understood || lane.stream.empty()) return lane.socket->close(1008, "not understood");
-  const Duration drawing = std::clamp<std::int64_t>((*form)[1].integer(), 0, 60'000) * 1ms;
+  const bool drawn = form && form->is_form("drawn") && form->size() == 2 && (*form)[1].is_integer();
+  if (drawn && !lane.stream.empty()) {
+    note_drawn(lane, std::clamp<std::int64_t>((*form)[1].integer(), 0, 60'000) * 1ms);
+  } else if (drawn || !form || !words_(*form)) {
+    lane.socket->close(1008, "not understood");
+  }
+}
+
+void PageImages::note_drawn(Lane& lane, Duration drawing) {
   const Duration line = pulse_.line().value_or(Duration(0));
   lane.waited = std::max(Duration(0), executor_.now() - lane.sent - drawing - line);
   weigh_line(lane.waited);

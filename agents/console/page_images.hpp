@@ -8,12 +8,14 @@
 //   images.look("vision-colour");              // its newest image goes whenever a lane is free
 //
 // On a lane the page is told an image as binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG
-// behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn.
+// behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn. What else it says on a lane goes
+// to `words`, which answers whether it was understood.
 //
 // Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way
 // on all lanes together, or one larger image. Images are light (image_feed.hpp) until full ones are known to hardly
 // wait.
 
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -22,6 +24,7 @@
 #include "agents/console/image_feed.hpp"
 #include "agents/console/pulse.hpp"
 #include "agents/console/web_socket.hpp"
+#include "lisp/datum.hpp"
 
 namespace pizarra::console {
 
@@ -32,8 +35,9 @@ class PageImages {
   static constexpr std::size_t max_under_way = 4;  // of a stream
   static constexpr std::size_t max_bytes_under_way = 64 << 10;
 
+  using Words = std::function<bool(const Datum& form)>;
   // `pulse` measures the line to the page; all outlive this.
-  PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse);
+  PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse, Words words);
   PageImages(const PageImages&) = delete;
   PageImages& operator=(const PageImages&) = delete;
   ~PageImages();
@@ -60,6 +64,7 @@ class PageImages {
   };
 
   void hear(Lane& lane, std::string_view message);
+  void note_drawn(Lane& lane, Duration drawing);
   void send_what_waits();
   Lane* free_lane();
   std::pair<const std::string, Stream>* next_stream();
@@ -72,6 +77,7 @@ class PageImages {
   Executor& executor_;
   ImageFeeds& feeds_;
   const Pulse& pulse_;
+  const Words words_;
   std::map<std::string, Stream> streams_;
   std::list<Lane> lanes_;
   // How long images wait on all lanes, smoothed. It starts high, so that the first images are light.

@@ -49,6 +49,7 @@ struct Session::Verb {
   std::string_view name;
   std::vector<Datum::Kind> takes;
   void (Session::*run)(const Datum& form);
+  bool moves = false;  // the arm, by holding on
 
   bool fits(const Datum& form) const {
     if (form.size() != takes.size() + 1) return false;
@@ -81,9 +82,9 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"ask-for", {number, name}, &Session::ask_for},
                                           {"ask-no-more", {number, name}, &Session::ask_no_more},
                                           {"stamp", {number}, &Session::stamp},
-                                          {"jog", {number, name, name, number}, &Session::jog},
-                                          {"hold-on", {number}, &Session::hold_on},
-                                          {"release", {}, &Session::release},
+                                          {"jog", {number, name, name, number}, &Session::jog, true},
+                                          {"hold-on", {number, number}, &Session::hold_on, true},
+                                          {"release", {number}, &Session::release, true},
                                           {"truth", {}, &Session::truth},
                                           {"truth-no-more", {}, &Session::truth_no_more},
                                           {"activity", {}, &Session::activity},
@@ -104,7 +105,8 @@ Session::Session(Setup setup, UpgradedSocket socket)
       caller_(context_, service_),
       room_(setup_.executor),
       hands_changed_(setup_.executor),
-      images_(std::make_unique<PageImages>(setup_.executor, setup_.images, pulse_)) {
+      images_(std::make_unique<PageImages>(setup_.executor, setup_.images, pulse_,
+                                           [this](const Datum& form) { return hear_on_lane(form); })) {
   WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
                            .room = [this] { room_.set(); },
                            .ended = [this] { leave(); }};
@@ -183,6 +185,16 @@ void Session::hear(std::string_view message) {
   }
   // No page of ours says it.
   socket_->close(1008, "not understood");
+}
+
+// What moves the arm is said on a lane as well: a packet that is lost on one way does not hold it back.
+bool Session::hear_on_lane(const Datum& form) {
+  for (const Verb& verb : Verb::all()) {
+    if (!verb.moves || !form.is_form(verb.name) || !verb.fits(form)) continue;
+    (this->*verb.run)(form);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace pizarra::console

@@ -18,8 +18,8 @@
 //   (ask-for N ROBOT), (ask-no-more N ROBOT)                     others are told: (commander-wanted ROBOT US)
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
 //   (stamp N)                   the page has the stamp N (pulse.hpp)
-//   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release), its answer says how it ended
-//   (hold-on STAMP), (release)                   what keeps it moving, said every 50 ms, and what ends it
+//   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release N), its answer says how it ended
+//   (hold-on N STAMP), (release N)               what keeps it moving, said every 50 ms, and what ends it
 //   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp)
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
 //   (work N)                    what went on so far (kept_changes.hpp)
@@ -110,12 +110,14 @@ class Session {
   using Number = std::int64_t;
   // A jog that the page holds on to. The page's word counts while it is younger than the deadline.
   struct Jog {
+    Number number;  // of the request
     Datum robot;
     Duration deadline;
     bool released = false;
   };
 
   void hear(std::string_view message);
+  bool hear_on_lane(const Datum& form);
   void say(std::string text);
   void refuse(Number number, std::string symbol, std::string sentence);
   // False where it is refused.
@@ -197,6 +199,7 @@ class Session {
   bool in_hand_ = false;  // an arm is
   WaitList hands_changed_;
   std::optional<Jog> jog_;
+  Number newest_jog_ = 0;
   std::int64_t holds_told_ = 0;
   std::unique_ptr<PageImages> images_;
   std::unique_ptr<TruthFeed::Look> truth_;

@@ -47,15 +47,19 @@ Task<void> Session::follow_hands() {
 
 void Session::stamp(const Datum& form) { pulse_.came_back(form[1].integer(), setup_.executor.now()); }
 
+// It comes two ways, and counts once: the page counts its requests upwards.
 void Session::jog(const Datum& form) {
+  const Number number = form[1].integer();
+  if (number <= newest_jog_) return;
+  newest_jog_ = number;
   const Duration deadline = pulse_.deadline();
   if (!pulse_.is_fresh(form[4].integer(), setup_.executor.now(), deadline)) {
-    return refuse(form[1].integer(), "late", "this came too late to move the arm for");
+    return refuse(number, "late", "this came too late to move the arm for");
   }
-  if (jog_) return refuse(form[1].integer(), "busy", "this page holds on to a jog already");
+  if (jog_) return refuse(number, "busy", "this page holds on to a jog already");
   // From here on a release counts, before the request begins too.
-  jog_ = Jog{form[2], deadline};
-  const bool begun = begin_request(form[1].integer(), jog_while_held(form[1].integer(), form[2], form[3], deadline));
+  jog_ = Jog{number, form[2], deadline};
+  const bool begun = begin_request(number, jog_while_held(number, form[2], form[3], deadline));
   if (!begun) jog_.reset();
 }
 
@@ -93,13 +97,13 @@ Task<void> Session::take_hold_back(Datum robot) {
 
 // One at a time is on its way to the board: where that is slow, the arm stops.
 void Session::hold_on(const Datum& form) {
-  const bool counts =
-      jog_ && !jog_->released && pulse_.is_fresh(form[1].integer(), setup_.executor.now(), jog_->deadline);
+  const bool ours = jog_ && !jog_->released && jog_->number == form[1].integer();
+  const bool counts = ours && pulse_.is_fresh(form[2].integer(), setup_.executor.now(), jog_->deadline);
   if (counts && holding_.done()) holding_ = setup_.executor.spawn(renew_hold(jog_->robot));
 }
 
-void Session::release(const Datum&) {
-  if (!jog_ || jog_->released) return;
+void Session::release(const Datum& form) {
+  if (!jog_ || jog_->released || jog_->number != form[1].integer()) return;
   jog_->released = true;
   letting_go_ = setup_.executor.spawn(take_hold_back(jog_->robot));
 }

@@ -3,6 +3,7 @@
 // A console on a board of this process, and what a browser does to get in. The client runs on a thread of its own while
 // the console serves.
 
+#include <fmt/format.h>
 #include <future>
 #include <gtest/gtest.h>
 
@@ -88,6 +89,16 @@ class ConsoleTest : public testing::Test {
       client->read_head();
       const auto hello = client->read_frame();
       EXPECT_TRUE(hello && hello->payload.starts_with("{\"hello\"")) << (hello ? hello->payload : "nothing");
+      return client;
+    });
+  }
+
+  // One more connection of the page `number`, for its images.
+  std::unique_ptr<RawClient> lane(const std::string& cookie, int number = 1) {
+    return serve([=, port = port_] {
+      auto client = std::make_unique<RawClient>(port);
+      client->send(request_text(port, "GET", fmt::format("/socket/{}", number), upgrade_headers(cookie)));
+      EXPECT_TRUE(begins(client->read_head(), "HTTP/1.1 101"));
       return client;
     });
   }

@@ -67,9 +67,9 @@ TEST_F(HeldPage, HoldsOnWhileThePageSaysSoAndLetsGoWhenItDoes) {
   serve([&] { client->send_frame(RawClient::text, fmt::format("(jog 7 robot left {})", newest)); });
   executor_.run_until([&] { return how_many("(request ? robot (jog left ?))") == 1; });
   EXPECT_EQ(how_many("(hold robot console-1 1)"), 1u);
-  serve([&] { client->send_frame(RawClient::text, fmt::format("(hold-on {})", newest)); });
+  serve([&] { client->send_frame(RawClient::text, fmt::format("(hold-on 7 {})", newest)); });
   executor_.run_until([&] { return how_many("(hold robot console-1 2)") == 1; });
-  serve([&] { client->send_frame(RawClient::text, "(release)"); });
+  serve([&] { client->send_frame(RawClient::text, "(release 7)"); });
   executor_.run_until([&] { return how_many("(hold robot ? ?)") == 0; });
 }
 
@@ -77,7 +77,7 @@ TEST_F(HeldPage, MovesNothingForAJogThatItsReleaseComesWith) {
   const auto client = page(cookie());
   const std::int64_t newest = stamp(*client);
   const std::string jog = RawClient::frame_of(RawClient::text, fmt::format("(jog 7 robot left {})", newest));
-  const std::string release = RawClient::frame_of(RawClient::text, "(release)");
+  const std::string release = RawClient::frame_of(RawClient::text, "(release 7)");
   const std::string answer = serve([&] {
     client->send(jog + release);
     return client->read_frame()->payload;
@@ -85,6 +85,31 @@ TEST_F(HeldPage, MovesNothingForAJogThatItsReleaseComesWith) {
   EXPECT_NE(answer.find("\"reply\":7"), std::string::npos) << answer;
   EXPECT_EQ(how_many("(request ? ? ?)"), 0u);
   EXPECT_EQ(how_many("(hold ? ? ?)"), 0u);
+}
+
+// Each way loses packets of its own.
+TEST_F(HeldPage, TakesAJogFromWhicheverWayBringsItFirstAndOnce) {
+  const std::string own = cookie();
+  const auto client = page(own);
+  const auto beside = lane(own);
+  const std::int64_t newest = stamp(*client);
+  const auto say = [&](RawClient& on, const std::string& form) {
+    serve([&] { on.send_frame(RawClient::text, form); });
+  };
+  const std::string jog = fmt::format("(jog 7 robot left {})", newest);
+  say(*beside, jog);
+  executor_.run_until([&] { return how_many("(request ? robot (jog left ?))") == 1; });
+  say(*client, jog);
+  say(*client, fmt::format("(hold-on 7 {})", newest));
+  executor_.run_until([&] { return how_many("(hold robot console-1 2)") == 1; });
+  say(*beside, "(release 7)");
+  executor_.run_until([&] { return how_many("(hold robot ? ?)") == 0; });
+  // What the slower way brings later is of a jog that has ended: an answer shows that it was taken in.
+  say(*client, fmt::format("(hold-on 7 {})", newest));
+  say(*client, "(release 6)");
+  EXPECT_NE(said(*client, "(stop 8 \"x\")").find("\"reply\":8"), std::string::npos);
+  EXPECT_EQ(how_many("(hold robot ? ?)"), 0u);
+  EXPECT_EQ(how_many("(request ? robot (jog left ?))"), 1u);
 }
 
 TEST_F(HeldPage, MovesNothingForWhatComesLate) {

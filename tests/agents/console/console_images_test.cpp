@@ -39,16 +39,6 @@ class ConsoleImagesTest : public ConsoleTest {
     EXPECT_TRUE(run(executor_, here_->declare(streams)));
   }
 
-  // One more connection of the page `number`, for its images.
-  std::unique_ptr<RawClient> lane(const std::string& cookie, int number = 1) {
-    return serve([=, port = port_] {
-      auto client = std::make_unique<RawClient>(port);
-      client->send(request_text(port, "GET", fmt::format("/socket/{}", number), upgrade_headers(cookie)));
-      EXPECT_TRUE(begins(client->read_head(), "HTTP/1.1 101"));
-      return client;
-    });
-  }
-
   void look(RawClient& page) {
     page.send_frame(RawClient::text, "(look eyes)");
     executor_.run_until([&] { return streams_.watched("eyes") || tick(); });
@@ -168,7 +158,7 @@ TEST_F(ConsoleImagesTest, AreSentToNoPageThatMayNotReadTheirStream) {
 TEST_F(ConsoleImagesTest, EndALaneThatSaysWhatNoneSays) {
   const std::string own = cookie();
   const auto client = page(own);
-  for (const char* message : {"(drawn 5)", "(stop 1 \"x\")", "(drawn"}) {
+  for (const char* message : {"(drawn 5)", "(stop 1 \"x\")", "(drawn", "(jog 7)"}) {
     const auto rude = lane(own);
     const auto frame = serve([&] {
       rude->send_frame(RawClient::text, message);

@@ -34,6 +34,7 @@ export class Connection {
   #pause = 500;
   #heard = 0;
   #stamp = 0;
+  #jog = 0; // the request that the page holds on to
   #laid = null; // who is shown the world's truth
   #sampled = null; // and what goes on on the board
   #earlier = null; // and what went on before this page was opened
@@ -247,7 +248,9 @@ export class Connection {
 
   // `more` hears what comes after the first answer.
   #call(more, verb, ...rest) {
-    const number = this.#next++;
+    return this.#callAs(this.#next++, more, verb, ...rest);
+  }
+  #callAs(number, more, verb, ...rest) {
     return new Promise((resolve, reject) => {
       const take = (message) => {
         if (more && !message.error)
@@ -311,13 +314,22 @@ export class Connection {
 
   // The arm moves while holdOn() comes in time, and until release(); answers when it has ended.
   jog(robot, direction) {
-    return this.#call(null, 'jog', sym(robot), sym(direction), this.#stamp);
+    this.#jog = this.#next++;
+    const words = [sym(robot), sym(direction), this.#stamp];
+    this.#repeat('jog', ...words);
+    return this.#callAs(this.#jog, null, 'jog', ...words);
   }
   holdOn() {
-    this.#say(sym('hold-on'), this.#stamp);
+    this.#say(sym('hold-on'), this.#jog, this.#stamp);
+    this.#repeat('hold-on', this.#stamp);
   }
   release() {
-    this.#say(sym('release'));
+    this.#say(sym('release'), this.#jog);
+    this.#repeat('release');
+  }
+  // What moves the arm goes two ways, so that one lost packet does not hold it back: the console takes what comes first.
+  #repeat(verb, ...rest) {
+    this.#lanes.say(write([sym(verb), this.#jog, ...rest]));
   }
 
   look(stream, show) {

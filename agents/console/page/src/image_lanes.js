@@ -1,8 +1,9 @@
-// Connections for images alone, beside the page's own. Each carries one image at a time: where a packet is lost, that
-// image comes late, and the others go on coming.
+// Connections for images, beside the page's own. Each carries one image at a time: where a packet is lost, that image
+// comes late, and the others go on coming. For the same reason what moves the arm is said on one of them as well.
 //
 //   const lanes = new ImageLanes(async (message) => ...);     // who draws an image, and answers when it has
 //   lanes.open({ path: '/socket/7', lanes: 6 });
+//   lanes.say('(release 12)');
 
 import { sym, write } from './datum.js';
 
@@ -30,6 +31,11 @@ export class ImageLanes {
     const open = this.#open;
     this.#open = new Set();
     for (const socket of open) socket.close();
+  }
+  // Always on the same one, so that it comes in order.
+  say(message) {
+    const open = [...this.#open].find(({ readyState }) => readyState === WebSocket.OPEN);
+    open?.send(message);
   }
 
   #add(path) {

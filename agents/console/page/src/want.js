@@ -1,34 +1,13 @@
-// What is wanted: goals typed, the plan with the operation in hand, and what became of it.
+// What is wanted: goals typed, and what became of the newest.
 
-import { clipped, eachFrame, element, failureText, find } from './dom.js';
+import { failureText, find } from './dom.js';
 import { completes } from './completion.js';
 import { fact } from './live_answers.js';
 import { nextWords } from './goal_words.js';
-import { planStates } from './plan_states.js';
 import { showTowers } from './towers.js';
-import { text, write } from './datum.js';
+import { text } from './datum.js';
 
 const carried = 'end-effector';
-
-// What is worth a second look in the list.
-const classOf = { 'still serves': 'serves' };
-
-function showPlan(plan, states) {
-  const list = find('plan');
-  list.replaceChildren();
-  find('plan-note').textContent = plan ? `for goal ${plan[1]}` : 'none yet';
-  if (!plan) return;
-  plan[2].forEach((operation, index) => {
-    const state = states[index];
-    const item = element('li', { class: classOf[state] ?? state }, element('code', {}, clipped(write(operation), 80)));
-    if (state) item.append(element('span', { class: 'mark' }, state));
-    if (state === 'running') item.setAttribute('aria-current', 'step');
-    list.append(item);
-  });
-  // In its own list alone: the page stays where it is.
-  const current = list.querySelector('.running');
-  if (current) list.scrollTop = current.offsetTop - list.offsetTop - list.clientHeight / 2;
-}
 
 // What is wrong with what was typed is marked in the field: `goal:LINE:COLUMN`, of its one line.
 function markPlace(field, failure) {
@@ -55,7 +34,7 @@ function predicatesIn(contracts) {
   return found;
 }
 
-export function showWant(connection, entries) {
+export function showWant(connection) {
   const towers = showTowers();
   const answer = find('goal-answer');
   const goalText = find('goal-text');
@@ -89,22 +68,6 @@ export function showWant(connection, entries) {
     } catch (failure) {
       say(failureText(failure), 'bad');
     }
-  });
-
-  let plan;
-  let inHand;
-  const show = eachFrame(() => {
-    const events = entries.until(connection.moment ?? Infinity);
-    showPlan(plan, plan ? planStates(plan, inHand, events) : []);
-  });
-  entries.onChange(show);
-  connection.follow('(plan ?n ?operations)', (answers) => {
-    plan = answers.length ? fact(answers[0]) : undefined;
-    show();
-  });
-  connection.follow('(operation ?i ?operation ?state)', (answers) => {
-    inHand = answers[0];
-    show();
   });
 
   connection.follow('(goal-state ?n ?state ?detail)', (answers) => {
