@@ -70,4 +70,8 @@ await goTo(second, 500);
 await second.waitForFunction(() => /keeps no journal/.test(document.getElementById('moment-note').textContent));
 expect(true, 'a board without a journal says so');
 expect((await served.end()) === 0, 'it ends in order');
+await second.waitForSelector('body:not([data-state=live])');
+await goTo(second, 300);
+await second.waitForFunction(() => /the console is not connected/.test(document.getElementById('moment-note').textContent));
+expect(true, 'and a console that has gone shows no past, which is said');
 await end(second);

@@ -10,6 +10,7 @@ import { LiveAnswers } from './live_answers.js';
 import { read, text, write, sym } from './datum.js';
 
 const longestLate = 5e6; // microseconds
+const notConnected = { symbol: 'unreachable', sentence: 'the console is not connected' };
 
 // Of `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)` or `(picture REQUEST ...)`, a newline and a JPEG: what it is of, and
 // the picture, if it is one.
@@ -75,7 +76,7 @@ export class Connection {
     this.#lanes.close();
     this.#heard = 0;
     this.#stamp = 0;
-    for (const answered of this.#asked.values()) answered({ error: { symbol: 'unreachable' } });
+    for (const answered of this.#asked.values()) answered({ error: notConnected });
     this.#asked.clear();
     for (const request of this.#requests.values()) {
       request.reject({ symbol: 'unreachable', sentence: 'the console has gone; whether it was done is not known' });
@@ -242,7 +243,7 @@ export class Connection {
   #then(number, query, microseconds) {
     return new Promise((resolve) => {
       this.#asked.set(number, resolve);
-      if (!this.#say(sym('then'), number, read(query), microseconds)) resolve({ error: { symbol: 'unreachable' } });
+      if (!this.#say(sym('then'), number, read(query), microseconds)) resolve({ error: notConnected });
     });
   }
 
@@ -262,7 +263,7 @@ export class Connection {
       this.#requests.set(number, { reject, take });
       if (this.#say(sym(verb), number, ...rest)) return;
       this.#requests.delete(number);
-      reject({ symbol: 'unreachable', sentence: 'the console is not connected' });
+      reject(notConnected);
     });
   }
   #end(number, more, message) {

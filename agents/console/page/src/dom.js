@@ -34,7 +34,7 @@ export const clipped = (text, most = 300) =>
 export const clock = (microseconds) => new Date(microseconds / 1000).toLocaleTimeString('en-GB', { hour12: false });
 
 // What a failure says, as the prompt says it.
-export const failureText = (failure) => clipped(failure.said ?? failure.sentence, 1600);
+export const failureText = (failure) => clipped(failure.said ?? failure.sentence ?? String(failure), 1600);
 
 // Does `draw` once before the next frame, however often it is asked for.
 export function eachFrame(draw) {
