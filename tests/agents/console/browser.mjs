@@ -2,7 +2,7 @@
 // and the test is skipped (status 77).
 
 import { spawn, spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { copyFileSync, cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
@@ -23,20 +23,33 @@ export function expect(holds, what) {
   console.log(`ok: ${what}`);
 }
 
+const packages = () => Object.keys(JSON.parse(readFileSync(join(pageFolder, 'package.json'), 'utf8')).devDependencies);
+const holdsPackages = (folder) => packages().every((name) => existsSync(join(folder, 'node_modules', name)));
+
 // The folder whose node_modules are what the lock file says: the page's own, or one made below `scratch`.
 export function modulesFolder(scratch) {
-  if (existsSync(join(pageFolder, 'node_modules/playwright-core'))) return pageFolder;
+  if (holdsPackages(pageFolder)) return pageFolder;
   const folder = join(scratch, 'console-page');
   const lock = 'package-lock.json';
   const isCurrent = existsSync(join(folder, lock)) && readFileSync(join(folder, lock)).equals(readFileSync(join(pageFolder, lock)));
-  if (isCurrent && existsSync(join(folder, 'node_modules/playwright-core'))) return folder;
+  if (isCurrent && holdsPackages(folder)) return folder;
   mkdirSync(folder, { recursive: true });
   for (const file of ['package.json', 'package-lock.json']) copyFileSync(join(pageFolder, file), join(folder, file));
   const made = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], {
     cwd: folder,
     encoding: 'utf8',
   });
-  if (made.status !== 0) skip(`npm ci gives no playwright-core: ${made.stderr ?? made.error}`.slice(0, 400));
+  if (made.status !== 0) skip(`npm ci gives no packages: ${made.stderr ?? made.error}`.slice(0, 400));
+  return folder;
+}
+
+// The same folder, with the page's sources beside its node_modules.
+export function folderOfSources(scratch) {
+  const folder = modulesFolder(scratch);
+  if (folder === pageFolder) return folder;
+  for (const file of ['build.mjs', 'tsconfig.json']) copyFileSync(join(pageFolder, file), join(folder, file));
+  rmSync(join(folder, 'src'), { recursive: true, force: true });
+  cpSync(join(pageFolder, 'src'), join(folder, 'src'), { recursive: true });
   return folder;
 }
 

@@ -1,19 +1,13 @@
 // node bundle.mjs SCRATCH: the bundle in the tree is what the sources give, and small.
 
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, cpSync, readFileSync, readdirSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { expect, modulesFolder, ownFolder, pageFolder, skip } from './browser.mjs';
+import { expect, folderOfSources, ownFolder, pageFolder, skip } from './browser.mjs';
 
-const scratch = process.argv[2];
-const modules = modulesFolder(scratch);
 const out = ownFolder();
-if (modules !== pageFolder) {
-  copyFileSync(join(pageFolder, 'build.mjs'), join(modules, 'build.mjs'));
-  cpSync(join(pageFolder, 'src'), join(modules, 'src'), { recursive: true });
-}
-const built = spawnSync('node', [join(modules, 'build.mjs'), out], { encoding: 'utf8' });
+const built = spawnSync('node', [join(folderOfSources(process.argv[2]), 'build.mjs'), out], { encoding: 'utf8' });
 if (/EBADPLATFORM|could not be found, and is needed/.test(built.stderr))
   skip('esbuild has no program for this machine');
 expect(built.status === 0, `it builds ${built.stderr}`);

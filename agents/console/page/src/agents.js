@@ -9,18 +9,29 @@ import { showRefusals } from './refusals.js';
 import { showServed } from './served.js';
 import { text, write } from './datum.js';
 
+/** @import { Activity } from './activity.js' */
+/** @import { Connection } from './connection.js' */
+/** @import { Activity as Sample, Form } from './messages' */
+
+/** @typedef {NonNullable<Sample['agents']>[number]} Load */
+/** @param {Load | undefined} agent @param {number | undefined} restarts */
 function load(agent, restarts) {
   const busy = agent ? `${agent.told_per_second.toFixed(1)} told/s, ${agent.waiting} waiting, ${agent.queued} queued` : '';
   const again = restarts === undefined ? '' : `${restarts} restart${restarts === 1 ? '' : 's'}`;
   return [busy, again].filter(Boolean).join(', ');
 }
 
+/** @param {Connection} connection @param {Activity} activity */
 export function showAgents(connection, activity) {
   const list = element('div', { class: 'timeline' });
+  /** @type {Map<string, Form>} */
   const contracts = new Map();
   const rows = new Map(); // by name, so that what is open stays open
+  /** @type {Form[]} */
   let present = [];
+  /** @type {Map<string, Load>} */
   let busy = new Map();
+  /** @param {string} name */
   const rowOf = (name) => {
     if (rows.has(name)) return rows.get(name);
     const who = element('span', { class: 'quiet' });

@@ -4,20 +4,27 @@ import { clipped, eachFrame, element, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Sighting } from './sightings.js' */
+
 const shown = 8;
 
+/** @param {Sighting | undefined} sighting */
 function wordsOf(sighting) {
   if (!sighting) return 'not looked for';
   const { state, confidence, spread } = sighting;
   if (state !== 'seen' && state !== 'found') return state;
   const sure = confidence === undefined ? state : `${(confidence * 100).toFixed(0)} %`;
-  return spread > 0 ? `${sure}  ±${(2 * spread).toFixed(1)} mm` : sure;
+  return spread && spread > 0 ? `${sure}  ±${(2 * spread).toFixed(1)} mm` : sure;
 }
 
 // Answers what is told whenever the eyes have looked.
+/** @param {Connection} connection */
 export function showBeliefs(connection) {
   const list = find('beliefs');
+  /** @type {string[]} */
   let names = [];
+  /** @type {Map<string, Sighting>} */
   let seen = new Map();
   const draw = eachFrame(() => {
     const rows = names.slice(0, shown).flatMap((name) => [element('dt', {}, clipped(name, 16)), element('dd', {}, wordsOf(seen.get(name)))]);
@@ -28,6 +35,7 @@ export function showBeliefs(connection) {
     names = answers.map((answer) => text(fact(answer)[1])).sort();
     draw();
   });
+  /** @param {Map<string, Sighting>} sightings */
   return (sightings) => {
     seen = sightings;
     draw();

@@ -1,11 +1,17 @@
 // A calibration that goes on, as `./pizarra calibrate --tell` tells of it: where the boards stood that were taken, where
 // the board stands now, and what is still missing, in words and as the parts of the image that no board came to.
 
-import { clipped, element } from './dom.js';
+import { clipped, element, penOn } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Form } from './messages' */
+
+/** @type {Record<string, string>} */
 const states = { looking: 'looking for boards', fitting: 'fitting', done: 'done', failed: 'failed' };
+/** @type {Record<string, string>} */
+const kinds = { done: 'good', failed: 'bad' };
 const parts = 3; // each way
 // Anybody may tell such facts.
 const mostBoards = 64;
@@ -13,8 +19,9 @@ const mostLacks = 32;
 const mostPixels = 8192; // each way
 const colours = { missing: '#4b3a17', grid: '#2a3b47', taken: '#7fd18b', now: '#f2a33a' };
 
+/** @param {HTMLCanvasElement} canvas @param {number[]} outline @param {string} colour @param {number} width */
 function trace(canvas, outline, colour, width) {
-  const pen = canvas.getContext('2d');
+  const pen = penOn(canvas);
   pen.strokeStyle = colour;
   pen.lineWidth = width;
   pen.beginPath();
@@ -23,8 +30,9 @@ function trace(canvas, outline, colour, width) {
   pen.stroke();
 }
 
+/** @param {HTMLCanvasElement} canvas @param {Form[]} missing */
 function drawParts(canvas, missing) {
-  const pen = canvas.getContext('2d');
+  const pen = penOn(canvas);
   const [width, height] = [canvas.width / parts, canvas.height / parts];
   pen.clearRect(0, 0, canvas.width, canvas.height);
   pen.fillStyle = colours.missing;
@@ -40,6 +48,7 @@ function makeView() {
   return { canvas, label, box: element('div', { class: 'boards' }, canvas, label) };
 }
 
+/** @param {Connection} connection */
 export function showCalibration(connection) {
   const chip = element('span', { class: 'chip', id: 'calibration-state', role: 'status' });
   const count = element('span', { id: 'calibration-count' });
@@ -54,18 +63,22 @@ export function showCalibration(connection) {
     sentence,
     element('div', { class: 'calibrating' }, ...views.map((view) => view.box), missing),
   );
+  /** @type {Form | undefined} */
   let now;
+  /** @type {number[][][]} */
   let outlines = [];
+  /** @type {number[][]} */
   let newest = [];
+  /** @type {Form[]} */
   let lacks = [];
 
   const draw = () => {
     panel.hidden = now === undefined;
-    if (panel.hidden) return;
+    if (now === undefined) return;
     const [, state, said, width, height, boards, wanted] = now;
     const doing = text(state);
     chip.textContent = states[doing] ?? doing;
-    chip.className = `chip ${{ done: 'good', failed: 'bad' }[doing] ?? 'busy'}`;
+    chip.className = `chip ${kinds[doing] ?? 'busy'}`;
     count.textContent = `${boards} of ${wanted} boards`;
     sentence.textContent = clipped(text(said), 1000);
     sentence.hidden = sentence.textContent === '';

@@ -5,10 +5,17 @@ import { BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
 import { cameraFrame } from './camera_frame.js';
 import { fact } from './live_answers.js';
 
+/** @import { Frame, Turn } from './camera_frame.js' */
+/** @import { View } from './cell_view.js' */
+/** @import { Connection } from './connection.js' */
+/** @import { Camera, Form, Hello } from './messages' */
+
 const far = 320;
 
+/** @param {Frame} frame @param {Form} model */
 function frustum({ eye, right, down, ahead }, model) {
   const [, , width, height, focal] = model;
+  /** @param {number} x @param {number} y */
   const corner = (x, y) =>
     eye
       .clone()
@@ -28,17 +35,25 @@ const unturned = { pan: 0, tilt: 0 };
 export class CameraFigure {
   #view;
   #moved;
+  /** @type {Camera | null} */
   #ofFile = null;
+  /** @type {Omit<Camera, 'head'> | null} */
   #believed = null;
+  /** @type {Form | null} */
   #model = null;
+  /** @type {Turn | null} */
   #turn = null;
+  /** @type {LineSegments | null} */
   #figure = null;
+  /** @type {Frame | null} */
   frame = null; // where it is known
 
   // `moved` is told whenever the frame has changed.
+  /** @param {Connection} connection @param {View} view @param {() => void} moved */
   constructor(connection, view, moved) {
     this.#view = view;
     this.#moved = moved;
+    /** @param {string} query @param {(told: Form | null) => void} take */
     const follow = (query, take) =>
       connection.follow(query, (answers) => {
         take(answers.length ? fact(answers[0]) : null);
@@ -47,10 +62,11 @@ export class CameraFigure {
     follow('(camera-model ?eyes ?width ?height ?focal ?cx ?cy ?base)', (model) => (this.#model = model));
     follow('(head ?pan ?tilt ?state)', (head) => (this.#turn = head && { pan: head[1], tilt: head[2] }));
     follow('(camera-pose ?x ?y ?z ?pan ?tilt ?roll ?state ?spread ?guess)', (told) => {
-      this.#believed = told && { at: told.slice(1, 4), pan: told[4], tilt: told[5], roll: told[6] };
+      this.#believed = told && { at: [told[1], told[2], told[3]], pan: told[4], tilt: told[5], roll: told[6] };
     });
   }
 
+  /** @param {Hello} cell */
   setCell({ camera }) {
     this.#ofFile = camera;
     this.#show();
@@ -61,7 +77,7 @@ export class CameraFigure {
     const camera = this.#ofFile && { ...this.#ofFile, ...this.#believed };
     const turn = camera?.head ? this.#turn : unturned;
     this.frame = camera && turn ? cameraFrame(camera, turn) : null;
-    this.#figure = this.frame && this.#model?.[4] > 0 ? frustum(this.frame, this.#model) : null;
+    this.#figure = this.frame && this.#model && this.#model[4] > 0 ? frustum(this.frame, this.#model) : null;
     if (this.#figure) this.#view.scene.add(this.#figure);
     this.#view.says('camera', Boolean(this.#figure));
     this.#moved();

@@ -3,8 +3,15 @@
 
 import { Vector3 } from 'three';
 
+/** @import { Camera } from './messages' */
+
+/** @typedef {{ pan: number, tilt: number }} Turn */
+/** @typedef {ReturnType<typeof cameraFrame>} Frame */
+
+/** @param {number} degrees */
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
+/** @param {Camera} camera @param {Turn} turn */
 export function cameraFrame({ at, pan, tilt, roll }, turn) {
   const [p, t] = [radians(pan + turn.pan), radians(tilt + turn.tilt)];
   const ahead = new Vector3(-Math.cos(p) * Math.cos(t), Math.sin(p) * Math.cos(t), Math.sin(t));

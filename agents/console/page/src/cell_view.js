@@ -17,6 +17,7 @@ import { eachFrame, find } from './dom.js';
 // A processor that draws in the place of a graphics card has other work: frames are then few while something moves.
 const pauseWithoutCard = 80;
 
+/** @param {WebGLRenderer} renderer */
 function drawnByProcessor(renderer) {
   const context = renderer.getContext();
   const named = context.getExtension('WEBGL_debug_renderer_info');
@@ -24,10 +25,12 @@ function drawnByProcessor(renderer) {
   return /swiftshader|llvmpipe|software/i.test(name);
 }
 
-class View {
+export class View {
   #dirty;
+  /** @param {WebGLRenderer} renderer @param {HTMLCanvasElement} canvas */
   constructor(renderer, canvas) {
     this.canvas = canvas;
+    this.box = /** @type {HTMLElement} */ (canvas.parentElement);
     this.renderer = renderer;
     this.pause = drawnByProcessor(renderer) ? pauseWithoutCard : 0;
     this.#dirty = eachFrame(() => this.draw());
@@ -45,7 +48,7 @@ class View {
     this.controls.addEventListener('change', () => this.ask());
     this.controls.update();
     this.light();
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    new ResizeObserver(() => this.resize()).observe(this.box);
   }
   light() {
     const sun = new DirectionalLight(0xffffff, 2.2);
@@ -55,7 +58,7 @@ class View {
     this.scene.add(new HemisphereLight(0xdfeaf2, 0x27343d, 1.3), new AmbientLight(0xffffff, 0.25), sun, grid);
   }
   resize() {
-    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    const { clientWidth: width, clientHeight: height } = this.box;
     if (!width || !height) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -66,8 +69,9 @@ class View {
     this.#dirty();
   }
   // What of a kind is drawn, for whoever cannot see it.
+  /** @param {string} kind @param {string | number | boolean} what */
   says(kind, what) {
-    this.canvas.dataset[kind] = what;
+    this.canvas.dataset[kind] = String(what);
   }
   draw() {
     const more = this.moving();

@@ -4,13 +4,19 @@
 import { element, failureText, find } from './dom.js';
 import { table } from './tables.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Cell as TableCell, Table } from './tables.js' */
+/** @import { Cell } from './messages' */
+
 const pause = 5000; // ms between two looks
 
 const heads = ['Cell', 'Agents', 'Goal', 'Arms', 'Stopped by', 'Last word'];
 
+/** @param {string} text */
 const warning = (text) => text && element('span', { class: 'chip bad' }, text);
 
 // Another board tells the address, so it is a link only to where TLS is spoken.
+/** @param {Cell} cell */
 function nameOf({ path, console, leads }) {
   const name = path || 'this one';
   const linked = console.startsWith('https://');
@@ -22,6 +28,7 @@ function nameOf({ path, console, leads }) {
   );
 }
 
+/** @param {Cell} cell @returns {TableCell[]} */
 function rowOf(cell) {
   const name = nameOf(cell);
   if (cell.fault) return [name, element('td', { colspan: heads.length - 1 }, warning(cell.fault))];
@@ -29,12 +36,15 @@ function rowOf(cell) {
 }
 
 // A link that has the focus keeps it.
+/** @param {Table} cells @param {TableCell[][]} rows */
 function fillKeepingFocus(cells, rows) {
-  const at = cells.panel.contains(document.activeElement) && document.activeElement.href;
+  const held = document.activeElement;
+  const at = held instanceof HTMLAnchorElement && cells.panel.contains(held) && held.href;
   cells.fill(rows);
   if (at) [...cells.panel.querySelectorAll('a')].find((link) => link.href === at)?.focus();
 }
 
+/** @param {Connection} connection */
 export function showCells(connection) {
   const cells = table({ id: 'cells-table' }, heads);
   const note = element('p', { class: 'quiet', role: 'status' }, 'looking …');
@@ -58,7 +68,7 @@ export function showCells(connection) {
     timer = setTimeout(look, pause);
   };
   new IntersectionObserver((entries) => {
-    onScreen = entries.at(-1).isIntersecting;
+    onScreen = entries[entries.length - 1].isIntersecting;
     look();
   }).observe(panel);
   connection.follow('(context-board ?name ?address)', (answers) => {

@@ -4,6 +4,9 @@ import { clipped, clock, element, failureText } from './dom.js';
 import { fact } from './live_answers.js';
 import { read, text, write } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Answer } from './messages' */
+
 const shown = 60;
 
 export class CommandLog {
@@ -12,6 +15,7 @@ export class CommandLog {
   #me;
   list;
 
+  /** @param {Connection} connection @param {() => string} agent @param {() => string} me @param {string} label */
   constructor(connection, agent, me, label) {
     this.#connection = connection;
     this.#agent = agent;
@@ -20,6 +24,7 @@ export class CommandLog {
     connection.followAlways('(request ?id ?agent ?operation)', (_, message) => this.#received(message.added));
   }
 
+  /** @param {string} who @param {string} command */
   #add(who, command) {
     const answer = element('span', {});
     const item = element(
@@ -31,10 +36,11 @@ export class CommandLog {
       answer,
     );
     this.list.prepend(item);
-    while (this.list.children.length > shown) this.list.lastChild.remove();
+    while (this.list.children.length > shown) this.list.lastChild?.remove();
     return { item, answer };
   }
 
+  /** @param {Answer[]} added */
   #received(added) {
     for (const answer of added) {
       const { teller } = answer.facts[0];
@@ -44,6 +50,7 @@ export class CommandLog {
   }
 
   // Writes how it ended behind it; throws nothing. `begun` is the promise of the answer's values.
+  /** @param {string} command @param {Promise<string[]>} begun */
   async follow(command, begun) {
     const { item, answer } = this.#add('you', command);
     answer.textContent = ' …';
@@ -55,6 +62,7 @@ export class CommandLog {
     }
   }
 
+  /** @param {string} form */
   send(form) {
     return this.follow(form, this.#connection.request(this.#agent(), read(form)));
   }

@@ -5,14 +5,20 @@ import { element } from './dom.js';
 
 const most = 12;
 
+/** @typedef {{ from: number, words: { word: string, put: string }[] }} Offer */
+
+/** @param {HTMLInputElement} input @param {(before: string) => Offer} next */
 export function completes(input, next) {
   const list = element('ul', { id: `${input.id}-words`, class: 'words', role: 'listbox', 'aria-label': 'What may come next', hidden: true });
   input.after(list);
   for (const [name, value] of Object.entries({ role: 'combobox', 'aria-autocomplete': 'list', 'aria-expanded': 'false', 'aria-controls': list.id }))
     input.setAttribute(name, value);
+  /** @type {Offer} */
   let offered = { from: 0, words: [] };
   let chosen = -1;
+  const cursorOf = () => input.selectionStart ?? 0;
 
+  /** @param {number} index */
   const choose = (index) => {
     chosen = index;
     [...list.children].forEach((item, i) => item.setAttribute('aria-selected', String(i === chosen)));
@@ -25,13 +31,14 @@ export function completes(input, next) {
     choose(-1);
     input.setAttribute('aria-expanded', 'false');
   };
+  /** @param {number} index */
   const take = (index) => {
-    const cursor = input.selectionStart;
+    const cursor = cursorOf();
     input.setRangeText(offered.words[index].put, offered.from, cursor, 'end');
     input.dispatchEvent(new Event('input', { bubbles: true }));
   };
   const offer = () => {
-    offered = next(input.value.slice(0, input.selectionStart));
+    offered = next(input.value.slice(0, cursorOf()));
     const items = offered.words.slice(0, most).map(({ word }, i) => {
       const item = element('li', { role: 'option', id: `${list.id}-${i}`, 'aria-selected': 'false' }, word);
       // Before the field loses the focus.
@@ -47,7 +54,7 @@ export function completes(input, next) {
     input.setAttribute('aria-expanded', 'true');
     choose(-1);
   };
-  const wordBegun = () => input.selectionStart > offered.from;
+  const wordBegun = () => cursorOf() > offered.from;
 
   input.addEventListener('input', offer);
   input.addEventListener('blur', close);

@@ -3,7 +3,10 @@
 //   read('(on circle "a b" 2.5)')     [Sym on, Sym circle, 'a b', 2.5]
 //   write([sym('goal'), 7, 'text'])   (goal 7 "text")
 
+/** @import { Datum, Form } from './messages' */
+
 export class Sym {
+  /** @param {string} name */
   constructor(name) {
     this.name = name;
   }
@@ -12,22 +15,28 @@ export class Sym {
   }
 }
 
+/** @param {string} name */
 export const sym = (name) => new Sym(name);
 
 // A symbol's name or a string; '' for anything else.
+/** @param {unknown} datum */
 export const text = (datum) => (datum instanceof Sym ? datum.name : typeof datum === 'string' ? datum : '');
 
 const token = /\s*(?:;[^\n]*\n\s*)*(\(|\)|"(?:[^"\\]|\\.)*"|[^\s()";]+)/y;
+/** @type {Record<string, string>} */
 const escapes = { n: '\n', t: '\t' };
 
+/** @param {string} found */
 function atom(found) {
   if (found[0] === '"') return found.slice(1, -1).replace(/\\(.)/gs, (_, c) => escapes[c] ?? c);
   return /^[-+]?\d/.test(found) ? Number(found) : new Sym(found);
 }
 
 // Facts come from a board that has read them: what cannot be read here is a bug, and becomes an empty list.
+/** @param {string} source @returns {Form} */
 export function read(source) {
   token.lastIndex = 0;
+  /** @type {Form[]} */
   const open = [[]];
   while (true) {
     const found = token.exec(source);
@@ -45,6 +54,7 @@ export function read(source) {
   return open[0][0] ?? [];
 }
 
+/** @param {string} string */
 const quoted = (string) =>
   `"${string
     .replace(/[\\"]/g, '\\$&')
@@ -52,6 +62,7 @@ const quoted = (string) =>
     .replace(/\t/g, '\\t')
     .replace(/[\0-\x08\x0b-\x1f]/g, ' ')}"`;
 
+/** @param {Datum} datum @returns {string} */
 export function write(datum) {
   if (Array.isArray(datum)) return `(${datum.map(write).join(' ')})`;
   return typeof datum === 'string' ? quoted(datum) : String(datum);

@@ -1,24 +1,41 @@
 // The page's elements. Text goes in as text alone: no fact is ever read as HTML.
 
-export const find = (id) => document.getElementById(id);
+/** Those of index.html that can do more than any element.
+ * @typedef {{
+ *   cancel: HTMLButtonElement, 'clear-stops': HTMLButtonElement, confirm: HTMLDialogElement, refused: HTMLDialogElement,
+ *   'goal-text': HTMLInputElement, token: HTMLInputElement, scene: HTMLCanvasElement }} Special
+ * @typedef {Node | string | null | undefined} Child
+ * @typedef {Record<string, string | number | boolean | null | undefined | ((event: any) => void)>} Attributes
+ */
+
+/** @type {<Id extends string>(id: Id) => Id extends keyof Special ? Special[Id] : HTMLElement} */
+export const find = (id) => /** @type {any} */ (document.getElementById(id));
 
 // element('button', { class: 'quiet', title: 'why' }, 'Cancel', child)
+/** @type {<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, attributes: Attributes, ...children: Child[]) => HTMLElementTagNameMap[Tag]} */
 export const element = (tag, attributes, ...children) => filled(document.createElement(tag), attributes, children);
 // drawn('rect', { x: 3, y: 4, class: 'mark' }), within an `svg`
+/** @type {<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Attributes, ...children: Child[]) => SVGElementTagNameMap[Tag]} */
 export const drawn = (tag, attributes, ...children) =>
   filled(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
 
-function filled(made, attributes = {}, children = []) {
+/** @template {Element} Made @param {Made} made @param {Attributes} attributes @param {Child[]} children */
+function filled(made, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
+    if (typeof value === 'function') made.addEventListener(name.slice(2), value);
     else if (value === true) made.setAttribute(name, '');
-    else if (value !== false && value != null) made.setAttribute(name, value);
+    else if (value !== false && value != null) made.setAttribute(name, String(value));
   }
   made.append(...children.filter((child) => child != null));
   return made;
 }
 
+// What is drawn with on it.
+/** @param {HTMLCanvasElement} canvas */
+export const penOn = (canvas) => /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+
 // Makes these the children of `parent`. One that stays is not taken out meanwhile: it may be under the pointer.
+/** @param {Element} parent @param {Element[]} children */
 export function arrange(parent, children) {
   const wanted = new Set(children);
   for (const child of [...parent.children]) if (!wanted.has(child)) child.remove();
@@ -28,15 +45,19 @@ export function arrange(parent, children) {
   });
 }
 
+/** @param {string} text */
 export const clipped = (text, most = 300) =>
   text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text;
 
+/** @param {number} microseconds */
 export const clock = (microseconds) => new Date(microseconds / 1000).toLocaleTimeString('en-GB', { hour12: false });
 
 // What a failure says, as the prompt says it.
+/** @param {any} failure what was caught: a Failure, or an Error of the page's own */
 export const failureText = (failure) => clipped(failure.said ?? failure.sentence ?? String(failure), 1600);
 
 // Does `draw` once before the next frame, however often it is asked for.
+/** @param {() => void} draw */
 export function eachFrame(draw) {
   let asked = false;
   return () => {

@@ -8,8 +8,14 @@ import { makeJog } from './jog.js';
 import { settingSlide, springSlide } from './slides.js';
 import { sym, text, write } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Hands } from './hands.js' */
+/** @import { Setting, Spring } from './slides.js' */
+
+/** @param {string} operation @param {string} positive @param {string} negative @returns {(v: number) => string} */
 const pair = (operation, positive, negative) => (v) =>
   `(${operation} ${v > 0 ? positive : negative} ${Math.abs(v)})`;
+/** @type {Spring[]} */
 const slides = [
   {
     label: 'Retract / extend',
@@ -23,20 +29,24 @@ const slides = [
   { label: 'Tool down / up', unit: '°', most: 45, form: pair('turn-ef', 'up', 'down') },
   { label: 'Wrist left / right', unit: '°', most: 90, form: pair('turn-wrist', 'right', 'left') },
 ];
+/** @type {Setting} */
 const gripper = { label: 'Gripper', unit: 'mm', least: 0, most: 100, value: 80, form: (v) => `(gripper ${v})` };
+/** @type {Setting} */
 const speed = { label: 'Speed', unit: '%', least: 1, most: 100, value: 50, form: (v) => `(speed ${v})` };
 
 // Where the axes are, as MONITOR answers, live.
+/** @param {Connection} connection @param {Hands} hands */
 function showAxes(connection, hands) {
   const row = element('output', { class: 'axes', 'aria-label': 'Axis positions' }, 'no arm has told its joints yet');
   connection.follow('(arm-joints ?robot ?joints)', (answers) => {
     const told = answers.map(fact).find((joints) => text(joints[1]) === hands.robot);
-    if (told) row.textContent = told[2].map((value, i) => `j${i + 1} ${value.toFixed(1)}`).join('   ');
+    if (told) row.textContent = told[2].map((/** @type {number} */ value, /** @type {number} */ i) => `j${i + 1} ${value.toFixed(1)}`).join('   ');
   });
   return row;
 }
 
 // SAVE and GOTO, with the names of what was saved.
+/** @param {Connection} connection @param {Hands} hands @param {CommandLog} log */
 function variablesForm(connection, hands, log) {
   const known = element('datalist', { id: 'variables' });
   const name = element('input', {
@@ -50,6 +60,7 @@ function variablesForm(connection, hands, log) {
     pattern: '[a-z][a-z0-9\\-]*',
     title: 'a letter, then letters, digits and hyphens',
   });
+  /** @param {string} operation */
   const send = (operation) => () => name.value && name.reportValidity() && log.send(`(${operation} ${name.value})`);
   const save = element('button', { type: 'button', onclick: send('learn') }, 'Save');
   const go = element('button', { type: 'button', onclick: send('goto') }, 'Go to');
@@ -60,6 +71,7 @@ function variablesForm(connection, hands, log) {
   return { parts: [name, known, save, go], name, save, go };
 }
 
+/** @param {CommandLog} log */
 function actionForm(log) {
   const input = element('input', {
     id: 'action',
@@ -79,9 +91,12 @@ function actionForm(log) {
 
 // The robot's service: whether its agent is there, and moves the arm or has given it back to the people beside it. Why
 // nothing moves now is `why`, '' where something may.
+/** @param {Connection} connection @param {Hands} hands @param {() => void} changed */
 function showService(connection, hands, changed) {
   const light = element('span', { id: 'service-light', class: 'chip', role: 'status' });
+  /** @type {Set<string>} */
   let present = new Set();
+  /** @type {Map<string, string>} */
   let released = new Map();
   const why = () => {
     if (!present.has(hands.robot)) return 'No robot is present';
@@ -105,17 +120,20 @@ function showService(connection, hands, changed) {
 }
 
 // `moving` need an arm that is in service, too.
+/** @typedef {HTMLButtonElement | HTMLInputElement} Control */
+/** @param {Hands} hands @param {Control[]} controls @param {Set<Control>} moving @param {() => string} why */
 function gate(hands, controls, moving, why) {
   for (const control of controls) control.dataset.title = control.title;
   return () => {
     for (const control of controls) {
       const reason = hands.mine ? (moving.has(control) ? why() : '') : 'Take the arm in hand first';
       control.disabled = reason !== '';
-      control.title = reason || control.dataset.title;
+      control.title = reason || (control.dataset.title ?? '');
     }
   };
 }
 
+/** @param {Hands} hands */
 function takeButton(hands) {
   const note = element('span', { class: 'quiet' });
   const take = element('button', { type: 'button', id: 'take-arm', class: 'strong' }, 'Take the arm in hand');
@@ -135,6 +153,7 @@ function takeButton(hands) {
   return element('div', { class: 'row' }, take, ask, note);
 }
 
+/** @param {Connection} connection @param {Hands} hands */
 export function showDrive(connection, hands) {
   const log = new CommandLog(
     connection,
@@ -142,7 +161,9 @@ export function showDrive(connection, hands) {
     () => hands.me,
     'Commands that the arm received, newest first',
   );
+  /** @param {string} form */
   const send = (form) => log.send(form);
+  /** @param {string} label @param {string} form */
   const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
   const poses = [button('Home', '(home)'), button('Ready', '(ready)')];
   const service = [button('Get control', '(get-control)'), button('Release control', '(release-control)')];

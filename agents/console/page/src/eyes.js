@@ -8,10 +8,20 @@ import { sym, text } from './datum.js';
 import { Teaching } from './teach.js';
 import { templatePicture } from './template_picture.js';
 
-// Why a button is off; '' where it is not. `held`: [client, mode] of all who hold one.
+/** @import { Connection } from './connection.js' */
+/** @import { Images } from './images.js' */
+/** @import { Roles } from './roles.js' */
+/** @import { Datum, Form } from './messages' */
+
+/** A client, and the mode that it holds.
+ * @typedef {[client: string, mode: string]} Held */
+
+// Why a button is off; '' where it is not.
+/** @param {boolean} present @param {Held[]} held @param {string} me */
 function reasons(present, held, me) {
   const none = 'no eyes are present';
   if (!present) return { train: none, forget: none, track: none, end: none };
+  /** @param {string} mode */
   const by = (mode) => held.filter(([, holds]) => holds === mode).map(([client]) => client);
   const trackers = by('tracking');
   const learners = by('learning');
@@ -26,13 +36,16 @@ function reasons(present, held, me) {
 }
 
 // Of `(tracked EYES NAME STATE FRAME CONFIDENCE)`.
+/** @param {Form} tracked */
 const stateOf = ([, , , state, , confidence]) => (text(state) === 'lost' ? 'lost' : `${text(state)}, ${(confidence * 100).toFixed(0)} %`);
 
+/** @param {HTMLButtonElement} control @param {string} reason */
 function set(control, reason) {
   control.disabled = reason !== '';
   control.title = reason;
 }
 
+/** @param {Connection} connection @param {Images} images @param {Roles} roles @param {() => string} me */
 export function showEyes(connection, images, roles, me) {
   const panel = find('eyes');
   const answer = element('pre', { class: 'answer', id: 'eyes-answer', role: 'status', hidden: true });
@@ -42,14 +55,18 @@ export function showEyes(connection, images, roles, me) {
   const objects = new LearnedObjects(roles);
   let eyes = 'vision';
   let present = false;
+  /** @type {Held[]} */
   let held = [];
 
+  /** @param {Datum[]} operation */
   const request = (...operation) => connection.request(eyes, operation);
   // Why the eyes gave that reply.
+  /** @param {string} reply */
   const whyFailed = async (reply) => {
     const answers = await connection.ask([sym('vision-failed'), sym(eyes), sym('?'), reply, sym('?'), sym('?sentence')]);
     return answers.length ? text(fact(answers[0])[5]) : 'no reason was told';
   };
+  /** @param {Datum[]} operation */
   const ask = async (...operation) => {
     answer.hidden = false;
     answer.textContent = '…';
@@ -61,6 +78,7 @@ export function showEyes(connection, images, roles, me) {
       answer.textContent = failureText(failure);
     }
   };
+  /** @param {string} label @param {Datum[]} operation */
   const button = (label, ...operation) =>
     element('button', { type: 'button', onclick: () => ask(...operation) }, label);
 
@@ -85,6 +103,7 @@ export function showEyes(connection, images, roles, me) {
     list,
   );
 
+  /** @type {Map<string, Form>} */
   const tracked = new Map();
   const rows = new Map(); // of each name; made anew only where what it shows, `of`, has changed
   const showStates = () => {
@@ -93,6 +112,7 @@ export function showEyes(connection, images, roles, me) {
       state.textContent = seen ? stateOf(seen) : 'not tracked';
     }
   };
+  /** @param {string} name */
   const row = (name) => {
     const samples = objects.samples(name);
     const of = JSON.stringify([samples, objects.alike(name)]);

@@ -6,12 +6,18 @@ import { provenance, toldBy } from './provenance.js';
 import { showRelations } from './relations.js';
 import { text } from './datum.js';
 
+/** @import { Activity } from './activity.js' */
+/** @import { Connection } from './connection.js' */
+/** @import { Answer, Form } from './messages' */
+
 const shown = 200;
 
 // `(relation on ((a symbol) (b symbol)) ...)` as the question for all of it
+/** @param {Form} relation */
 const questionFor = (relation) =>
-  `(${text(relation[1])}${relation[2].map((argument) => ` ?${text(argument[0])}`).join('')})`;
+  `(${text(relation[1])}${relation[2].map((/** @type {Form} */ argument) => ` ?${text(argument[0])}`).join('')})`;
 
+/** @param {Answer[]} answers @param {(answer: Answer) => boolean} isNew */
 function table(answers, isNew) {
   if (answers.length === 0) return element('p', { class: 'quiet' }, 'nothing, now');
   const variables = Object.keys(answers[0].bindings);
@@ -31,6 +37,7 @@ function table(answers, isNew) {
   return element('table', {}, element('thead', {}, head), element('tbody', {}, ...rows));
 }
 
+/** @param {Connection} connection @param {Activity} activity */
 export function showFacts(connection, activity) {
   const input = element('input', {
     id: 'query',
@@ -52,21 +59,25 @@ export function showFacts(connection, activity) {
     count,
   );
   const because = element('div', { id: 'because', role: 'group', 'aria-label': 'Reasons', tabindex: 0, hidden: true });
+  /** @type {Map<string, string>} */
   const questions = new Map(); // for all of a relation
   const relations = showRelations(
     activity,
     (name) => questions.has(name),
     (name) => {
-      input.value = questions.get(name);
+      input.value = questions.get(name) ?? '';
       form.requestSubmit();
     },
   );
   find('facts').append(form, wrong, because, result, relations);
 
   // The rows are drawn anew whenever something changes: what is pressed counts, not what is let go.
+  /** @type {Answer[]} */
   let shownAnswers = [];
+  /** @param {Event} event */
   const explain = async (event) => {
-    const ids = event.target.closest?.('button.because')?.dataset.ids;
+    const pressed = event.target instanceof Element ? event.target.closest('button.because') : null;
+    const ids = pressed?.getAttribute('data-ids');
     const answer = shownAnswers.find((one) => one.ids.join() === ids);
     if (!answer) return;
     const trees = answer.facts.map((one, i) => provenance(connection, answer.ids[i], one));
@@ -84,6 +95,7 @@ export function showFacts(connection, activity) {
     count.textContent = '';
     result.replaceChildren();
     because.hidden = true;
+    /** @type {Answer[]} */
     let latest = [];
     let cut = 0;
     let seen = new Set();

@@ -4,19 +4,27 @@ import { clipped, clock, element } from './dom.js';
 import { fact } from './live_answers.js';
 import { text, write } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Answer, Datum } from './messages' */
+
 const shown = 50;
+/** @type {Record<string, string>} */
 const kinds = { reached: 'good', running: 'busy', kept: 'good' };
 
 // A failure's sentence; '' where it ended without one.
+/** @param {Datum} detail */
 const reasonIn = (detail) => (Array.isArray(detail) && text(detail[0]) === 'fail' ? text(detail[2]) : '');
 
+/** @param {Connection} connection */
 export function goalHistory(connection) {
   const count = element('span', { class: 'quiet' }, '');
   const body = element('tbody', {});
   const heads = ['', 'Goal', 'Outcome', 'Since'].map((name) => element('th', {}, name));
   const table = element('table', { id: 'goals' }, element('thead', {}, element('tr', {}, ...heads)), body);
 
+  /** @type {Map<number, Datum[]>} */
   let wanted = new Map();
+  /** @type {Map<number, Answer>} */
   let states = new Map();
   const draw = () => {
     const numbers = [...new Set([...wanted.keys(), ...states.keys()])].sort((a, b) => b - a);

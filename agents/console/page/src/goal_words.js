@@ -3,11 +3,15 @@
 //   nextWords('(on ci', { predicates: new Map([['on', 2]]), names: ['circle'] })
 //     { from: 4, words: [{ word: 'circle', put: 'circle ' }] }
 
+/** @import { Offer } from './completion.js' */
+
 const formulas = ['and', 'or', 'not', 'then', 'keep'];
 
 // The form that is open where the text ends: its head, '' where it is still to come, and what stands behind it; null
 // where none is open.
+/** @param {string} source */
 function openForm(source) {
+  /** @type {string[][]} */
   const open = [];
   for (const [token] of source.matchAll(/[()]|[^\s()]+/g)) {
     if (token === '(') open.push([]);
@@ -16,18 +20,22 @@ function openForm(source) {
       open.at(-1)?.push('()');
     } else open.at(-1)?.push(token);
   }
-  if (open.length === 0) return null;
-  const [head = '', ...rest] = open.at(-1);
+  const innermost = open.at(-1);
+  if (!innermost) return null;
+  const [head = '', ...rest] = innermost;
   return { head, rest };
 }
 
+/** @param {string} source @param {{ predicates: Map<string, number>, names: string[] }} known @returns {Offer} */
 export function nextWords(source, { predicates, names }) {
-  const typed = source.match(/[^\s()]*$/)[0];
+  const typed = source.match(/[^\s()]*$/)?.[0] ?? '';
   const before = source.slice(0, source.length - typed.length);
   const form = openForm(before);
   const heads = [...predicates.keys(), ...formulas];
+  /** @param {string[]} words @param {(word: string) => string} put */
   const found = (words, put) =>
     words.filter((word) => word !== typed && word.startsWith(typed.toLowerCase())).map((word) => ({ word, put: put(word) }));
+  /** @param {Offer['words']} words @returns {Offer} */
   const answer = (words) => ({ from: before.length, words });
   if (!form && typed === '' && before.trim() !== '') return answer([]);
   if (!form || formulas.includes(form.head)) return answer(found(heads, (word) => `(${word} `));

@@ -5,17 +5,25 @@ import { find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Form } from './messages' */
+
 export class Hands {
   #connection;
+  /** @type {((mine: boolean, holder: string) => void)[]} */
   #listeners = [];
+  /** @type {Form[]} */
   #holders = [];
+  /** @type {Form[]} */
   #wishes = [];
   #before = ''; // who had it
   #taking = false;
-  change = null; // of hands, until it is read: { from, to }
+  /** @type {{ from: string, to: string } | null} */
+  change = null; // of hands, until it is read
   me = '';
   robot = 'robot';
 
+  /** @param {Connection} connection */
   constructor(connection) {
     this.#connection = connection;
     connection.followAlways('(commander ?robot ?client)', (answers) => {
@@ -55,6 +63,7 @@ export class Hands {
     else if (to && from === this.me) this.change = { from, to };
   }
 
+  /** @param {(mine: boolean, holder: string) => void} listener */
   onChange(listener) {
     this.#listeners.push(listener);
     listener(this.mine, this.holder);

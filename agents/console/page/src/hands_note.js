@@ -3,6 +3,9 @@
 
 import { element, failureText, find } from './dom.js';
 
+/** @import { Hands } from './hands.js' */
+
+/** @param {Hands} hands */
 export function showHandsNote(hands) {
   const bar = find('hands-note');
   const said = element('span', {});
@@ -11,6 +14,7 @@ export function showHandsNote(hands) {
   let doing = () => {};
   act.addEventListener('click', () => doing());
 
+  /** @param {string} sentence @param {string} label @param {() => void} does */
   const show = (sentence, label, does) => {
     bar.hidden = sentence === '';
     if (said.textContent !== sentence) said.textContent = sentence;

@@ -7,12 +7,17 @@ import { fact } from './live_answers.js';
 import { settingSlide, springSlide } from './slides.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Images } from './images.js' */
+/** @import { Form, PointInImage } from './messages' */
+
 const axes = [
   { name: 'pan', label: 'Pan left / right', index: 1 },
   { name: 'tilt', label: 'Tilt down / up', index: 2 },
 ];
 
 // An axis: a spring slide for a step, a field for a place, its speed and its reset.
+/** @param {{ name: string, label: string }} axis @param {(form: string) => void} send */
 function axisControls({ name, label }, send) {
   const spring = springSlide({ label, unit: '°', most: 30, form: (v) => `(set-${name}-rel-pos ${v})` }, send);
   const percent = settingSlide(
@@ -45,19 +50,24 @@ function axisControls({ name, label }, send) {
 }
 
 // How far off the middle a pixel is, degrees, positive to the right and upwards.
+/** @param {Form} model @param {PointInImage} at */
 function offMiddle(model, at) {
   const [, , , , focal, cx, cy] = model;
+  /** @param {number} px */
   const degrees = (px) => (Math.atan(px / focal) * 180) / Math.PI;
   return { pan: degrees(at.x - cx), tilt: -degrees(at.y - cy) };
 }
 
+/** @param {Connection} connection @param {Images} images @param {() => string} me */
 export function showHead(connection, images, me) {
   const panel = find('head');
   const log = new CommandLog(connection, () => 'pan-tilt', me, 'Commands that the head received, newest first');
+  /** @param {string} form */
   const send = (form) => log.send(form);
   const light = element('span', { id: 'head-light', class: 'chip' }, 'no head is present');
   const where = element('output', { 'aria-label': 'Where the head looks' }, '');
   const parts = axes.map((axis) => axisControls(axis, send));
+  /** @param {string} label @param {string} form */
   const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
   const buttons = [
     button('Connect', '(pt-init)'),
@@ -76,7 +86,9 @@ export function showHead(connection, images, me) {
     log.list,
   );
 
+  /** @type {Form | undefined} */
   let head;
+  /** @type {Form | undefined} */
   let model;
   images.onPoint((at) => {
     if (!clicks.checked || !head || !model) return false;
@@ -93,6 +105,7 @@ export function showHead(connection, images, me) {
     const told = answers.length ? fact(answers[0]) : undefined;
     model = told && [...told];
   });
+  /** @param {Form} [told] */
   const show = (told) => {
     const state = told ? text(told[1]) : 'no head is present';
     light.textContent = told && text(told[2]) ? `${state}: ${text(told[2])}` : state;

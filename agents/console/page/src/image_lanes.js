@@ -9,6 +9,7 @@ import { sym, write } from './datum.js';
 
 const pause = 1000; // ms until one that was lost is opened again
 
+/** @param {string} path */
 export const socketAt = (path) => {
   const socket = new WebSocket(`${location.protocol.replace('http', 'ws')}//${location.host}${path}`);
   socket.binaryType = 'arraybuffer';
@@ -17,12 +18,15 @@ export const socketAt = (path) => {
 
 export class ImageLanes {
   #draw;
+  /** @type {Set<WebSocket>} */
   #open = new Set();
 
+  /** @param {(message: ArrayBuffer) => Promise<void>} draw */
   constructor(draw) {
     this.#draw = draw;
   }
 
+  /** @param {{ path: string, lanes: number }} where */
   open({ path, lanes }) {
     this.close();
     for (let i = 0; i < lanes; ++i) this.#add(path);
@@ -33,11 +37,13 @@ export class ImageLanes {
     for (const socket of open) socket.close();
   }
   // Always on the same one, so that it comes in order.
+  /** @param {string} message */
   say(message) {
     const open = [...this.#open].find(({ readyState }) => readyState === WebSocket.OPEN);
     open?.send(message);
   }
 
+  /** @param {string} path */
   #add(path) {
     const lanes = this.#open;
     const socket = socketAt(path);

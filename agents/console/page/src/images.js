@@ -2,11 +2,16 @@
 // the plain one says where and in which frame, to who asked first for such points and takes this one. Of a moment that has
 // gone by they show what was kept.
 
-import { clipped, clock, element, failureText, find } from './dom.js';
+import { clipped, clock, element, failureText, find, penOn } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Roles } from './roles.js' */
+/** @import { Form, Picture, PointInImage } from './messages' */
+
 // Why none come.
+/** @type {Record<string, string>} */
 const closed = { closed: 'the camera is closed: Connect, in Eyes, opens it', opening: 'the camera opens', lost: 'the camera is lost' };
 
 const wanted = [
@@ -14,6 +19,12 @@ const wanted = [
   { kinds: ['annotated'], title: 'What the eyes follow' },
 ];
 
+/** One stream's image; `shown`: which frame of it, and how large.
+ * @typedef {{
+ *   canvas: HTMLCanvasElement, note: HTMLElement, card: HTMLElement, stream: string,
+ *   shown: { number: number, width: number, height: number } | null, end: () => void }} ImageView */
+
+/** @param {string} title @returns {ImageView} */
 function makeView(title) {
   const canvas = element('canvas', { width: 640, height: 480, role: 'img', 'aria-label': title });
   const note = element('span', { class: 'quiet' }, 'no eyes are present');
@@ -26,25 +37,28 @@ function makeView(title) {
   return { canvas, note, card, stream: '', shown: null, end: () => {} };
 }
 
+/** @param {HTMLCanvasElement} canvas @param {Picture} picture */
 export function drawPicture(canvas, picture) {
   if (canvas.width !== picture.width || canvas.height !== picture.height) {
     canvas.width = picture.width;
     canvas.height = picture.height;
   }
-  canvas.getContext('2d').drawImage(picture.bitmap, 0, 0, picture.width, picture.height);
+  penOn(canvas).drawImage(picture.bitmap, 0, 0, picture.width, picture.height);
 }
 
+/** @param {ImageView} view @param {Picture} picture */
 function draw(view, picture) {
   const { canvas } = view;
   drawPicture(canvas, picture);
   view.shown = { number: picture.number, width: picture.width, height: picture.height };
   view.note.textContent = `frame ${picture.number}`;
   // For who measures.
-  canvas.dataset.captured = picture.captured;
-  canvas.dataset.frame = picture.number;
+  canvas.dataset.captured = String(picture.captured);
+  canvas.dataset.frame = String(picture.number);
 }
 
 // A click into what has gone by is none.
+/** @param {Connection} connection @param {ImageView} view @param {number} moment @param {() => boolean} isShown */
 async function drawKept(connection, view, moment, isShown) {
   view.shown = null;
   view.note.textContent = 'looking for what was kept …';
@@ -57,13 +71,15 @@ async function drawKept(connection, view, moment, isShown) {
     kept.bitmap.close();
   } catch (failure) {
     if (!isShown()) return;
-    view.canvas.getContext('2d').clearRect(0, 0, view.canvas.width, view.canvas.height);
+    penOn(view.canvas).clearRect(0, 0, view.canvas.width, view.canvas.height);
     view.note.textContent = failureText(failure);
   }
 }
 
 // Of the image that is shown, though it is drawn with room around it.
+/** @param {ImageView} view @param {MouseEvent} event @returns {PointInImage | null} */
 function pointIn(view, event) {
+  if (!view.shown) return null;
   const { width, height, number } = view.shown;
   const box = view.canvas.getBoundingClientRect();
   const scale = Math.min(box.width / width, box.height / height);
@@ -72,12 +88,17 @@ function pointIn(view, event) {
   return x >= 0 && y >= 0 && x < width && y < height ? { x, y, frame: number } : null;
 }
 
+/** @typedef {ReturnType<typeof showImages>} Images */
+/** @param {Connection} connection @param {Roles} roles */
 export function showImages(connection, roles) {
   const views = wanted.map((want) => makeView(want.title));
   find('images').append(...views.map((view) => view.card));
+  /** @type {number | null} */
   let moment = null;
+  /** @type {Form[]} */
   let streams = [];
   // Streams are named after the eyes that have them. Where those that play the role have none, others' are shown.
+  /** @param {string} kind */
   const nameOf = (kind) => {
     const names = streams.filter((stream) => text(stream[2]) === kind).map((stream) => text(stream[1]));
     return names.find((name) => name === `${roles.server('eyes')}-${kind}`) ?? names[0];
@@ -107,13 +128,15 @@ export function showImages(connection, roles) {
     const said = clipped([why, text(trouble ?? '')].filter(Boolean).join(': '), 120);
     for (const view of views) if (why || !view.shown) view.note.textContent = why ? said : 'no image yet';
   });
+  /** @type {((point: PointInImage) => boolean)[]} */
   const takers = [];
   const [plain] = views;
   plain.canvas.classList.add('clickable');
   plain.canvas.addEventListener('click', (event) => {
-    const point = plain.shown && pointIn(plain, event);
+    const point = pointIn(plain, event);
     if (point) takers.some((take) => take(point));
   });
+  /** @param {number | null} then */
   const showMoment = (then) => {
     moment = then;
     const isShown = () => moment === then;
@@ -121,5 +144,7 @@ export function showImages(connection, roles) {
   };
   // The stream that tells most of a moment.
   const telling = () => views[1].stream || views[0].stream;
-  return { onPoint: (take) => takers.push(take), showMoment, telling };
+  /** @param {(point: PointInImage) => boolean} take */
+  const onPoint = (take) => takers.push(take);
+  return { onPoint, showMoment, telling };
 }

@@ -4,6 +4,10 @@
 
 import { element } from './dom.js';
 
+/** @import { CommandLog } from './command_log.js' */
+/** @import { Connection } from './connection.js' */
+/** @import { Hands } from './hands.js' */
+
 const renewal = 50;
 
 // A column is a way there and back.
@@ -26,10 +30,14 @@ class Jog {
   #connection;
   #hands;
   #log;
-  #timer = 0;
-  #press = null; // { button } while one is held down
+  /** @type {number | undefined} */
+  #timer;
+  /** @type {{ button: HTMLButtonElement } | null} */
+  #press = null; // while one is held down
+  /** @type {Promise<void> | null} */
   #running = null; // until the last one has ended
 
+  /** @param {Connection} connection @param {Hands} hands @param {CommandLog} log */
   constructor(connection, hands, log) {
     this.#connection = connection;
     this.#hands = hands;
@@ -42,6 +50,7 @@ class Jog {
   }
 
   // One that was just let go ends first.
+  /** @param {string} direction @param {HTMLButtonElement} button */
   begin(direction, button) {
     if (this.#press || !this.#hands.mine) return;
     const press = { button };
@@ -52,6 +61,7 @@ class Jog {
     else start();
   }
 
+  /** @param {string} direction @param {{ button: HTMLButtonElement }} press */
   #start(direction, press) {
     const ended = this.#connection.jog(this.#hands.robot, direction);
     this.#log.follow(`(jog ${direction})`, ended);
@@ -72,6 +82,7 @@ class Jog {
   }
 }
 
+/** @param {Jog} jog @param {string[]} way */
 function heldButton(jog, [direction, sign, label]) {
   const button = element(
     'button',
@@ -101,6 +112,7 @@ function heldButton(jog, [direction, sign, label]) {
 }
 
 // The pad and its buttons, for who decides when they may be pressed.
+/** @param {Connection} connection @param {Hands} hands @param {CommandLog} log */
 export function makeJog(connection, hands, log) {
   const jog = new Jog(connection, hands, log);
   const buttons = ways.map((way) => heldButton(jog, way));

@@ -3,6 +3,9 @@
 import { clock, element, failureText } from './dom.js';
 import { drawPicture } from './images.js';
 
+/** @import { Connection } from './connection.js' */
+
+/** @param {Connection} connection @param {string} stream @param {number} moment */
 export function keptPicture(connection, stream, moment) {
   const canvas = element('canvas', { role: 'img', 'aria-label': `What was seen at ${clock(moment)}`, hidden: true });
   const note = element('figcaption', { class: 'quiet' }, 'looking for the picture …');

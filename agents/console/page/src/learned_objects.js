@@ -7,18 +7,29 @@
 
 import { text } from './datum.js';
 
+/** @import { Roles } from './roles.js' */
+/** @import { Form } from './messages' */
+
 // The triangle on the gripper: the first of every list.
 export const endEffector = 'end-effector';
 
 const parameters = ['Area', 'Perimeter', 'NF', 'M0', 'M1', 'M2'];
 
+/** @typedef {{ eyes: string, num: number, parameters: [name: string, value: string][], picture: string, tone: string }} Sample */
+
 export class LearnedObjects {
+  /** @type {Form[]} */
   #learned = [];
+  /** @type {Map<string, Form>} */
   #templates = new Map();
+  /** @type {Form[]} */
   #alike = [];
+  /** @type {(() => void)[]} */
   #listeners = [];
 
+  /** @param {Roles} roles */
   constructor(roles) {
+    /** @param {string} query @param {(facts: Form[]) => void} listener */
     const follow = (query, listener) =>
       roles.follow('eyes', query, (facts) => {
         listener(facts);
@@ -31,6 +42,7 @@ export class LearnedObjects {
     follow('(look-alike ?eyes ?name ?other ?error ?sentence)', (facts) => (this.#alike = facts));
   }
 
+  /** @param {() => void} listener */
   onChange(listener) {
     this.#listeners.push(listener);
   }
@@ -42,20 +54,24 @@ export class LearnedObjects {
     const names = [...new Set(this.#learned.map((row) => text(row[2])))].sort();
     return names.includes(endEffector) ? [endEffector, ...names.filter((name) => name !== endEffector)] : names;
   }
+  /** @param {string} name */
   samples(name) {
     return this.#learned.filter((row) => text(row[2]) === name).map((row) => this.#shown(row));
   }
+  /** @param {string} name */
   newest(name) {
-    return this.samples(name).reduce((a, b) => (!a || b.num > a.num ? b : a), undefined);
+    return this.samples(name).toSorted((a, b) => b.num - a.num)[0];
   }
   // Sentences.
+  /** @param {string} name */
   alike(name) {
     return this.#alike.filter((row) => [text(row[2]), text(row[3])].includes(name)).map((row) => text(row[5]));
   }
 
+  /** @param {Form} row @returns {Sample} */
   #shown(row) {
     const template = this.#templates.get(`${row[1]} ${row[2]} ${row[3]}`);
-    const values = row.slice(4).map((value, i) => [parameters[i], Number.isInteger(value) ? value : value.toFixed(3)]);
+    const values = row.slice(4).map((value, i) => /** @type {[string, string]} */ ([parameters[i], value.toFixed(Number.isInteger(value) ? 0 : 3)]));
     return {
       eyes: text(row[1]),
       num: row[3],

@@ -2,6 +2,9 @@
 
 import { find } from './dom.js';
 
+/** @import { Connection, State } from './connection.js' */
+
+/** @param {Connection} connection */
 export function showLogIn(connection) {
   const abroad = location.protocol === 'https:';
   find('refused-here').hidden = abroad;
@@ -16,6 +19,7 @@ export function showLogIn(connection) {
     connection.logIn(find('token').value.trim());
     find('token').value = '';
   });
+  /** @param {State} state */
   return (state) => {
     if (state === 'live') find('refused').close();
     if (state === 'refused' && tried) find('log-in-wrong').textContent = 'This token is wrong.';

@@ -4,6 +4,11 @@
 import { drawn, element, failureText } from './dom.js';
 import { table } from './tables.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Child } from './dom.js' */
+/** @import { Cell } from './tables.js' */
+/** @import { Method, Way } from './messages' */
+
 const seconds = 10;
 const size = 560;
 const circle = 220;
@@ -11,9 +16,11 @@ const box = { width: 104, height: 26 };
 const patterns = ['QUERY', 'SEND', 'PUSH', 'EVENT', 'STREAM'];
 const longest = 15; // of a name in its box
 
+/** @param {string} name */
 const shortened = (name) => (name.length > longest ? `${name.slice(0, longest - 1)}…` : name);
 
 // Components on a circle, an arrow for each connection, each pattern in a lane beside the line between the two.
+/** @param {Method} seen */
 function graph({ components, connections }) {
   const places = new Map(
     components.map(({ name }, i) => {
@@ -21,6 +28,7 @@ function graph({ components, connections }) {
       return [name, { x: size / 2 + (circle + 10) * Math.cos(angle), y: size / 2 + circle * Math.sin(angle) }];
     }),
   );
+  /** @param {Way} way */
   const arrow = ({ from, to, pattern, about }) => {
     const [a, b] = [places.get(from), places.get(to)];
     if (!a || !b) return null;
@@ -52,18 +60,21 @@ function graph({ components, connections }) {
   );
 }
 
-const marks = { physical: 'a device', performance: 'a reaction time', abstraction: 'a function' };
+/** @type {['physical' | 'performance' | 'abstraction', string][]} */
+const marks = [['physical', 'a device'], ['performance', 'a reaction time'], ['abstraction', 'a function']];
 
+/** @param {Method} seen */
 function wrapperRows({ components, wrappers }) {
   const wrapped = new Map(wrappers.map((wrapper) => [wrapper.component, wrapper]));
   return components.map((component) => {
     const wrapper = wrapped.get(component.name);
-    const reasons = Object.keys(marks).filter((reason) => component[reason]).map((reason) => marks[reason]);
+    const reasons = marks.filter(([reason]) => component[reason]).map(([, said]) => said);
     const hides = (wrapper?.abstraction ?? []).map((index) => `${index.wrapped} ${index.operations}/${index.functions} = ${index.i_abstract.toFixed(3)}`);
     return [component.name, reasons.join(', ') || 'none told', wrapper?.offered ?? 0, hides.join('; ') || '–', (wrapper?.parts ?? []).join(' ')];
   });
 }
 
+/** @param {Method} seen */
 function connectionRows({ connections }) {
   return connections.map((one) => [
     `${one.from} → ${one.to}`,
@@ -75,16 +86,19 @@ function connectionRows({ connections }) {
   ]);
 }
 
+/** @param {string} name @param {Child[]} children */
 function section(name, ...children) {
   return element('section', { 'aria-label': name }, element('h2', {}, name), ...children);
 }
 
+/** @param {string} id @param {string[]} heads @param {Cell[][]} rows */
 function filled(id, heads, rows) {
   const made = table({ id }, heads);
   made.fill(rows);
   return element('div', { class: 'scroll', tabindex: 0, role: 'group', 'aria-label': heads[0] }, made.panel);
 }
 
+/** @param {Method} seen */
 function report(seen) {
   const { i_cpx: cpx, i_struct: struct, i_cnx: cnx } = seen;
   const scales = seen.scales.map(({ subscribers, p50_ms: ms }) => `${subscribers}: ${ms.toFixed(2)} ms`).join(', ');
@@ -107,6 +121,7 @@ function report(seen) {
   ];
 }
 
+/** @param {Connection} connection */
 export function showMethod(connection) {
   const note = element('span', { class: 'quiet', role: 'status', id: 'method-note' });
   const seen = element('div', { id: 'method' });

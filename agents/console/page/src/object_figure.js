@@ -16,11 +16,16 @@ import {
   SRGBColorSpace,
   Vector3,
 } from 'three';
+import { penOn } from './dom.js';
 import { SpreadFigure } from './spread_figure.js';
+
+/** @import { Frame } from './camera_frame.js' */
+/** @import { Sighting } from './sightings.js' */
 
 const between = 160; // ms
 const carried = 'end-effector';
 const unseen = 0.45; // of its opacity
+/** @type {Record<string, (c: CanvasRenderingContext2D) => void>} */
 const marks = {
   circle: (c) => c.arc(64, 64, 34, 0, 2 * Math.PI),
   square: (c) => c.rect(33, 33, 62, 62),
@@ -47,21 +52,24 @@ const marks = {
     ]),
 };
 
+/** @param {CanvasRenderingContext2D} c @param {[x: number, y: number][]} points */
 function polygon(c, points) {
   points.forEach(([x, y], i) => (i ? c.lineTo(x, y) : c.moveTo(x, y)));
   c.closePath();
 }
 
+/** @param {number} width @param {number} height @param {(c: CanvasRenderingContext2D) => void} draw */
 function drawing(width, height, draw) {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
-  draw(canvas.getContext('2d'));
+  draw(penOn(canvas));
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
   return texture;
 }
 
+/** @param {string} name */
 function face(name) {
   return drawing(128, 128, (c) => {
     const [ground, ink] = name === carried ? ['#14181b', '#f4f6f7'] : ['#f4f6f7', '#14181b'];
@@ -79,6 +87,7 @@ function face(name) {
   });
 }
 
+/** @param {string} name */
 function label(name) {
   return drawing(256, 64, (c) => {
     c.font = '600 34px system-ui, sans-serif';
@@ -95,19 +104,23 @@ function label(name) {
 export class ObjectFigure {
   group = new Group();
   #size;
+  /** @type {Vector3 | null} */
   #from = null;
+  /** @type {Vector3 | null} */
   #to = null;
   #since = 0;
   #materials;
   #spread = new SpreadFigure();
   #ring;
 
+  /** @param {string} name @param {number} size */
   constructor(name, size) {
     this.#size = size;
     const white = new MeshStandardMaterial({ color: 0xe6eaec, roughness: 0.8 });
-    const marked = new MeshStandardMaterial({ map: face(name), roughness: 0.8 });
-    marked.map.center.set(0.5, 0.5);
-    marked.map.rotation = Math.PI / 2;
+    const map = face(name);
+    map.center.set(0.5, 0.5);
+    map.rotation = Math.PI / 2;
+    const marked = new MeshStandardMaterial({ map, roughness: 0.8 });
     const depth = name === carried ? 4 : size;
     const width = name === carried ? size * 0.7 : size;
     const cube = new Mesh(new BoxGeometry(depth, width, width), [marked, white, white, white, white, white]);
@@ -123,6 +136,7 @@ export class ObjectFigure {
   }
 
   // What the eyes say of it (sightings.js), and the frame they say it in (camera_frame.js); undefined where they do not.
+  /** @param {Sighting | undefined} sighting @param {Frame | null} frame */
   believe(sighting, frame) {
     const faint = sighting && !['seen', 'found'].includes(sighting.state);
     for (const material of this.#materials) {
@@ -134,10 +148,12 @@ export class ObjectFigure {
   hasSpread() {
     return this.#spread.mesh.visible;
   }
+  /** @param {boolean} isTarget */
   mark(isTarget) {
     this.#ring.visible = isTarget;
   }
 
+  /** @param {number} x @param {number} y @param {number} z */
   goTo(x, y, z) {
     const next = new Vector3(x, y, z);
     this.#from = this.#to ? this.group.position.clone() : next;
@@ -147,7 +163,7 @@ export class ObjectFigure {
 
   step() {
     const part = Math.min((performance.now() - this.#since) / between, 1);
-    this.group.position.lerpVectors(this.#from, this.#to, part);
+    if (this.#from && this.#to) this.group.position.lerpVectors(this.#from, this.#to, part);
     return part < 1;
   }
 

@@ -3,7 +3,12 @@
 
 import { clock, element, failureText, find } from './dom.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Images } from './images.js' */
+/** @import { Answer } from './messages' */
+
 // Answers what goes to a moment that is named.
+/** @param {Connection} connection @param {Images} images */
 export function showPast(connection, images) {
   const bar = find('past');
   const slider = element('input', {
@@ -21,6 +26,7 @@ export function showPast(connection, images) {
 
   let first = 0;
   const at = () => Math.round(first + ((Date.now() * 1000 - first) * Number(slider.value)) / 1000);
+  /** @param {number | null} moment */
   const show = async (moment) => {
     document.body.classList.toggle('past', moment !== null);
     now.disabled = moment === null;
@@ -34,18 +40,20 @@ export function showPast(connection, images) {
   slider.addEventListener('input', () => (note.textContent = clock(at())));
   slider.addEventListener('change', () => show(Number(slider.value) === 1000 ? null : at()));
   now.addEventListener('click', () => {
-    slider.value = 1000;
+    slider.value = '1000';
     show(null);
   });
   // As far back as anything that is known was told.
+  /** @param {Answer[]} answers */
   const since = (answers) => {
     for (const { facts } of answers) first = first ? Math.min(first, facts[0].when) : facts[0].when;
     slider.disabled = first === 0;
   };
   connection.followAlways('(agent ?name ?kind ?host)', since);
   connection.followAlways('(event ?n ?kind ?sentence ?detail)', since);
+  /** @param {number} moment */
   return (moment) => {
-    slider.value = ((moment - first) * 1000) / (Date.now() * 1000 - first);
+    slider.value = String(((moment - first) * 1000) / (Date.now() * 1000 - first));
     show(moment);
   };
 }

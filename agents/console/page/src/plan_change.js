@@ -3,7 +3,10 @@
 import { clipped, element } from './dom.js';
 import { text, write } from './datum.js';
 
+/** @import { Datum } from './messages' */
+
 // Rows of [old, new], either of them missing: the longest common part in its order.
+/** @param {string[]} before @param {string[]} now */
 function aligned(before, now) {
   const common = Array.from({ length: before.length + 1 }, () => Array(now.length + 1).fill(0));
   for (let i = before.length - 1; i >= 0; --i) {
@@ -11,6 +14,7 @@ function aligned(before, now) {
       common[i][j] = before[i] === now[j] ? common[i + 1][j + 1] + 1 : Math.max(common[i + 1][j], common[i][j + 1]);
     }
   }
+  /** @type {[old: string | null, made: string | null][]} */
   const rows = [];
   let i = 0;
   let j = 0;
@@ -23,7 +27,9 @@ function aligned(before, now) {
 }
 
 // `begun`: the operations of the old plan that were begun before the new one was made.
+/** @param {Datum[]} before @param {Datum[]} now @param {Set<string>} begun */
 export function planChange(before, now, begun) {
+  /** @param {string | null} operation @param {string} kind @param {string} mark */
   const cell = (operation, kind, mark) =>
     element(
       'td',
@@ -35,7 +41,7 @@ export function planChange(before, now, begun) {
     element(
       'tr',
       {},
-      cell(old, made ? 'kept' : 'dropped', made ? '' : begun.has(old) ? 'begun' : 'dropped'),
+      cell(old, made ? 'kept' : 'dropped', made ? '' : begun.has(old ?? '') ? 'begun' : 'dropped'),
       cell(made, old ? 'kept' : 'made', old ? 'kept' : 'new'),
     ),
   );
@@ -48,7 +54,9 @@ export function planChange(before, now, begun) {
 }
 
 // `(plan GOAL (OPERATION ...))`, of a story's entry; null for another.
+/** @param {Datum} detail @returns {{ goal: Datum, operations: Datum[] } | null} */
 export function planIn(detail) {
-  const isPlan = Array.isArray(detail) && text(detail[0]) === 'plan' && Array.isArray(detail[2]);
-  return isPlan ? { goal: detail[1], operations: detail[2] } : null;
+  if (!Array.isArray(detail) || text(detail[0]) !== 'plan') return null;
+  const [, goal, operations] = detail;
+  return Array.isArray(operations) ? { goal, operations } : null;
 }

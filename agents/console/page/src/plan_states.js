@@ -6,21 +6,29 @@ import { fact } from './live_answers.js';
 import { planIn } from './plan_change.js';
 import { text, write } from './datum.js';
 
+/** @import { Answer, Datum, Form } from './messages' */
+
+/** @param {string[]} plan @param {string[]} rest */
 const endsAlike = (plan, rest) => rest.every((operation, i) => operation === plan[plan.length - rest.length + i]);
 
 // What was told since the plan was made: from the newest entry that names the whole of it.
+/** @param {Datum} goal @param {string[]} plan @param {Form[]} events */
 function sinceMade(goal, plan, events) {
   const made = events.findLastIndex((event) => {
     const told = planIn(event[4]);
-    return told?.goal === goal && told.operations.map(write).join() === plan.join();
+    return told !== null && told.goal === goal && told.operations.map(write).join() === plan.join();
   });
   return events.slice(made + 1);
 }
 
+/** @param {Form} planFact @param {Answer | undefined} operationAnswer @param {Answer[]} answers @returns {string[]} */
 export function planStates(planFact, operationAnswer, answers) {
   const [, goal, operations] = planFact;
+  /** @type {string[]} */
   const plan = operations.map(write);
+  /** @type {Set<string>} */
   const begun = new Set();
+  /** @type {Set<string>} */
   const skipped = new Set();
   let servesFrom = Infinity;
   for (const [, , kind, , detail] of sinceMade(goal, plan, answers.map(fact))) {

@@ -6,9 +6,13 @@ import { fact } from './live_answers.js';
 import { table } from './tables.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+
+/** @param {Connection} connection @param {() => void} changed */
 export function showProcesses(connection, changed) {
   const processes = table({ id: 'processes' }, ['Process', 'Host', 'Restarts', 'The last of it']);
   const count = element('span', { class: 'quiet' }, '0');
+  /** @type {Map<string, number>} */
   const restarts = new Map();
   connection.follow('(process ?host ?name ?running ?restarts ?newest)', (answers) => {
     const told = answers.map(fact).sort((a, b) => text(a[2]).localeCompare(text(b[2])));

@@ -2,18 +2,23 @@
 
 import { clipped, clock, element } from './dom.js';
 import { fact } from './live_answers.js';
-import { sym, text, write } from './datum.js';
+import { sym, text } from './datum.js';
+
+/** @import { Connection } from './connection.js' */
+/** @import { Answer, Datum, Form, ToldFact } from './messages' */
 
 const deepest = 4;
 const most = 60;
 
+/** @param {Answer} contract @returns {Form[]} */
 const relationsIn = (contract) =>
   fact(contract)[2]
-    .filter((part) => Array.isArray(part) && text(part[0]) === 'posts')
-    .flatMap((part) => part.slice(1))
-    .filter((relation) => Array.isArray(relation?.[2]));
+    .filter((/** @type {Datum} */ part) => Array.isArray(part) && text(part[0]) === 'posts')
+    .flatMap((/** @type {Form} */ part) => part.slice(1))
+    .filter((/** @type {Form} */ relation) => Array.isArray(relation?.[2]));
 
 // A board has no question for a fact's number: what agents post by their contracts is asked for.
+/** @param {Connection} connection */
 async function factsByNumber(connection) {
   const contracts = await connection.ask([sym('contract'), sym('?'), sym('?form')]);
   const widths = new Map(contracts.flatMap(relationsIn).map(([, name, args]) => [text(name), args.length]));
@@ -25,6 +30,7 @@ async function factsByNumber(connection) {
   return found;
 }
 
+/** @param {number} id @param {ToldFact | undefined} told */
 function node(id, told) {
   if (!told) return element('span', { class: 'fact gone' }, `fact ${id}, which is not there any more`);
   return element(
@@ -35,6 +41,7 @@ function node(id, told) {
   );
 }
 
+/** @param {number} id @param {ToldFact | undefined} told @param {Map<number, ToldFact>} found @param {number[]} drawn @param {number} depth @returns {HTMLElement} */
 function tree(id, told, found, drawn, depth) {
   drawn.push(id);
   const reasons = told && depth < deepest ? told.because : [];
@@ -46,12 +53,14 @@ function tree(id, told, found, drawn, depth) {
 }
 
 // As it is told now: a reason that has gone since is said to have.
+/** @param {Connection} connection @param {number} id @param {ToldFact} told */
 export async function provenance(connection, id, told) {
   const found = await factsByNumber(connection);
   return element('ul', { class: 'provenance', 'aria-label': 'Because of what it was told' }, tree(id, told, found, [], 0));
 }
 
 // A button that shows it below itself; nothing where no reason was told.
+/** @param {Connection} connection @param {number} id @param {ToldFact} told */
 export function provenanceButton(connection, id, told) {
   if (told.because.length === 0) return null;
   const shown = element('div', {});
@@ -65,4 +74,5 @@ export function provenanceButton(connection, id, told) {
   return element('div', {}, button, shown);
 }
 
+/** @param {number} id @param {ToldFact} told */
 export const toldBy = (id, { teller, when }) => `fact ${id}, told by ${teller} at ${clock(when)}`;

@@ -2,18 +2,24 @@
 
 import { BufferGeometry, DoubleSide, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial } from 'three';
 
+/** @import { Point, Reach } from './messages' */
+
 const above = 1.5; // mm over the table, so that both are seen
 
 export class ReachFigure {
   group = new Group();
 
   // `parts`: from where to where, in each direction from x towards y; [0, 0] where it reaches nowhere.
+  /** @param {Reach} reach */
   constructor({ parts }) {
+    /** @param {number} i @param {number} away */
     const corner = (i, away) => {
       const angle = (2 * Math.PI * i) / parts.length;
       return [away * Math.cos(angle), away * Math.sin(angle), above];
     };
+    /** @type {number[]} */
     const area = [];
+    /** @type {number[]} */
     const edges = [];
     parts.forEach(([from, to], i) => {
       const next = (i + 1) % parts.length;
@@ -33,6 +39,7 @@ export class ReachFigure {
   }
 
   // A track carries it along.
+  /** @param {Point} foot */
   standAt([x, y]) {
     this.group.position.set(x, y, 0);
   }

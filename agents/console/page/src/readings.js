@@ -8,9 +8,15 @@ import { element, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
-const rounded = (action) => action.replace(/\d+\.\d+/g, (number) => String(Math.round(number * 10) / 10));
+/** @import { Connection } from './connection.js' */
+/** @import { Form } from './messages' */
+
+/** @param {string} action */
+const rounded = (action) => action.replace(/\d+\.\d+/g, (number) => String(Math.round(Number(number) * 10) / 10));
+/** @param {number[]} numbers */
 const row = (numbers) => numbers.map((v) => v.toFixed(0)).join('  ');
 
+/** @type {Record<string, (told: Form) => [label: string, value: string][]>} */
 const words = {
   pose: ([, , ...pose]) => [
     ['grip', `${row(pose.slice(0, 3))} mm`],
@@ -23,11 +29,14 @@ const words = {
 
 export class Readings {
   #robot = 'robot';
+  /** @type {Record<string, Form[]>} */
   #told = {};
   #opened;
 
+  /** @param {Connection} connection @param {(opening: number | undefined) => void} opened */
   constructor(connection, opened) {
     this.#opened = opened;
+    /** @param {string} name @param {string} query */
     const follow = (name, query) =>
       connection.follow(query, (answers) => {
         this.#told[name] = answers.map(fact);
@@ -39,16 +48,22 @@ export class Readings {
     follow('arm', '(arm ?robot ?state ?action)');
   }
 
+  /** @param {string} robot */
   show(robot) {
     this.#robot = robot;
     this.#draw();
   }
 
+  /** @param {string} name */
+  /** @param {string} name */
   #of(name) {
     return this.#told[name]?.find((told) => text(told[1]) === this.#robot);
   }
   #draw() {
-    const rows = Object.keys(words).flatMap((name) => (this.#of(name) ? words[name](this.#of(name)) : []));
+    const rows = Object.entries(words).flatMap(([name, say]) => {
+      const told = this.#of(name);
+      return told ? say(told) : [];
+    });
     find('readings').replaceChildren(
       ...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]),
     );

@@ -5,8 +5,12 @@ import { fact } from './live_answers.js';
 import { table } from './tables.js';
 import { text } from './datum.js';
 
+/** @import { Activity } from './activity.js' */
+/** @import { Connection } from './connection.js' */
+
 const shown = 50;
 
+/** @param {Connection} connection @param {Activity} activity */
 export function showRefusals(connection, activity) {
   const count = element('span', { class: 'quiet', id: 'refusal-count' }, '0');
   const refusals = table({ id: 'refusals' }, ['Client', 'Refused', 'Times', 'The newest']);

@@ -4,11 +4,17 @@
 import { element } from './dom.js';
 import { table } from './tables.js';
 
+/** @import { Activity } from './activity.js' */
+/** @import { ShowActivity } from './connection.js' */
+/** @import { Activity as Sample, Spread } from './messages' */
+
 const shown = 60;
 const heads = ['Relation', 'Facts', 'Told/s', 'Watches', 'To board', 'To watcher', 'Told by'];
 
+/** @param {Spread | null} times */
 const spread = (times) => (times ? `${times.p50} / ${times.p99}` : '–');
 
+/** @param {Sample} sample */
 function headline({ revision, facts, transactions_per_second: rate, journey }) {
   const way = journey
     ? `; a fact is committed after ${journey.committed_us} µs, acknowledged after ${journey.acknowledged_us} µs, delivered after ${journey.delivered_us} µs`
@@ -17,18 +23,24 @@ function headline({ revision, facts, transactions_per_second: rate, journey }) {
 }
 
 // `ask` asks for all of a relation; its answer says whether that is known how.
+/** @param {Activity} activity @param {(name: string) => boolean} canAsk @param {(name: string) => void} ask */
 export function showRelations(activity, canAsk, ask) {
   const note = element('p', { class: 'quiet', id: 'activity-note' }, '…');
   const relations = table({ id: 'relations' }, heads);
   // A button stays the same one while its row is drawn anew: what is pressed is then clicked.
   const buttons = new Map();
+  /** @param {string} name */
   const buttonOf = (name) => {
     if (!buttons.has(name)) buttons.set(name, element('button', { type: 'button', class: 'small', onclick: () => ask(name) }, name));
     buttons.get(name).disabled = !canAsk(name);
     return buttons.get(name);
   };
+  /** @type {ShowActivity} */
   const show = (sample, why) => {
-    if (!sample) return (note.textContent = why);
+    if (!sample) {
+      note.textContent = why ?? '';
+      return;
+    }
     note.textContent = headline(sample);
     const lively = sample.relations.filter((one) => one.facts || one.told_per_second || one.watches).slice(0, shown);
     relations.fill(

@@ -9,11 +9,17 @@
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Form } from './messages' */
+
 export class Roles {
   #connection;
+  /** @type {Map<string, string>} */
   #servers = new Map();
+  /** @type {(() => void)[]} */
   #listeners = [];
 
+  /** @param {Connection} connection */
   constructor(connection) {
     this.#connection = connection;
     connection.followAlways('(holder console ?role ?server ?state)', (answers) => {
@@ -23,10 +29,13 @@ export class Roles {
     });
   }
 
+  /** @param {string} role */
   server(role) {
     return this.#servers.get(role) ?? '';
   }
+  /** @param {string} role @param {string} query @param {(facts: Form[]) => void} listener */
   follow(role, query, listener) {
+    /** @type {Form[]} */
     let facts = [];
     const tell = () => {
       const server = this.server(role);
@@ -38,6 +47,7 @@ export class Roles {
     });
     this.onChange(tell);
   }
+  /** @param {() => void} listener */
   onChange(listener) {
     this.#listeners.push(listener);
   }

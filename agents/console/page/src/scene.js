@@ -15,8 +15,13 @@ import { showBeliefs } from './beliefs.js';
 import { Readings } from './readings.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Roles } from './roles.js' */
+/** @import { Sighting } from './sightings.js' */
+/** @import { Answer, Arm, Form, Hello } from './messages' */
+
 const most = 64;
-const nobody = { arms: [], reaches: {}, camera: null, cube: 60, truth: false };
+const nobody = { arms: [], reaches: {}, cube: 60 };
 
 // A dashed line between two points that move.
 class Way {
@@ -24,9 +29,10 @@ class Way {
     new BufferGeometry().setFromPoints([new Vector3(), new Vector3()]),
     new LineDashedMaterial({ color: 0xf2a33a, dashSize: 14, gapSize: 9 }),
   );
+  /** @param {Vector3 | null | undefined} from @param {Vector3 | undefined} to */
   show(from, to) {
     this.line.visible = Boolean(from && to);
-    if (!this.line.visible) return;
+    if (!from || !to) return;
     const ends = [from, to].flatMap((p) => [p.x, p.y, p.z]);
     this.line.geometry.setAttribute('position', new Float32BufferAttribute(ends, 3));
     this.line.computeLineDistances();
@@ -34,6 +40,7 @@ class Way {
 }
 
 // What the arm goes for: the servo's target, and before it moves that of the operation in hand.
+/** @param {Connection} connection @param {(name: string) => void} changed */
 function followTarget(connection, changed) {
   const state = { servo: '', operation: '', pursued: false };
   const tell = () => changed(state.pursued ? state.servo || state.operation : '');
@@ -52,14 +59,20 @@ function followTarget(connection, changed) {
   });
 }
 
+/** @param {Connection} connection @param {Roles} roles */
 export function showScene(connection, roles) {
   const view = makeView();
+  /** @type {ArmFigure | null} */
   let arm = null;
+  /** @type {ReachFigure | null} */
   let reach = null;
   let target = '';
+  /** @type {Pick<Hello, 'arms' | 'reaches' | 'cube'>} */
   let hello = nobody;
   let robot = '';
+  /** @type {Map<string, ObjectFigure>} */
   const objects = new Map();
+  /** @type {Map<string, Arm>} */
   const told = new Map(); // the newest of each arm
   const readings = new Readings(connection, (opening) => view && arm?.open(opening) && view.ask());
   const showSightings = showBeliefs(connection);
@@ -70,6 +83,7 @@ export function showScene(connection, roles) {
 
   const things = new Group();
   const way = new Way();
+  /** @type {Map<string, Sighting>} */
   let seen = new Map();
   const camera = new CameraFigure(connection, view, () => believe());
   const truth = new TruthOverlay(connection, view);
@@ -90,13 +104,16 @@ export function showScene(connection, roles) {
     view.says('spread', [...objects.values()].filter((figure) => figure.hasSpread()).length);
   };
 
+  /** @param {string} name @param {Form} placed */
   const place = (name, [, , x, y, z]) => {
-    if (!objects.has(name)) {
+    let figure = objects.get(name);
+    if (!figure) {
       if (objects.size >= most) return;
-      objects.set(name, new ObjectFigure(name, hello.cube));
-      things.add(objects.get(name).group);
+      figure = new ObjectFigure(name, hello.cube);
+      objects.set(name, figure);
+      things.add(figure.group);
     }
-    objects.get(name).goTo(x, y, z);
+    figure.goTo(x, y, z);
   };
   connection.follow('(place ?name ?x ?y ?z ?frame)', (answers) => {
     const placed = new Map(answers.map((answer) => [text(fact(answer)[1]), fact(answer)]));
@@ -109,7 +126,9 @@ export function showScene(connection, roles) {
     believe();
     mark();
   });
+  /** @type {Record<'looks' | 'found', Answer[]>} */
   const sighted = { looks: [], found: [] };
+  /** @param {'looks' | 'found'} name @param {string} query */
   const follow = (name, query) =>
     connection.follow(query, (answers) => {
       sighted[name] = answers;
@@ -120,11 +139,13 @@ export function showScene(connection, roles) {
     });
   follow('looks', '(look ?eyes ?frame ?text ?of)');
   follow('found', '(found ?eyes ?name ?frame ?confidence ?second ?margin ?others ?places)');
+  /** @param {string} name */
   followTarget(connection, (name) => {
     target = name;
     mark();
   });
 
+  /** @param {Arm} message */
   const drawArm = (message) => {
     if (!arm) {
       arm = new ArmFigure();
@@ -144,16 +165,19 @@ export function showScene(connection, roles) {
     if (reach) view.scene.add(reach.group);
     view.says('reach', Boolean(reach));
     view.says('arm', robot);
-    if (told.has(robot)) drawArm(told.get(robot));
+    const newest = told.get(robot);
+    if (newest) drawArm(newest);
     view.ask();
   };
   roles.onChange(() => (roles.server('robot') || robot) !== robot && choose());
 
   return {
+    /** @param {Arm} message */
     moveArm: (message) => {
       told.set(message.arm, message);
       if (message.arm === robot) drawArm(message);
     },
+    /** @param {Hello} cell */
     setCell: (cell) => {
       hello = cell;
       camera.setCell(cell);

@@ -4,9 +4,13 @@ import { clipped, element } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+
+/** @type {Record<string, string>} */
 const said = { wired: '', 'stands-in': 'stands in', absent: 'is away' };
 const shown = 64;
 
+/** @param {Connection} connection */
 export function showServed(connection) {
   const body = element('tbody', {});
   const heads = ['Client', 'Role', 'Is played by', ''].map((name) => element('th', {}, name));

@@ -5,12 +5,17 @@ import { eachFrame, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+
 const seconds = 20;
 const states = ['up', 'align x', 'align depth', 'approach', 'fine'];
 
+/** @param {Connection} connection */
 export function showServo(connection) {
   const box = find('servo-plot');
+  /** @type {number[]} */
   const times = [];
+  /** @type {number[][]} */
   const errors = [[], [], []];
   const axis = {
     stroke: '#9fb0bd',
@@ -18,6 +23,7 @@ export function showServo(connection) {
     ticks: { show: false },
     font: '11px system-ui',
   };
+  /** @param {string} label @param {string} stroke */
   const line = (label, stroke) => ({ label, stroke, width: 1.5, points: { show: false } });
   const plot = new uPlot(
     {
@@ -38,7 +44,7 @@ export function showServo(connection) {
   new ResizeObserver(() => plot.setSize({ width: Math.max(box.clientWidth, 120), height: 118 })).observe(box);
 
   const draw = eachFrame(() => {
-    const now = times.at(-1);
+    const now = times[times.length - 1];
     plot.setData([times.map((time) => Math.round((time - now) * 100) / 100), ...errors]);
   });
   connection.follow('(servo ?state ?object ?x ?y ?d)', (answers) => {
@@ -50,7 +56,7 @@ export function showServo(connection) {
     find('servo-note').textContent = `${states[state] ?? state}: ${text(object)}`;
     times.push(answers[0].facts[0].when / 1e6);
     now.forEach((error, i) => errors[i].push(error));
-    while (times[0] < times.at(-1) - seconds) {
+    while (times[0] < times[times.length - 1] - seconds) {
       times.shift();
       for (const series of errors) series.shift();
     }

@@ -3,8 +3,14 @@
 
 import { element } from './dom.js';
 
+/** @import { Attributes } from './dom.js' */
+
+/** @typedef {{ label: string, unit: string, most: number, form: (value: number) => string }} Spring */
+/** @typedef {Spring & { least: number, value: number }} Setting */
+
 const steps = /^(Arrow\w+|Page\w+|Home|End)$/;
 
+/** @param {string} label @param {string} unit @param {Attributes} range */
 function rowOf(label, unit, range) {
   const shown = element('output', {}, '');
   const input = element('input', { type: 'range', 'aria-label': label, ...range });
@@ -18,6 +24,7 @@ function rowOf(label, unit, range) {
 }
 
 // Says `letGo` once the pointer or the last key is up, and `drop` where the hand leaves without that.
+/** @param {HTMLInputElement} input @param {{ letGo: () => void, drop: () => void }} hand */
 function follow(input, { letGo, drop }) {
   let by = ''; // what holds it
   input.addEventListener('pointerdown', () => (by = 'pointer'));
@@ -42,11 +49,12 @@ function follow(input, { letGo, drop }) {
 }
 
 // Where the hand leaves without letting go in the slide, nothing is sent.
+/** @param {Spring} slide @param {(form: string) => void} send */
 export function springSlide({ label, unit, most, form }, send) {
   const { row, input, show } = rowOf(label, unit, { min: -most, max: most, step: 1, value: 0 });
   const spring = () => {
     const value = Number(input.value);
-    input.value = 0;
+    input.value = '0';
     show();
     return value;
   };
@@ -60,14 +68,16 @@ export function springSlide({ label, unit, most, form }, send) {
 }
 
 // `put` shows what the board says, except under the hand.
+/** @param {Setting} slide @param {(form: string) => void} send */
 export function settingSlide({ label, unit, least, most, value, form }, send) {
   const { row, input, show } = rowOf(label, unit, { min: least, max: most, step: 1, value });
   let told = value;
   const showTold = () => {
-    input.value = told;
+    input.value = String(told);
     show();
   };
   const isHeld = follow(input, { letGo: () => send(form(Number(input.value))), drop: showTold });
+  /** @param {number} given */
   const put = (given) => {
     told = given;
     if (!isHeld()) showTold();

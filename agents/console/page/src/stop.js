@@ -5,8 +5,13 @@ import { clipped, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Hands } from './hands.js' */
+
+/** @param {Connection} connection @param {Hands} hands */
 export function showStop(connection, hands) {
   const note = find('stop-note');
+  /** @param {string} sentence */
   const say = (sentence) => (note.textContent = sentence);
 
   const stop = async () => {
@@ -18,6 +23,7 @@ export function showStop(connection, hands) {
     }
   };
   find('stop').addEventListener('click', stop);
+  /** @param {KeyboardEvent} event */
   const escape = (event) => {
     if (event.key === 'Escape' && !event.repeat) stop();
   };

@@ -12,17 +12,25 @@ import { showWork } from './work.js';
 import { text, write } from './datum.js';
 import { keyOf } from './work_entries.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Images } from './images.js' */
+/** @import { WorkEntries } from './work_entries.js' */
+/** @import { Answer, Datum } from './messages' */
+
 const shown = 200;
 
 // The plan of the same goal before this one, and what of it was begun until then; null for a goal's first.
+/** @param {Answer[]} events @param {number} number @param {Datum} goal */
 function planBefore(events, number, goal) {
   const earlier = events.map(fact).filter((event) => event[1] < number);
   const made = earlier.filter((event) => planIn(event[4])?.goal === goal).toSorted((a, b) => b[1] - a[1])[0];
-  if (!made) return null;
+  const plan = made && planIn(made[4]);
+  if (!plan) return null;
   const begun = earlier.filter((event) => event[1] > made[1] && text(event[2]) === 'operation').map((event) => write(event[4]));
-  return { operations: planIn(made[4]).operations, begun: new Set(begun) };
+  return { operations: plan.operations, begun: new Set(begun) };
 }
 
+/** @param {Answer[]} events @param {number} number @param {Datum} detail */
 function detailOf(events, number, detail) {
   const plan = planIn(detail);
   const before = plan && planBefore(events, number, plan.goal);
@@ -30,6 +38,9 @@ function detailOf(events, number, detail) {
   return element('pre', {}, clipped(write(detail), 4000));
 }
 
+/** @typedef {{ connection: Connection, images: Images, goTo: (moment: number) => void }} Around */
+
+/** @param {Around} around @param {Answer[]} events @param {Answer} answer */
 function entryOf({ connection, images, goTo }, events, answer) {
   const [, number, kind, sentence, detail] = fact(answer);
   const told = answer.facts[0];
@@ -41,6 +52,7 @@ function entryOf({ connection, images, goTo }, events, answer) {
     element('span', {}, clipped(text(sentence))),
   );
   const seen = element('div', {});
+  /** @param {Event & { target: HTMLDetailsElement }} event */
   const open = (event) => event.target.open && seen.replaceChildren(keptPicture(connection, images.telling(), told.when));
   return element(
     'details',
@@ -54,6 +66,7 @@ function entryOf({ connection, images, goTo }, events, answer) {
   );
 }
 
+/** @param {Connection} connection @param {WorkEntries} entries @param {Images} images @param {(moment: number) => void} goTo */
 export function showStory(connection, entries, images, goTo) {
   const list = element('div', { class: 'timeline' });
   const why = element('pre', { class: 'answer', hidden: true });
@@ -68,6 +81,7 @@ export function showStory(connection, entries, images, goTo) {
     }
   };
   const told = () => entries.until(connection.moment ?? Infinity);
+  /** @param {Answer} answer */
   const entry = (answer) => entryOf({ connection, images, goTo }, told(), answer);
   const work = showWork(connection, entries, entry);
   find('story').append(
@@ -78,13 +92,19 @@ export function showStory(connection, entries, images, goTo) {
     list,
   );
 
+  /** @type {Map<string, HTMLDetailsElement>} */
   const made = new Map();
+  /** @param {Answer} answer */
+  const madeOnce = (answer) => {
+    const there = made.get(keyOf(answer)) ?? entry(answer);
+    made.set(keyOf(answer), there);
+    return there;
+  };
   const draw = eachFrame(() => {
     const newest = told().reverse().slice(0, shown);
     const keys = new Set(newest.map(keyOf));
     for (const key of made.keys()) if (!keys.has(key)) made.delete(key);
-    for (const answer of newest) if (!made.has(keyOf(answer))) made.set(keyOf(answer), entry(answer));
-    arrange(list, newest.map((answer) => made.get(keyOf(answer))));
+    arrange(list, newest.map(madeOnce));
     work.draw();
   });
   entries.onChange(draw);

@@ -7,10 +7,14 @@ import { endEffector } from './learned_objects.js';
 import { sym } from './datum.js';
 import { templatePicture } from './template_picture.js';
 
+/** @import { LearnedObjects } from './learned_objects.js' */
+/** @import { Datum, PointInImage } from './messages' */
+
 // What marks are mostly called: a press names one without a keyboard.
 const usual = [endEffector, 'circle', 'triangle', 'square', 'cross'];
 
 // (LEARN "name" OK) is no failure of the request where it says FAIL.
+/** @param {string[]} values */
 const isLearned = (values) => /^\(LEARN ".*" OK\)$/.test(values[0] ?? '');
 
 export class Teaching {
@@ -19,6 +23,7 @@ export class Teaching {
   #provisional;
   #why; // answers why that reply of the eyes says FAIL
   #busy = false; // learning, or accepting or rejecting what was learned: the next click is not taken
+  /** @type {{ name: string, before: number } | null} */
   #learned = null; // what is to be named: { name, before }, the number of its newest sample before
   panel = element('div', { class: 'teaching' });
   training = element('button', { type: 'button', id: 'training', 'aria-pressed': 'false' }, 'Training: off');
@@ -36,6 +41,7 @@ export class Teaching {
   #sample = element('div', { class: 'learned-sample' });
   #window = element('div', { class: 'learned-window', id: 'learned-window', role: 'group', hidden: true });
 
+  /** @param {{ ask: (...operation: Datum[]) => Promise<string[]>, objects: LearnedObjects, provisional: () => string, why: (reply: string) => Promise<string> }} eyes */
   constructor({ ask, objects, provisional, why }) {
     this.#ask = ask;
     this.#objects = objects;
@@ -58,12 +64,14 @@ export class Teaching {
   get #on() {
     return this.training.getAttribute('aria-pressed') === 'true';
   }
+  /** @param {boolean} on */
   #switch(on) {
     this.training.setAttribute('aria-pressed', String(on));
     this.training.textContent = `Training: ${on ? 'on' : 'off'}`;
     document.body.classList.toggle('training', on);
     this.#showNames();
   }
+  /** @param {string} sentence */
   #say(sentence) {
     this.#hint.textContent = sentence;
   }
@@ -78,12 +86,14 @@ export class Teaching {
   }
 
   // The next click is one more sample of that object.
+  /** @param {string} name */
   more(name) {
     this.#switch(true);
     this.#name.value = name;
   }
 
   // Answers whether the click was taken.
+  /** @param {PointInImage} point */
   take(point) {
     if (!this.#on) return false;
     if (this.#busy || !this.#name.reportValidity()) return true;
@@ -91,10 +101,12 @@ export class Teaching {
     return true;
   }
 
+  /** @param {string} name */
   #number(name) {
     return this.#objects.newest(name)?.num ?? 0;
   }
 
+  /** @param {PointInImage} point @param {string} name */
   async #learn(point, name) {
     this.#busy = true;
     this.#window.hidden = true;
@@ -111,6 +123,7 @@ export class Teaching {
     this.#busy = false;
   }
 
+  /** @param {string} name */
   #show(name) {
     const isNew = name === this.#provisional();
     const named = element('input', {
@@ -123,6 +136,7 @@ export class Teaching {
       value: isNew ? '' : name,
     });
     const known = this.#objects.names();
+    /** @param {string} one */
     const take = (one) => element('button', { type: 'button', class: 'small', onclick: () => (named.value = one) }, one);
     const free = isNew ? usual.filter((one) => !known.includes(one)).map(take) : [];
     const form = element(
@@ -147,30 +161,33 @@ export class Teaching {
 
   // The reply comes before the facts of what was learned, or after.
   #showSample() {
-    if (!this.#learned || this.#number(this.#learned.name) <= this.#learned.before) return this.#sample.replaceChildren();
-    const { name } = this.#learned;
+    const { name, before } = this.#learned ?? { name: '', before: 0 };
     const sample = this.#objects.newest(name);
+    if (!sample || sample.num <= before) return this.#sample.replaceChildren();
     const isNew = name === this.#provisional();
-    const rows = [['Name', isNew ? 'to be named' : name], ...sample.parameters, ['Num', sample.num]];
+    /** @type {[label: string, value: string][]} */
+    const rows = [['Name', isNew ? 'to be named' : name], ...sample.parameters, ['Num', String(sample.num)]];
     this.#sample.replaceChildren(
       templatePicture(sample.picture, sample.tone, `What was learned as ${name}`),
       element(
         'dl',
         { class: 'parameters' },
-        ...rows.flatMap(([label, value]) => [element('dt', {}, label), element('dd', {}, String(value))]),
+        ...rows.flatMap(([label, value]) => [element('dt', {}, label), element('dd', {}, value)]),
       ),
       ...this.#objects.alike(name).map((sentence) => element('p', { class: 'warn' }, clipped(sentence))),
     );
   }
 
   // One at a time: a click meanwhile would be taken under the name that is just being given.
+  /** @param {string} saying @param {(learned: string) => Promise<unknown>} work @param {string} done */
   async #end(saying, work, done) {
-    if (this.#busy) return;
+    const learned = this.#learned;
+    if (this.#busy || !learned) return;
     this.#busy = true;
     this.#say(saying);
     let sentence = done;
     try {
-      await work();
+      await work(learned.name);
       this.#learned = null;
       this.#window.hidden = true;
       this.#name.value = '';
@@ -181,9 +198,10 @@ export class Teaching {
     this.#showNames();
     this.#say(sentence);
   }
+  /** @param {string} name */
   #accept(name) {
-    const learned = this.#learned.name;
-    const work = async () => {
+    /** @param {string} learned */
+    const work = async (learned) => {
       if (name !== learned) await this.#ask(sym('rename'), learned, name);
       this.#learned = { name, before: 0 };
       await this.#ask(sym('accept'), name);
@@ -191,6 +209,6 @@ export class Teaching {
     return this.#end(`Accepting ${name} …`, work, `${name} is accepted. Click on the next mark.`);
   }
   #reject() {
-    return this.#end('Rejecting …', () => this.#ask(sym('reject'), this.#learned.name), 'Rejected: nothing was learned.');
+    return this.#end('Rejecting …', (learned) => this.#ask(sym('reject'), learned), 'Rejected: nothing was learned.');
   }
 }

@@ -1,13 +1,14 @@
 // The template of a learned sample as a picture: 32 x 32 levels, a hexadecimal digit each, 15 where the mark is.
 
-import { element } from './dom.js';
+import { element, penOn } from './dom.js';
 
 const side = 32;
 
+/** @param {string} digits @param {string} tone @param {string} label */
 export function templatePicture(digits, tone, label) {
   const canvas = element('canvas', { class: 'template', width: side, height: side, role: 'img', 'aria-label': label });
   if (!/^[0-9a-f]{1024}$/.test(digits)) return canvas;
-  const context = canvas.getContext('2d');
+  const context = penOn(canvas);
   const pixels = context.createImageData(side, side);
   for (let i = 0; i < side * side; ++i) {
     const mark = parseInt(digits[i], 16) / 15;

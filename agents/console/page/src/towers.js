@@ -7,13 +7,16 @@ const table = 'the table';
 const most = 16;
 
 export class Towers {
+  /** @type {string[]} */
   #names = [];
+  /** @type {Map<string, string>} */
   #below = new Map(); // a block, and what it stands on
   #chosen = '';
   #dragged = '';
   #ground = element('div', { class: 'towers', role: 'group', 'aria-label': 'Towers' });
   panel = element('div', { id: 'sketch', hidden: true });
 
+  /** @param {(goal: string) => void} written */
   constructor(written) {
     this.written = written;
     const clear = element('button', { type: 'button', onclick: () => this.#clear() }, 'Clear');
@@ -25,6 +28,7 @@ export class Towers {
     this.#ground.addEventListener('pointercancel', () => (this.#dragged = ''));
   }
 
+  /** @param {string[]} names */
   setNames(names) {
     this.#names = names.slice(0, most);
     for (const [block, below] of this.#below) {
@@ -33,15 +37,18 @@ export class Towers {
     this.#draw();
   }
 
+  /** @param {string} below */
   #on(below) {
     return [...this.#below].find(([, under]) => under === below)?.[0];
   }
   // From the bottom to the top.
+  /** @param {string} bottom @returns {string[]} */
   #tower(bottom) {
     const above = this.#on(bottom);
     return above ? [bottom, ...this.#tower(above)] : [bottom];
   }
 
+  /** @param {string} block @param {string} target */
   #put(block, target) {
     this.#chosen = '';
     if (target === table) {
@@ -50,13 +57,15 @@ export class Towers {
       // On what is there already it goes on top.
       const bottom = this.#bottomOf(target);
       this.#below.delete(block);
-      this.#below.set(block, this.#tower(bottom).at(-1));
+      this.#below.set(block, this.#tower(bottom).at(-1) ?? bottom);
     }
     this.#draw();
     this.written(this.#names.flatMap((name) => (this.#below.has(name) ? [`(on ${name} ${this.#below.get(name)})`] : [])).join(' '));
   }
+  /** @param {string} block @returns {string} */
   #bottomOf(block) {
-    return this.#below.has(block) ? this.#bottomOf(this.#below.get(block)) : block;
+    const below = this.#below.get(block);
+    return below === undefined ? block : this.#bottomOf(below);
   }
   #clear() {
     this.#below.clear();
@@ -65,20 +74,23 @@ export class Towers {
     this.written('');
   }
 
+  /** @param {PointerEvent} event */
   #drop(event) {
     const block = this.#dragged;
     this.#dragged = '';
     if (!block) return;
     const under = document.elementFromPoint(event.clientX, event.clientY)?.closest('[data-block], .towers');
-    if (!under || under.dataset.block === block) return;
-    this.#put(block, under.dataset.block ?? table);
+    const target = under && (under.getAttribute('data-block') ?? table);
+    if (target && target !== block) this.#put(block, target);
   }
+  /** @param {string} block */
   #choose(block) {
     if (this.#chosen && this.#chosen !== block) return this.#put(this.#chosen, block);
     this.#chosen = this.#chosen ? '' : block;
     this.#draw();
   }
 
+  /** @param {string} name */
   #block(name) {
     const made = element(
       'button',
@@ -110,11 +122,12 @@ export function showTowers() {
     { type: 'button', id: 'sketch-toggle', 'aria-expanded': 'false', 'aria-controls': 'sketch' },
     'Sketch',
   );
+  /** @param {boolean} open */
   const show = (open) => {
     towers.panel.hidden = !open;
     toggle.setAttribute('aria-expanded', String(open));
   };
-  toggle.addEventListener('click', () => show(towers.panel.hidden));
+  toggle.addEventListener('click', () => show(Boolean(towers.panel.hidden)));
   find('goal-form').addEventListener('submit', () => show(false));
   find('cancel').before(toggle);
   find('goal-answer').before(towers.panel);

@@ -7,9 +7,13 @@ import { nextWords } from './goal_words.js';
 import { showTowers } from './towers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Answer, Failure, Form } from './messages' */
+
 const carried = 'end-effector';
 
 // What is wrong with what was typed is marked in the field: `goal:LINE:COLUMN`, of its one line.
+/** @param {HTMLInputElement} field @param {Failure} failure */
 function markPlace(field, failure) {
   const column = Number(failure.place?.match(/^goal:1:(\d+)/)?.[1] ?? 0);
   field.setAttribute('aria-invalid', 'true');
@@ -20,42 +24,48 @@ function markPlace(field, failure) {
 }
 
 // The domain's predicates: what whoever pursues goals both posts and reads of symbols alone, and keeps nowhere.
+/** @param {Answer[]} contracts */
 function predicatesIn(contracts) {
+  /** @type {Map<string, number>} */
   const found = new Map();
   for (const [, , contract] of contracts.map(fact)) {
-    const part = (name) => contract.filter((each) => text(each[0]) === name).flatMap((each) => each.slice(1));
+    /** @param {string} name @returns {Form[]} */
+    const part = (name) => contract.filter((/** @type {Form} */ each) => text(each[0]) === name).flatMap((/** @type {Form} */ each) => each.slice(1));
     if (!part('offers').some((offer) => text(offer[0]) === 'goal')) continue;
     const read = new Set(part('reads').map(text));
     for (const [, name, args, ...rest] of part('posts')) {
-      const isPredicate = read.has(text(name)) && args.every(([, type]) => text(type) === 'symbol');
+      const isPredicate = read.has(text(name)) && args.every((/** @type {Form} */ [, type]) => text(type) === 'symbol');
       if (isPredicate && !rest.some((option) => text(option[0]) === 'durable')) found.set(text(name), args.length);
     }
   }
   return found;
 }
 
+/** @param {Connection} connection */
 export function showWant(connection) {
   const towers = showTowers();
   const answer = find('goal-answer');
   const goalText = find('goal-text');
+  /** @param {string} sentence */
   const say = (sentence, kind = '') => {
     answer.hidden = false;
     answer.className = kind;
     answer.textContent = sentence;
   };
 
+  /** @param {string} typed */
   const accepted = async (typed) => {
     say('asking …');
     goalText.removeAttribute('aria-invalid');
     try {
       const [number] = await connection.goal(typed, (end) => {
-        if (end.error) say(failureText(end.error), 'bad');
+        if ('error' in end) say(failureText(end.error), 'bad');
         else say(`goal ${number} ${end.values[0]}`, end.values[0] === 'reached' ? 'good' : '');
       });
       say(`goal ${number} accepted`);
     } catch (failure) {
       say(failureText(failure), 'bad');
-      markPlace(goalText, failure);
+      markPlace(goalText, /** @type {Failure} */ (failure));
     }
   };
   find('goal-form').addEventListener('submit', (event) => {
@@ -71,7 +81,7 @@ export function showWant(connection) {
   });
 
   connection.follow('(goal-state ?n ?state ?detail)', (answers) => {
-    const newest = answers.map(fact).reduce((a, b) => (!a || b[1] > a[1] ? b : a), undefined);
+    const newest = answers.map(fact).toSorted((a, b) => b[1] - a[1])[0];
     const chip = find('goal-chip');
     chip.hidden = !newest;
     if (!newest) return;
@@ -82,8 +92,11 @@ export function showWant(connection) {
   });
 
   // What may be typed: the domain's predicates, of what has been learned and of what else they were seen to hold.
+  /** @type {string[]} */
   let learned = [];
+  /** @type {string[]} */
   let placed = [];
+  /** @type {Map<string, number>} */
   let predicates = new Map();
   connection.follow('(contract ?name ?form)', (answers) => (predicates = predicatesIn(answers)));
   connection.follow('(believed ?fact)', (answers) => (placed = answers.flatMap((believed) => fact(believed)[1].slice(1).map(text))));

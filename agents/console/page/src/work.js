@@ -8,6 +8,12 @@ import { WorkChanges } from './work_changes.js';
 import { entryMarks, goalMarks, refusalMarks, servoMarks, sightingMarks } from './work_marks.js';
 import { WorkPicture } from './work_picture.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { WorkEntries } from './work_entries.js' */
+/** @import { Mark } from './work_marks.js' */
+/** @import { Answer } from './messages' */
+
+/** @type {[name: string, length: number][]} */
 const spans = [
   ['10 minutes', 600e6],
   ['1 hour', 3600e6],
@@ -17,10 +23,13 @@ const mostOpened = 20;
 const goesOn = 5000; // ms between two drawings of a time in which nothing happens
 
 // `entryOf` makes the story's entry of a fact of the story.
+/** @param {Connection} connection @param {WorkEntries} entries @param {(answer: Answer) => HTMLDetailsElement} entryOf */
 export function showWork(connection, entries, entryOf) {
   const opened = element('div', { class: 'timeline', id: 'opened', hidden: true });
+  /** @param {Mark} mark */
   const otherOf = ({ answer, label }) =>
     element('details', {}, element('summary', {}, element('time', {}, clock(answer.facts[0].when)), clipped(label)), element('p', { class: 'quiet' }, toldBy(answer.ids[0], answer.facts[0])));
+  /** @param {Mark[]} marks */
   const open = (marks) => {
     const made = marks.slice(0, mostOpened).map((mark) => (fact(mark.answer)[0].name === 'event' ? entryOf(mark.answer) : otherOf(mark)));
     const more = marks.length > mostOpened ? [element('p', { class: 'quiet' }, `and ${marks.length - mostOpened} more`)] : [];
@@ -36,6 +45,7 @@ export function showWork(connection, entries, entryOf) {
     ...spans.map(([name, length]) => element('option', { value: length, selected: name === '1 hour' }, name)),
   );
 
+  /** @type {Record<'goals' | 'states' | 'refusals', Answer[]>} */
   const held = { goals: [], states: [], refusals: [] };
   const draw = eachFrame(() => {
     if (picture.panel.clientWidth === 0) return;
@@ -52,6 +62,7 @@ export function showWork(connection, entries, entryOf) {
     picture.draw(marks, since, until);
   });
   const changes = new WorkChanges(connection, draw);
+  /** @param {string} query @param {'goals' | 'states' | 'refusals'} name */
   const follow = (query, name) =>
     connection.follow(query, (answers) => {
       held[name] = answers;

@@ -3,21 +3,29 @@
 
 import { fact } from './live_answers.js';
 
+/** @import { Connection } from './connection.js' */
+/** @import { Answer } from './messages' */
+
 const query = '(event ?n ?kind ?sentence ?detail)';
 const most = 5000;
 
+/** @param {Answer} answer */
 const whenTold = (answer) => answer.facts[0].when;
 
 // What an entry is known by: a board that began anew counts anew.
+/** @param {Answer} answer */
 export const keyOf = (answer) => `${fact(answer)[1]}@${whenTold(answer)}`;
 
 export class WorkEntries {
   #connection;
+  /** @type {Map<string, Answer>} */
   #known = new Map();
   #reading = false;
   #exhausted = false;
+  /** @type {(() => void)[]} */
   #listeners = [];
 
+  /** @param {Connection} connection */
   constructor(connection) {
     this.#connection = connection;
     connection.follow(query, (answers) => {
@@ -26,6 +34,7 @@ export class WorkEntries {
     });
   }
 
+  /** @param {() => void} listener */
   onChange(listener) {
     this.#listeners.push(listener);
   }
@@ -34,12 +43,14 @@ export class WorkEntries {
   }
 
   // In their order, those that were told until that time.
+  /** @param {number} moment */
   until(moment) {
     const told = [...this.#known.values()].filter((answer) => whenTold(answer) <= moment);
     return told.sort((a, b) => whenTold(a) - whenTold(b) || fact(a)[1] - fact(b)[1]);
   }
 
   // Reads on into the past until it has that time, or there is no more.
+  /** @param {number} moment */
   async reach(moment) {
     if (this.#reading || this.#exhausted) return;
     this.#reading = true;
@@ -54,6 +65,7 @@ export class WorkEntries {
     this.#reading = false;
   }
 
+  /** @param {Answer[]} answers */
   #add(answers) {
     for (const answer of answers) this.#known.set(keyOf(answer), answer);
     if (this.#known.size <= most) return;

@@ -1,4 +1,4 @@
-// What happened, as marks on lanes over time: { lane, from, until, kind, label, answer }, times in microseconds.
+// What happened, as marks on lanes over time.
 //
 //   const marks = [...entryMarks(events), ...goalMarks(goals, states, now), ...refusalMarks(refusals)];
 //   for (const { marks, from, until } of gathered(marks, 0.5e6)) ...     what lies too close to be told apart
@@ -6,15 +6,25 @@
 import { fact } from './live_answers.js';
 import { text, write } from './datum.js';
 
+/** @import { Answer, Datum, Lasting } from './messages' */
+/** Times are in microseconds.
+ * @typedef {{ lane: string, from: number, until: number, kind: string, label: string, answer: Answer }} Mark
+ * @typedef {Pick<Mark, 'lane' | 'from' | 'until' | 'kind'> & { marks: Mark[] }} Group
+ */
+
 export const lanes = ['Goals', 'Plans', 'Operations', 'Servo', 'Sightings', 'Differences', 'Refusals', 'Faults'];
 const servoStates = ['up', 'align x', 'align depth', 'approach', 'fine'];
+/** @type {Record<string, string>} */
 const laneOf = { plan: 'Plans', operation: 'Operations', servo: 'Servo', difference: 'Differences', missing: 'Differences', agent: 'Faults' };
 const endsOperation = new Set(['operation', 'plan', 'result', 'goal']);
 
+/** @param {Answer} answer */
 const told = (answer) => answer.facts[0].when;
+/** @param {Datum} detail */
 const failed = (detail) => Array.isArray(detail) && text(detail[0]) === 'fail';
 
 // Of the story, in its order. An operation lasts until something else is begun; goals are drawn by their own facts.
+/** @param {Answer[]} events @returns {Mark[]} */
 export function entryMarks(events) {
   const read = events.map((answer) => ({ answer, event: fact(answer), when: told(answer) }));
   return read.flatMap(({ answer, event: [, , kind, sentence, detail], when }, i) => {
@@ -27,6 +37,7 @@ export function entryMarks(events) {
 }
 
 // From when each was wanted until its state is of; one that is pursued lasts until now.
+/** @param {Answer[]} goals @param {Answer[]} states @param {number} now @returns {Mark[]} */
 export function goalMarks(goals, states, now) {
   const stateOf = new Map(states.map((answer) => [fact(answer)[1], answer]));
   return goals.flatMap((answer) => {
@@ -41,6 +52,7 @@ export function goalMarks(goals, states, now) {
 }
 
 // The newest of each kind: what the board refused, and whom.
+/** @param {Answer[]} refusals @returns {Mark[]} */
 export function refusalMarks(refusals) {
   return refusals.map((answer) => {
     const [, client, symbol, count, sentence] = fact(answer);
@@ -50,6 +62,7 @@ export function refusalMarks(refusals) {
 }
 
 // Where an object came into sight, or went out of it.
+/** @param {Lasting[]} changes @returns {Mark[]} */
 export function sightingMarks(changes) {
   return changes.map(({ answer }) => {
     const [, eyes, name, state, frame] = fact(answer);
@@ -59,6 +72,7 @@ export function sightingMarks(changes) {
 }
 
 // The states of the visual servo, for as long as each lasted.
+/** @param {Lasting[]} changes @returns {Mark[]} */
 export function servoMarks(changes) {
   return changes.map(({ answer, until }) => {
     const [, state, object] = fact(answer);
@@ -69,8 +83,11 @@ export function servoMarks(changes) {
 
 // Marks of one lane and kind that begin within `close` of one another are one, so that a lane never holds more than its
 // width can show.
+/** @param {Mark[]} marks @param {number} close */
 export function gathered(marks, close) {
+  /** @type {Group[]} */
   const groups = [];
+  /** @type {Map<string, Group>} */
   const newest = new Map();
   for (const mark of marks.toSorted((a, b) => a.from - b.from)) {
     const key = `${mark.lane} ${mark.kind}`;

@@ -7,6 +7,8 @@
 import { clipped, clock, drawn } from './dom.js';
 import { gathered, lanes } from './work_marks.js';
 
+/** @import { Group, Mark } from './work_marks.js' */
+
 const gutter = 76;
 const laneHeight = 19;
 const axisHeight = 18;
@@ -15,21 +17,30 @@ const halfTime = 15; // of the width of what a tick says
 const minute = 60e6;
 const steps = [1, 2, 5, 10, 20, 60, 120].map((minutes) => minutes * minute);
 
+/** @param {number} moment */
 const timeOf = (moment) => clock(moment).slice(0, 5);
 
+/** @param {Group} group */
 function labelOf({ lane, marks, from }) {
   const more = marks.length > 1 ? ` and ${marks.length - 1} more` : '';
   return `${lane}, ${clock(from)}: ${clipped(marks[0].label, 160)}${more}`;
 }
 
+/** @typedef {{ made: SVGRectElement, title: SVGTitleElement, group: Group }} Shown */
+/** A mark beside this one, or in the lane above or below.
+ * @type {Record<string, [beside: number, below: number]>} */
+const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
 export class WorkPicture {
   #opened;
   #ground = drawn('g', {});
   #marks = drawn('g', {});
+  /** @type {Map<string, Shown>} */
   #shown = new Map(); // by what each group is, so that what is focused or pressed stays the same element
   #focused = '';
   panel;
 
+  /** @param {(marks: Mark[]) => void} opened */
   constructor(opened) {
     this.#opened = opened;
     const height = axisHeight + lanes.length * laneHeight;
@@ -37,8 +48,10 @@ export class WorkPicture {
     this.panel.addEventListener('keydown', (event) => this.#key(event));
   }
 
+  /** @param {Mark[]} marks @param {number} since @param {number} until */
   draw(marks, since, until) {
     const width = Math.max(this.panel.clientWidth - gutter - 4, 100);
+    /** @param {number} moment */
     const at = (moment) => gutter + (width * (Math.min(Math.max(moment, since), until) - since)) / (until - since);
     const seen = marks.filter((mark) => mark.until >= since && mark.from <= until);
     const groups = gathered(seen, (narrowest * (until - since)) / width);
@@ -53,8 +66,9 @@ export class WorkPicture {
     this.#giveFocus();
   }
 
+  /** @param {(moment: number) => number} at @param {number} width @param {number} since @param {number} until */
   #drawGround(at, width, since, until) {
-    const step = steps.find((each) => (until - since) / each <= 8) ?? steps.at(-1);
+    const step = steps.find((each) => (until - since) / each <= 8) ?? steps[steps.length - 1];
     const ticks = [];
     for (let moment = Math.ceil(since / step) * step; moment <= until; moment += step) ticks.push(moment);
     const bottom = axisHeight + lanes.length * laneHeight;
@@ -68,18 +82,20 @@ export class WorkPicture {
     );
   }
 
+  /** @param {string} name @param {Group} group @param {(moment: number) => number} at */
   #place(name, group, at) {
     const shown = this.#shown.get(name) ?? this.#add(name, group);
     shown.group = group;
     shown.title.textContent = labelOf(group);
     const { made } = shown;
     const x = at(group.from);
-    made.setAttribute('x', x);
-    made.setAttribute('y', axisHeight + lanes.indexOf(group.lane) * laneHeight + 3);
-    made.setAttribute('width', Math.max(at(group.until) - x, narrowest));
+    made.setAttribute('x', String(x));
+    made.setAttribute('y', String(axisHeight + lanes.indexOf(group.lane) * laneHeight + 3));
+    made.setAttribute('width', String(Math.max(at(group.until) - x, narrowest)));
     made.setAttribute('aria-label', labelOf(group));
   }
 
+  /** @param {string} name @param {Group} group */
   #add(name, group) {
     const title = drawn('title', {});
     const made = drawn('rect', { height: laneHeight - 6, rx: 2, role: 'button', tabindex: -1, class: `mark ${group.kind}`, 'data-lane': group.lane }, title);
@@ -89,24 +105,28 @@ export class WorkPicture {
       this.#giveFocus();
     });
     this.#marks.append(made);
-    this.#shown.set(name, { made, title, group });
-    return this.#shown.get(name);
+    const shown = { made, title, group };
+    this.#shown.set(name, shown);
+    return shown;
   }
 
+  /** @param {string} name */
   #open(name) {
-    this.#opened(this.#shown.get(name).group.marks);
+    const shown = this.#shown.get(name);
+    if (shown) this.#opened(shown.group.marks);
   }
 
   // One of them is reached by Tab: the one that was focused last, or the newest.
   #giveFocus() {
     if (!this.#shown.has(this.#focused)) this.#focused = this.#inOrder().at(-1)?.[0] ?? '';
-    for (const [name, { made }] of this.#shown) made.setAttribute('tabindex', name === this.#focused ? 0 : -1);
+    for (const [name, { made }] of this.#shown) made.setAttribute('tabindex', name === this.#focused ? '0' : '-1');
   }
 
   #inOrder() {
     return [...this.#shown].sort(([, a], [, b]) => a.group.from - b.group.from);
   }
 
+  /** @param {KeyboardEvent} event */
   #key(event) {
     const here = this.#shown.get(this.#focused);
     if (!here) return;
@@ -114,18 +134,21 @@ export class WorkPicture {
       event.preventDefault();
       return this.#open(this.#focused);
     }
-    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    const step = ways[event.key];
     const next = step && (step[0] ? this.#beside(here, step[0]) : this.#above(here, step[1]));
     if (!next) return;
     event.preventDefault();
     next.made.focus();
   }
+  /** @param {Shown} here @param {number} step */
   #beside(here, step) {
     const lane = this.#inOrder().filter(([, { group }]) => group.lane === here.group.lane);
     return lane[lane.findIndex(([, shown]) => shown === here) + step]?.[1];
   }
   // The nearest in time, in the next lane that has any.
+  /** @param {Shown} here @param {number} step */
   #above(here, step) {
+    /** @param {Shown} shown */
     const away = ({ group }) => Math.abs(group.from - here.group.from);
     for (let i = lanes.indexOf(here.group.lane) + step; i >= 0 && i < lanes.length; i += step) {
       const there = [...this.#shown.values()].filter(({ group }) => group.lane === lanes[i]);
