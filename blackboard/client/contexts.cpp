@@ -125,7 +125,7 @@ Task<Result<Contexts::Pairs>> Contexts::next_of(Listed* listed, Direction direct
 
 Task<void> Contexts::ask(Listed* listed, Direction direction) {
   Result<Pairs> next = co_await next_of(listed, direction);
-  if (next) listed->next = std::move(*next);
+  if (next && !listed->row.fault) listed->next = std::move(*next);
   if (!next && next.error().symbol == "orphan") listed->row.fault = next.error();
   if (!next && !listed->row.fault) listed->row.fault = of_board(next.error(), listed->row.path, listed->row.address);
 }
@@ -133,9 +133,23 @@ Task<void> Contexts::ask(Listed* listed, Direction direction) {
 Task<void> Contexts::ask_all(std::vector<Listed>* level, Direction direction) {
   std::vector<Task<void>> asking;
   for (Listed& listed : *level) {
-    if (!listed.row.fault) asking.push_back(ask(&listed, direction));
+    // Upwards, one that leads back may do so only because it was not told that it is named no more.
+    const bool is_asked = !listed.row.fault || direction == Direction::up;
+    if (is_asked) asking.push_back(ask(&listed, direction));
   }
   co_await run_together(executor_, std::move(asking), most_asked_at_once);
+}
+
+std::optional<Contexts::Row> Contexts::first_left_out(const std::vector<Listed>& level, std::size_t room) {
+  if (level.size() <= room) return std::nullopt;
+  Row row = level[room].row;
+  const std::size_t others = level.size() - room - 1;
+  row.fault =
+      Failure{"too-many",
+              fmt::format("the list is full: it lacks this one, {} more of the same level, and all below", others),
+              {},
+              {}};
+  return row;
 }
 
 Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction direction, std::size_t most) {
@@ -143,7 +157,9 @@ Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction dir
   std::map<std::string, std::string> paths;  // of the boards, by address
   std::vector<Listed> level = {{Row{"", first}}};
   for (std::size_t deep = 0; !level.empty(); ++deep) {
-    level.resize(std::min(level.size(), most - rows.size()));
+    const std::size_t room = most - rows.size();
+    const std::optional<Row> left_out = first_left_out(level, room);
+    level.resize(std::min(level.size(), room));
     for (Listed& listed : level) {
       Row& row = listed.row;
       const auto [known, is_new] = paths.emplace(row.address, row.path);
@@ -163,6 +179,10 @@ Task<std::vector<Contexts::Row>> Contexts::walk(std::string first, Direction dir
         beyond.push_back({Row{path, address}, row.address, name});
       }
       rows.push_back(std::move(listed.row));
+    }
+    if (left_out) {
+      rows.push_back(*left_out);
+      co_return rows;
     }
     level = std::move(beyond);
   }

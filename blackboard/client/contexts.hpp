@@ -45,8 +45,8 @@ class Contexts {
     std::string address;
     std::optional<Failure> fault = {};  // why nothing beyond it is listed
   };
-  // The boards below the root, each once and `most` at most, level by level. Boards of a level are asked together, so
-  // that silent ones are waited for together.
+  // The boards below the root, each once and `most` at most, level by level. Where there are more, one row more says
+  // so, with the fault `too-many`. Boards of a level are asked together, so that silent ones are waited for together.
   Task<std::vector<Row>> list(std::string root, std::size_t most = most_listed);
   // The same in the other direction, by all parents of each board. A path leads from the row's board to the first.
   Task<std::vector<Row>> ascend(std::string board);
@@ -66,6 +66,7 @@ class Contexts {
     std::string name = {};  // of the lower one of both
     Pairs next = {};        // name and address
   };
+  static std::optional<Row> first_left_out(const std::vector<Listed>& level, std::size_t room);
   Task<std::vector<Row>> walk(std::string first, Direction direction, std::size_t most);
   Task<Result<Pairs>> next_of(Listed* listed, Direction direction);
   Task<void> ask(Listed* listed, Direction direction);

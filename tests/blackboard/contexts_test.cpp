@@ -132,7 +132,7 @@ TEST_F(ContextsTest, ABoardNamesNeitherItselfNorOneAboveIt) {
 TEST_F(ContextsTest, ABoardMayNameTheOneThatNamedItBefore) {
   ASSERT_TRUE(hall.board.transact("bob", Transaction().retract(read("(context-board north ?)"))).has_value());
   EXPECT_EQ(add(north, "hall", hall.address), "ok");
-  EXPECT_EQ(above(hall), " there\nhall there\nnorth/hall context-loop\n");
+  EXPECT_EQ(above(hall), " there\nhall there\nnorth/hall orphan\n") << "it was named so";
 }
 
 TEST_F(ContextsTest, TheBoardsAboveAreListedByAllParentsAlsoWhereOneDoesNotAnswer) {
@@ -159,6 +159,13 @@ TEST_F(ContextsTest, ABoardKnowsWhoNamesItUntilItIsAnOrphan) {
   const std::vector<Contexts::Row> lost = run(executor, contexts.ascend(blocks.address));
   ASSERT_EQ(text_of(lost), " there\nblocks orphan\n");
   EXPECT_EQ(lost[1].fault->sentence, north.address + " does not name " + blocks.address + " as blocks any more");
+}
+
+TEST_F(ContextsTest, AListThatIsCutSaysSo) {
+  EXPECT_EQ(text_of(run(executor, contexts.list(hall.address, 3))), listed());
+  const std::vector<Contexts::Row> cut = run(executor, contexts.list(hall.address, 2));
+  EXPECT_EQ(text_of(cut), " there\nnorth there\nnorth/blocks too-many\n");
+  EXPECT_EQ(cut[2].fault->sentence, "the list is full: it lacks this one, 0 more of the same level, and all below");
 }
 
 TEST_F(ContextsTest, ABoardThatIsNotThereIsNotNamed) {

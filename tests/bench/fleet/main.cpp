@@ -85,7 +85,7 @@ int run_all(const Choices& choices) {
   Figures figures("fleet", choices.json ? Figures::Style::json : Figures::Style::plain);
   for (const int cells : choices.cells) {
     const Fleet fleet = measure(cells, choices.seconds);
-    const std::string what = fmt::format("{} cells of {} agents", cells, agents_a_cell);
+    const std::string what = fmt::format("{} {} of {} agents", cells, cells == 1 ? "cell" : "cells", agents_a_cell);
     figures.say({what + ", all together", fleet.facts_per_s, "facts/s", {}});
     figures.say({what + ", a board's memory", fleet.board_mb, "MB", {}});
   }
