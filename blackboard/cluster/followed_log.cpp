@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "blackboard/cluster/log_format.hpp"
 #include "blackboard/cluster/snapshot.hpp"
 #include "blackboard/journal/checksum.hpp"
 #include "blackboard/wire/answer_form.hpp"
@@ -22,7 +23,15 @@ std::unexpected<Failure> damaged(const std::string& what) {
 
 }  // namespace
 
+// What another version wrote may look damaged.
 Result<std::size_t> FollowedLog::follow() {
+  const Result<std::size_t> came = follow_some();
+  const bool looks_damaged = !came && came.error().symbol == "bad-journal";
+  const Result<void> readable = looks_damaged ? check_format(key_values_, keys_) : Result<void>();
+  return readable ? came : fail(readable);
+}
+
+Result<std::size_t> FollowedLog::follow_some() {
   if (store_ == nullptr) {
     const Result<void> begun = begin();
     if (!begun) return fail(begun);
@@ -33,9 +42,8 @@ Result<std::size_t> FollowedLog::follow() {
   std::size_t entries = 0;
   for (const KeyValue& value : *came) {
     if (value.key == keys_.alive()) {
-      Result<Alive> alive = alive_from(value.value);
-      if (!alive) return fail(alive);
-      alive_ = *alive;
+      const Result<void> understood = heard(value.value);
+      if (!understood) return fail(understood);
       continue;
     }
     const Result<Entry> entry = entry_from(value.value);
@@ -43,7 +51,7 @@ Result<std::size_t> FollowedLog::follow() {
     if (entry->number != number_ + 1) {
       // A snapshot stands in place of those between.
       store_ = nullptr;
-      return follow();
+      return follow_some();
     }
     const Result<void> applied = apply(*entry);
     if (!applied) return fail(applied);
@@ -53,6 +61,16 @@ Result<std::size_t> FollowedLog::follow() {
   }
   is_behind_ = is_behind_ || entries >= asked;
   return entries;
+}
+
+// Another leader may write another format.
+Result<void> FollowedLog::heard(const std::string& text) {
+  const Result<Alive> alive = alive_from(text);
+  if (!alive) return fail(alive);
+  const bool is_of_another = !alive_ || alive_->epoch != alive->epoch;
+  const Result<void> readable = is_of_another ? check_format(key_values_, keys_) : Result<void>();
+  if (readable) alive_ = *alive;
+  return readable;
 }
 
 // Etcd walks over every key of a range, however few it is asked for. So a range has an end where many may come.
@@ -98,7 +116,8 @@ Result<void> FollowedLog::begin() {
   later_.clear();
   replies_.clear();
   weight_ = {};
-  const Result<void> restored = restore_snapshot();
+  const Result<void> readable = check_format(key_values_, keys_);
+  const Result<void> restored = readable ? restore_snapshot() : readable;
   if (!restored) store_ = nullptr;
   // A read that was not answered has changed nothing in the store.
   if (restored || restored.error().symbol != "unavailable") ++begun_;

@@ -9,7 +9,7 @@
 //   followed.alive();                              // what the leader said last
 //
 // Entries are numbered without a gap. Where the next one is gone, because others came meanwhile and a snapshot took
-// their place, it begins anew from that. Failures: unavailable, bad-journal.
+// their place, it begins anew from that. Failures: unavailable, bad-journal, other-format.
 
 #include <memory>
 
@@ -54,6 +54,8 @@ class FollowedLog {
   std::string text() const;
 
  private:
+  Result<std::size_t> follow_some();
+  Result<void> heard(const std::string& alive);
   Result<std::vector<KeyValue>> next_entries();
   Result<std::vector<KeyValue>> some_of(const KeyValues::Range& range);
   Result<void> begin();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "blackboard/cluster/log_format.hpp"
+
 namespace pizarra::cluster {
 
 namespace {
@@ -32,7 +34,7 @@ Result<std::optional<Leadership>> Leadership::campaign(KeyValues& key_values, co
   alive.fact += reserve;
   KeyValues::Transaction taking{
       .compares = {{keys.epoch(), *standing}, {keys.alive(), seen ? std::optional(text_of(*seen)) : std::nullopt}},
-      .puts = {{keys.epoch(), text_of(mine)}, {keys.alive(), text_of(alive)}}};
+      .puts = {{keys.epoch(), text_of(mine)}, {keys.alive(), text_of(alive)}, format_of_this_build(keys)}};
   if (!*standing) taking.puts.push_back({keys.head(), "0"});
   const Result<KeyValues::Reply> taken = key_values.transact(taking, patience);
   if (!taken) return fail(taken);

@@ -3,6 +3,7 @@
 // Where a cell's log lies among the keys of a cluster, and what is written there, so that people can read it:
 //
 //   pizarra/CELL/cell              NAME, or NAME KEY               of the cell whose log it is
+//   pizarra/CELL/format            NUMBER                          of how all this is written (log_format.hpp)
 //   pizarra/CELL/epoch             (epoch NUMBER BOARD NONCE)      who leads
 //   pizarra/CELL/head              NUMBER                          of the newest entry
 //   pizarra/CELL/log/0000000000042 (entry NUMBER EPOCH SUM) and its lines, then its replies
@@ -24,6 +25,7 @@ class LogKeys {
  public:
   explicit LogKeys(const std::string& cell) : base_("pizarra/" + cell + "/") {}
   std::string cell() const { return base_ + "cell"; }
+  std::string format() const { return base_ + "format"; }
   std::string epoch() const { return base_ + "epoch"; }
   std::string head() const { return base_ + "head"; }
   std::string alive() const { return base_ + "log/alive"; }

@@ -4,6 +4,7 @@
 
 #include "blackboard/cluster/followed_log.hpp"
 #include "blackboard/cluster/leadership.hpp"
+#include "blackboard/cluster/log_format.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/store/durable_facts.hpp"
 
@@ -33,7 +34,8 @@ std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapsh
   const EpochValue epoch{1, "copied from a file", nonce};
   const Alive alive{
       .epoch = epoch.number, .when = end.when, .revision = end.revision, .fact = store.next_fact(), .leaves = true};
-  return {{keys.epoch(), text_of(epoch)},
+  return {format_of_this_build(keys),
+          {keys.epoch(), text_of(epoch)},
           {keys.alive(), text_of(alive)},
           {keys.head(), std::to_string(snapshot.number)},
           {keys.snapshot(), text_of(snapshot)}};

@@ -9,6 +9,8 @@
 #include <set>
 
 #include "blackboard/client/remote_board.hpp"
+#include "blackboard/cluster/etcd_client.hpp"
+#include "blackboard/cluster/log_keys.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 #include "tests/blackboard/child_program.hpp"
@@ -114,6 +116,16 @@ TEST_F(Boards, RefuseTheLogOfAnotherCell) {
   std::string line = again->line();
   while (!line.empty() && !line.contains("ready on")) line = again->line();
   EXPECT_TRUE(line.contains("ready on")) << "it is its own";
+}
+
+TEST_F(Boards, EndWithASentenceWhereTheLogIsOfANewerFormat) {
+  const auto etcd = EtcdClient::open(LogAddress::from(etcd_->address("newer"), "", false).value()).value();
+  const KeyValue newer{LogKeys("newer").format(), "3"};
+  ASSERT_TRUE(etcd->transact({.compares = {}, .puts = {newer}}, 5s).has_value());
+  ChildProgram board({PIZARRA_BOARD, "--listen", "tcp://127.0.0.1:*", "--log", etcd_->address("newer")});
+  EXPECT_EQ(board.wait(), 4);
+  const std::string said = board.rest();
+  EXPECT_TRUE(said.contains("the log in the cluster is of format 3, and this build reads formats 1 and 2")) << said;
 }
 
 TEST_F(Boards, HearNothingMoreOfALeaderThatWasStoppedAndComesBack) {
