@@ -36,6 +36,22 @@ void hasten(int file) {
   setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
 
+// Of IPv4 or IPv6; nothing for a name.
+std::optional<sockaddr_storage> address_in_figures(const std::string& text, std::uint16_t port) {
+  sockaddr_storage storage{};
+  auto* four = reinterpret_cast<sockaddr_in*>(&storage);
+  auto* six = reinterpret_cast<sockaddr_in6*>(&storage);
+  if (inet_pton(AF_INET, text.c_str(), &four->sin_addr) == 1) {
+    four->sin_family = AF_INET;
+    four->sin_port = htons(port);
+    return storage;
+  }
+  if (inet_pton(AF_INET6, text.c_str(), &six->sin6_addr) != 1) return std::nullopt;
+  six->sin6_family = AF_INET6;
+  six->sin6_port = htons(port);
+  return storage;
+}
+
 bool has_body(MHD_Connection* connection) {
   const std::string length = header_of(connection, "Content-Length");
   return (!length.empty() && length != "0") || !header_of(connection, "Transfer-Encoding").empty();
@@ -116,12 +132,8 @@ struct HttpServer::Callbacks {
 Result<std::unique_ptr<HttpServer>> HttpServer::listen(Executor& executor, const Place& place, Handler handler) {
   std::unique_ptr<HttpServer> server(new HttpServer(executor, std::move(handler)));
   const auto port = static_cast<std::uint16_t>(place.port);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  if (inet_pton(AF_INET, place.address.c_str(), &address.sin_addr) != 1) {
-    return fail("cannot-listen", fmt::format("{} is no IPv4 address", text_of_bytes(place.address)));
-  }
+  const std::optional<sockaddr_storage> address = address_in_figures(place.address, port);
+  if (!address) return fail("cannot-listen", fmt::format("{} is no IP address", text_of_bytes(place.address)));
   const bool secure = !place.certificate.empty();
   std::vector<MHD_OptionItem> tls;
   if (secure) {
@@ -130,11 +142,12 @@ Result<std::unique_ptr<HttpServer>> HttpServer::listen(Executor& executor, const
            {MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(tls_versions)}};
   }
   tls.push_back({MHD_OPTION_END, 0, nullptr});
-  const unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_UPGRADE | MHD_USE_ERROR_LOG | (secure ? MHD_USE_TLS : MHD_NO_FLAG);
+  const unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_UPGRADE | MHD_USE_ERROR_LOG | (secure ? MHD_USE_TLS : MHD_NO_FLAG) |
+                         (address->ss_family == AF_INET6 ? MHD_USE_IPv6 : MHD_NO_FLAG);
   errno = 0;
   server->daemon_ =
       MHD_start_daemon(flags, port, nullptr, nullptr, &Callbacks::handle, server.get(), MHD_OPTION_EXTERNAL_LOGGER,
-                       &Callbacks::log, nullptr, MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_COMPLETED,
+                       &Callbacks::log, nullptr, MHD_OPTION_SOCK_ADDR, &*address, MHD_OPTION_NOTIFY_COMPLETED,
                        &Callbacks::completed, nullptr, MHD_OPTION_CONNECTION_LIMIT, max_connections,
                        MHD_OPTION_CONNECTION_TIMEOUT, silence_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT, head_bytes,
                        MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_ARRAY, tls.data(), MHD_OPTION_END);

@@ -77,7 +77,7 @@ class HttpServer {
 
   // With a certificate and its key, both as PEM, it speaks TLS and nothing else.
   struct Place {
-    std::string address = "127.0.0.1";  // IPv4
+    std::string address = "127.0.0.1";  // in figures
     int port = 0;                       // 0: any that is free
     std::string certificate = {};
     std::string certificate_key = {};

@@ -1,7 +1,8 @@
 #pragma once
 
-// Where a cell's log is kept: `etcd://A,B,C/CELL`, each member HOST:PORT or HOST (port 2379). Members that other
-// machines reach are spoken to with TLS and a client's certificate, from a folder with ca.crt, client.crt, client.key.
+// Where a cell's log is kept: `etcd://A,B,C/CELL`, each member HOST:PORT or HOST (port 2379), an address of IPv6 in
+// brackets. Members that other machines reach are spoken to with TLS and a client's certificate, from a folder with
+// ca.crt, client.crt, client.key.
 //
 //   Result<LogAddress> address = LogAddress::from("etcd://10.0.0.1,10.0.0.2,10.0.0.3/blocks", "keys/etcd", false);
 
@@ -22,5 +23,12 @@ struct LogAddress {
   // Failures bad-address, not-loopback.
   static Result<LogAddress> from(const std::string& text, const std::string& certificates, bool insecure);
 };
+
+struct HostPort {
+  std::string host;  // without brackets
+  int port = 0;      // 0 where it is none
+};
+// Of HOST:PORT.
+HostPort host_and_port(const std::string& member);
 
 }  // namespace pizarra::cluster

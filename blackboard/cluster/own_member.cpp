@@ -6,6 +6,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "blackboard/cluster/log_address.hpp"
+
 namespace pizarra::cluster {
 
 namespace {
@@ -20,8 +22,7 @@ bool is_own(const addrinfo& address) {
 }
 
 bool is_on_this_host(const std::string& member) {
-  std::string host = member.substr(0, member.rfind(':'));
-  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  const std::string host = host_and_port(member).host;
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_DGRAM;
   addrinfo* found = nullptr;

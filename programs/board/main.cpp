@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* exit_codes =
     "Exit codes: 0 stopped by SIGINT or SIGTERM, 2 wrong arguments, 3 an address or its keys cannot be used, 4 the "
-    "journal cannot be read or opened.";
+    "journal or log cannot be read or opened, or is not this cell's.";
 
 struct Options {
   server::BoardServerOptions server;

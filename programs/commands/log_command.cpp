@@ -65,7 +65,8 @@ struct MemberChoices {
 constexpr Duration waits_for_others = 25s;
 
 Task<void> find_beginning(Executor& executor, MemberHere member, Result<cluster::Beginning>* begins) {
-  *begins = co_await beginning_of(executor, std::move(member), executor.now() + waits_for_others);
+  SayWaiting say = [](const Failure& waits) { (void)complain(waits, exit_unavailable); };
+  *begins = co_await beginning_of(executor, std::move(member), executor.now() + waits_for_others, std::move(say));
 }
 
 Result<cluster::Beginning> await_beginning(const MemberHere& member) {

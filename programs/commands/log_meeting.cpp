@@ -1,53 +1,49 @@
 #include "programs/commands/log_meeting.hpp"
 
-#include "drivers/line/tcp_wire.hpp"
+#include <fstream>
+#include <iterator>
 
 namespace pizarra::programs {
 
 namespace {
 
-struct Place {
-  std::string host;
-  std::uint16_t port = 0;
-};
+constexpr const char* place_of_word = "/no-data";
+constexpr Duration answers_within = 500ms;
 
-Place place_of(const std::string& member) {
-  const std::size_t colon = member.rfind(':');
-  const std::string host = member.substr(0, colon);
-  return {host == "localhost" ? "127.0.0.1" : host, static_cast<std::uint16_t>(std::stoi(member.substr(colon + 1)))};
+std::string word_of(const cluster::LogAddress& log) { return "(no-data " + log.cell + ")\n"; }
+
+Result<std::string> pem(const cluster::LogAddress& log, const char* name) {
+  if (log.certificates.empty()) return std::string();
+  const std::string path = log.certificates + "/" + name;
+  std::ifstream file(path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (text.empty()) return fail("bad-address", "the certificates of the log cannot be read: " + path);
+  return text;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<LogMeeting>> LogMeeting::open(Executor& executor, const std::string& own,
-                                                     const std::string& cell) {
-  const Place place = place_of(own);
-  Result<std::unique_ptr<line::TcpPort>> port = line::TcpPort::listen(executor, place.host, place.port);
-  if (!port) return fail(port);
-  return std::unique_ptr<LogMeeting>(new LogMeeting(executor, std::move(*port), cell));
+Result<std::unique_ptr<console::HttpServer>> say_no_data(Executor& executor, const std::string& own,
+                                                         const cluster::LogAddress& log) {
+  const Result<std::string> certificate = pem(log, "server.crt");
+  if (!certificate) return fail(certificate);
+  const Result<std::string> key = pem(log, "server.key");
+  if (!key) return fail(key);
+  const cluster::HostPort at = cluster::host_and_port(own);
+  return console::HttpServer::listen(executor,
+                                     {.address = at.host == "localhost" ? "127.0.0.1" : at.host,
+                                      .port = at.port,
+                                      .certificate = *certificate,
+                                      .certificate_key = *key},
+                                     [word = word_of(log)](const console::HttpRequest& request) {
+                                       if (request.path != place_of_word) return console::HttpAnswer{.status = 404};
+                                       return console::HttpAnswer{.type = "text/plain", .body = word};
+                                     });
 }
 
-Task<void> LogMeeting::say() {
-  while (true) {
-    const Result<void> came = co_await port_->open(executor_.now() + std::chrono::hours(1));
-    if (came) (void)port_->write(sentence_);
-    port_->close();
-  }
-}
-
-Task<bool> LogMeeting::says_it(std::string member) {
-  const Place place = place_of(member);
-  line::TcpWire wire(executor_, place.host, place.port);
-  const Time deadline = executor_.now() + 500ms;
-  const Result<void> opened = co_await wire.open(deadline);
-  if (!opened) co_return false;
-  std::string said;
-  while (said.size() < sentence_.size()) {
-    const Result<std::string> more = co_await wire.read(deadline);
-    if (!more) co_return false;
-    said += *more;
-  }
-  co_return said == sentence_;
+bool says_no_data(cluster::EtcdClient& between, std::size_t member, const cluster::LogAddress& log) {
+  const Result<std::string> said = between.read(member, place_of_word, answers_within);
+  return said && *said == word_of(log);
 }
 
 }  // namespace pizarra::programs

@@ -3,35 +3,24 @@
 // Where members of a log that have no data find each other. One whose disk is new cannot tell by itself whether its
 // cluster is new, too. Only where all say at the same time that they have nothing, nothing can be lost.
 //
-//   Result<std::unique_ptr<LogMeeting>> meeting = LogMeeting::open(executor, "10.0.0.1:2380", "blocks");
-//   const Job says = executor.spawn((*meeting)->say());
-//   const bool empty = co_await (*meeting)->says_it("10.0.0.2:2380");
+//   Result<std::unique_ptr<console::HttpServer>> says = say_no_data(executor, "10.0.0.1:2380", log);   // while it is
+//   const bool empty = says_no_data(*between, 1, log);                                                   // another one
 //
-// The addresses are those at which the members speak to each other: no etcd runs there before it begins.
+// The addresses are those at which the members speak to each other: no etcd runs there before it begins. With
+// certificates it is said by TLS with that of the server, as etcd would, and believed of nobody else.
 
 #include <memory>
 #include <string>
 
-#include "drivers/line/tcp_port.hpp"
+#include "agents/console/http_server.hpp"
+#include "blackboard/cluster/etcd_client.hpp"
 
 namespace pizarra::programs {
 
-class LogMeeting {
- public:
-  // `own` and all others: HOST:PORT. Failure bad-address.
-  static Result<std::unique_ptr<LogMeeting>> open(Executor& executor, const std::string& own, const std::string& cell);
-
-  // That this one has no data, to all who ask.
-  Task<void> say();
-  Task<bool> says_it(std::string member);
-
- private:
-  LogMeeting(Executor& executor, std::unique_ptr<line::TcpPort> port, const std::string& cell)
-      : executor_(executor), port_(std::move(port)), sentence_("(no-data " + cell + ")\n") {}
-
-  Executor& executor_;
-  const std::unique_ptr<line::TcpPort> port_;
-  const std::string sentence_;
-};
+// `own`: HOST:PORT. Failures cannot-listen, and bad-address where a file of the certificates cannot be read.
+Result<std::unique_ptr<console::HttpServer>> say_no_data(Executor& executor, const std::string& own,
+                                                         const cluster::LogAddress& log);
+// Waits for the answer. `between` has the addresses between the members.
+bool says_no_data(cluster::EtcdClient& between, std::size_t member, const cluster::LogAddress& log);
 
 }  // namespace pizarra::programs

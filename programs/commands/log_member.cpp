@@ -1,6 +1,7 @@
 #include "programs/commands/log_member.hpp"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,11 +19,17 @@ constexpr Duration asks_every = 500ms;
 
 // HOST:PORT at which the others speak to a member.
 Result<std::string> peer_of(const std::string& member) {
-  const std::size_t colon = member.rfind(':');
+  const int port = cluster::host_and_port(member).port;
   constexpr int highest = 65535;
-  const int port = std::atoi(member.c_str() + colon + 1);
   if (port < 1 || port >= highest) return fail("bad-address", "a member has a port from 1 to 65534: " + member);
-  return fmt::format("{}:{}", member.substr(0, colon), port + 1);
+  return fmt::format("{}:{}", member.substr(0, member.rfind(':')), port + 1);
+}
+
+// Etcd listens at no other name.
+bool is_in_figures(const std::string& host) {
+  in6_addr bytes{};
+  return host == "localhost" || inet_pton(AF_INET, host.c_str(), &bytes) == 1 ||
+         inet_pton(AF_INET6, host.c_str(), &bytes) == 1;
 }
 
 std::string name_of(std::size_t number) { return fmt::format("member-{}", number + 1); }
@@ -73,16 +80,48 @@ std::string sentence_of_waiting(const MemberHere& member, const std::vector<std:
       member.folder, fmt::join(silent, ", "));
 }
 
-using Begins = Result<std::optional<cluster::Beginning>>;
+struct Others {
+  cluster::LogAddress between;  // the addresses at which members speak to each other
+  std::unique_ptr<cluster::EtcdMembers> members;
+  std::unique_ptr<cluster::EtcdClient> client;
+};
 
-// Asks what the others know of it, once.
-Task<Begins> ask_others(Executor& executor, std::shared_ptr<cluster::LogMembers> others, std::string url) {
-  const auto begins = std::make_shared<Begins>(std::nullopt);
-  std::function<void(const std::function<bool()>&)> work = [others, url, begins](auto&&) {
-    *begins = cluster::begin_member(*others, url);
-  };
+Result<std::shared_ptr<Others>> others_of(const MemberHere& member, const Peers& peers) {
+  const auto others = std::make_shared<Others>();
+  others->between = member.log;
+  others->between.members = peers.all;
+  others->between = without(others->between, peers.own);
+  Result<std::unique_ptr<cluster::EtcdMembers>> members =
+      cluster::EtcdMembers::open(without(member.log, peers.own), others->between);
+  if (!members) return fail(members);
+  others->members = std::move(*members);
+  Result<std::unique_ptr<cluster::EtcdClient>> client = cluster::EtcdClient::open(others->between);
+  if (!client) return fail(client);
+  others->client = std::move(*client);
+  return others;
+}
+
+struct Known {
+  Result<std::optional<cluster::Beginning>> begins = std::nullopt;
+  std::vector<std::string> silent = {};  // of those that are asked whether they have no data either
+};
+
+Known ask(const Others& others, const std::string& url) {
+  Known known{.begins = cluster::begin_member(*others.members, url), .silent = {}};
+  if (known.begins && *known.begins) return known;
+  for (std::size_t other = 0; other < others.between.members.size(); ++other) {
+    if (!says_no_data(*others.client, other, others.between)) known.silent.push_back(others.between.members[other]);
+  }
+  if (known.silent.empty()) known.begins = cluster::Beginning::anew;
+  return known;
+}
+
+// Asks all others, once.
+Task<Known> ask_others(Executor& executor, std::shared_ptr<const Others> others, std::string url) {
+  const auto known = std::make_shared<Known>();
+  std::function<void(const std::function<bool()>&)> work = [others, url, known](auto&&) { *known = ask(*others, url); };
   co_await executor.offload(std::move(work), Duration::zero());
-  co_return *begins;
+  co_return *known;
 }
 
 }  // namespace
@@ -90,37 +129,32 @@ Task<Begins> ask_others(Executor& executor, std::shared_ptr<cluster::LogMembers>
 Result<void> check_member(const MemberHere& member) {
   const Result<Peers> peers = peers_of(member);
   if (!peers) return fail(peers);
+  const std::string host = cluster::host_and_port(member.log.members[peers->own]).host;
+  if (!is_in_figures(host)) {
+    return fail("bad-address", fmt::format("a member that runs here has an address in figures, not {}", host));
+  }
   if (access(etcd, X_OK) != 0) return fail("no-program", "etcd is not installed: apt install etcd-server");
   return {};
 }
 
 bool has_data(const MemberHere& member) { return std::filesystem::exists(member.folder + "/member/wal"); }
 
-Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere member, Time deadline) {
+Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere member, Time deadline, SayWaiting say) {
   const Result<Peers> peers = peers_of(member);
   if (!peers) co_return fail(peers);
-  cluster::LogAddress between = without(member.log, peers->own);
-  if (between.members.empty()) co_return cluster::Beginning::anew;
-  cluster::LogAddress others = between;
-  between.members = peers->all;
-  between = without(between, peers->own);
-  Result<std::unique_ptr<cluster::EtcdMembers>> opened = cluster::EtcdMembers::open(others, between);
-  if (!opened) co_return fail(opened);
-  const std::shared_ptr<cluster::LogMembers> members = std::move(*opened);
-  const auto meeting = LogMeeting::open(executor, peers->all[peers->own], member.log.cell);
-  if (!meeting) co_return fail(meeting);
-  const Job says = executor.spawn((*meeting)->say());
+  if (peers->all.size() == 1) co_return cluster::Beginning::anew;
+  const Result<std::shared_ptr<Others>> others = others_of(member, *peers);
+  if (!others) co_return fail(others);
+  const auto says = say_no_data(executor, peers->all[peers->own], member.log);
+  if (!says) co_return fail(says);
   Failure newest{"unavailable", "", {}, {}};
   while (executor.now() < deadline) {
-    const Begins begins = co_await ask_others(executor, members, peers->url(member, peers->own));
-    if (begins && *begins) co_return **begins;
-    std::vector<std::string> silent;
-    for (const std::string& other : between.members) {
-      const bool is_empty = co_await (*meeting)->says_it(other);
-      if (!is_empty) silent.push_back(other);
-    }
-    if (silent.empty()) co_return cluster::Beginning::anew;
-    newest = begins ? Failure{"unavailable", sentence_of_waiting(member, silent), {}, {}} : begins.error();
+    const Known known = co_await ask_others(executor, *others, peers->url(member, peers->own));
+    if (known.begins && *known.begins) co_return **known.begins;
+    const Failure waits =
+        known.begins ? Failure{"unavailable", sentence_of_waiting(member, known.silent), {}, {}} : known.begins.error();
+    if (waits.sentence != newest.sentence) say(waits);
+    newest = waits;
     co_await sleep(executor, asks_every);
   }
   co_return fail(newest);

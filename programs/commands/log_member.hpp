@@ -6,12 +6,13 @@
 //
 //   const MemberHere member{*address, "10.0.0.1", "/var/lib/pizarra/blocks"};
 //   Result<void> sound = check_member(member);
-//   Result<cluster::Beginning> begins = co_await beginning_of(executor, member, deadline);     // where
-//   !has_data(member) std::vector<std::string> command = etcd_command(member, *begins);
+//   Result<cluster::Beginning> begins = co_await beginning_of(executor, member, deadline, say);   // where it has no
+//   data std::vector<std::string> command = etcd_command(member, *begins);
 //
 // Members speak to one another at the port above the one at which they are asked. With certificates both ways are
 // encrypted, by server.crt and server.key, to whom ca.crt vouches for.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,10 @@ struct MemberHere {
 // Failures bad-address, and no-program where etcd is not installed.
 Result<void> check_member(const MemberHere& member);
 bool has_data(const MemberHere& member);
-// Failures bad-address, and unavailable: for whom it waited.
-Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere member, Time deadline);
+// Says whenever it waits for others than before. Failures bad-address, cannot-listen, and unavailable: for whom it
+// waited.
+using SayWaiting = std::function<void(const Failure&)>;
+Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere member, Time deadline, SayWaiting say);
 // Of a member that was checked.
 std::vector<std::string> etcd_command(const MemberHere& member, cluster::Beginning begins);
 

@@ -6,8 +6,10 @@ void add_log_options(CLI::App& app, UpChoices& choices) {
   CLI::Option* log = app.add_option("--log", choices.log,
                                     "Keep what is durable in an etcd cluster, etcd://A,B,C/CELL, so that another board "
                                     "takes over when this one is gone");
-  app.add_option("--log-certificates", choices.certificates,
-                 "The folder of ca.crt, client.crt and client.key for that cluster")
+  app.add_option(
+         "--log-certificates", choices.certificates,
+         "The folder of ca.crt, client.crt and client.key for that cluster; with --log-here also of server.crt and "
+         "server.key")
       ->needs(log);
   app.add_flag("--log-insecure", choices.log_insecure, "Connect to that cluster without encryption")->needs(log);
   app.add_option("--standby", choices.standby, "Also run a board on this host, at this address of the cell")

@@ -18,19 +18,12 @@ namespace {
 
 using std::chrono::seconds;
 
-// Two ports, one behind the other.
-int two_free_ports() {
-  int port = cluster::free_port();
-  while (cluster::can_connect(port + 1)) port = cluster::free_port();
-  return port;
-}
-
 class UpWithLogHere : public testing::Test {
  protected:
   void SetUp() override {
     if (!cluster::RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
     for (const char* host : {"a", "b", "c"}) std::filesystem::remove_all(scratch_folder() + "member-" + host);
-    for (const char* host : {"a", "b", "c"}) members_[host] = fmt::format("127.0.0.1:{}", two_free_ports());
+    for (const char* host : {"a", "b", "c"}) members_[host] = fmt::format("127.0.0.1:{}", cluster::two_free_ports());
     board_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
     standby_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
     std::ofstream(cell_) << fmt::format(

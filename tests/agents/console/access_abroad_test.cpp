@@ -100,7 +100,7 @@ TEST(AServerAbroad, ListensWithACertificateAndItsKeyAlone) {
     return server ? std::string() : server.error().sentence;
   };
   EXPECT_NE(refused({"127.0.0.1", 0, "no certificate", "no key"}).find("no such pair"), std::string::npos);
-  EXPECT_EQ(refused({"nowhere", 0}), "nowhere is no IPv4 address");
+  EXPECT_EQ(refused({"nowhere", 0}), "nowhere is no IP address");
   EXPECT_EQ(refused({}), "");
 }
 

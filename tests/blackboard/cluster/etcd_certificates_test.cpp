@@ -7,25 +7,11 @@
 
 #include "blackboard/cluster/etcd_client.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/certificates.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra::cluster {
 namespace {
-
-// An authority, and a server's and a client's certificate of it.
-bool make_certificates(const std::string& folder) {
-  std::filesystem::create_directories(folder);
-  const std::string script =
-      "cd '" + folder +
-      "' && key='-newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes' &&"
-      " printf 'subjectAltName=IP:127.0.0.1' > names &&"
-      " openssl req -x509 $key -keyout ca.key -out ca.crt -days 2 -subj /CN=authority &&"
-      " for name in server client; do"
-      "  openssl req $key -keyout $name.key -out $name.csr -subj /CN=$name &&"
-      "  openssl x509 -req -in $name.csr -CA ca.crt -CAkey ca.key -CAcreateserial -days 2 -extfile names -out $name.crt"
-      "  || exit 1; done";
-  return std::system(("( " + script + " ) >/dev/null 2>&1").c_str()) == 0;
-}
 
 class EtcdWithCertificates : public testing::Test {
  protected:

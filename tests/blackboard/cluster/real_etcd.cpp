@@ -47,6 +47,12 @@ int free_port() {
   return ntohs(name.sin_port);
 }
 
+int two_free_ports() {
+  int port = free_port();
+  while (can_connect(port + 1)) port = free_port();
+  return port;
+}
+
 bool RealEtcd::is_installed() { return access(program, X_OK) == 0; }
 
 RealEtcd::RealEtcd(const std::string& certificates, const std::vector<std::string>& more)

@@ -1,0 +1,113 @@
+// `log member`: members of a log, with certificates, begin together and come back without their data.
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <memory>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/certificates.hpp"
+#include "tests/programs/running.hpp"
+#include "tests/programs/shell.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra::programs {
+namespace {
+
+using std::chrono::seconds;
+
+bool has_ipv6() {
+  const int file = socket(AF_INET6, SOCK_DGRAM, 0);
+  sockaddr_in6 own{};
+  own.sin6_family = AF_INET6;
+  own.sin6_addr = in6addr_loopback;
+  const bool bound = file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
+  close(file);
+  return bound;
+}
+
+// Three hosts of one machine.
+class LogMembers : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!cluster::RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+    if (!make_certificates(own_) || !make_certificates(strange_)) GTEST_SKIP() << "openssl is not installed (openssl)";
+    are_at("127.0.0.1");
+  }
+  void are_at(const std::string& address) {
+    for (const char* host : {"a", "b", "c"}) {
+      ports_[host] = cluster::two_free_ports();
+      members_[host] = fmt::format("{}:{}", address, ports_[host]);
+      std::filesystem::remove_all(folder(host));
+    }
+  }
+  static std::string folder(const std::string& host) { return scratch_folder() + "log-member-" + host; }
+  std::string log() const {
+    return fmt::format("etcd://{},{},{}/here", members_.at("a"), members_.at("b"), members_.at("c"));
+  }
+  void start(const std::string& host, const std::string& certificates) {
+    std::vector<std::string> words = {PIZARRA_CELL, "log", "member", log(), members_.at(host), folder(host)};
+    if (!certificates.empty()) words.insert(words.end(), {"--log-certificates", certificates});
+    running_[host] = std::make_unique<Running>(words, scratch_folder() + "log-member-" + host + ".log");
+  }
+  bool comes_up(const std::string& host) const {
+    const std::string ask =
+        fmt::format("curl -s --cacert {0}/ca.crt --cert {0}/client.crt --key {0}/client.key https://{1}/health", own_,
+                    members_.at(host));
+    return wait_until([&] { return shell_in_scratch(ask).text.contains("true"); }, seconds(60));
+  }
+  std::string said() const {
+    std::string all;
+    for (const auto& [host, member] : running_) all += "--- " + host + "\n" + member->said();
+    return all;
+  }
+  void begin_and_bring_one_back() {
+    for (const char* host : {"a", "b", "c"}) start(host, own_);
+    for (const char* host : {"a", "b", "c"}) ASSERT_TRUE(comes_up(host)) << said();
+    running_.at("c")->signal(SIGTERM);
+    ASSERT_TRUE(running_.at("c")->end(seconds(60)).has_value());
+    std::filesystem::remove_all(folder("c"));
+    start("c", own_);
+    EXPECT_TRUE(comes_up("c")) << said();
+  }
+
+  const std::string own_ = scratch_folder() + "own-certificates";
+  const std::string strange_ = scratch_folder() + "strange-certificates";
+  std::map<std::string, int> ports_;
+  std::map<std::string, std::string> members_;
+  std::map<std::string, std::unique_ptr<Running>> running_;
+};
+
+TEST_F(LogMembers, WithCertificatesBeginTogetherAndComeBackWithoutTheirData) { begin_and_bring_one_back(); }
+
+TEST_F(LogMembers, OfIpv6BeginTogetherAndComeBackWithoutTheirData) {
+  if (!has_ipv6()) GTEST_SKIP() << "this machine has no IPv6";
+  are_at("[::1]");
+  begin_and_bring_one_back();
+}
+
+TEST_F(LogMembers, TakeNobodysWordForHavingNoDataWhomTheirAuthorityDoesNotKnow) {
+  for (const std::string& others : {strange_, std::string()}) {
+    running_.clear();
+    for (const char* host : {"a", "b"}) start(host, own_);
+    start("c", others);
+    // Of the three, b alone is believed.
+    const std::string sentence = fmt::format("has no data, and waits for 127.0.0.1:{}:", ports_.at("c") + 1);
+    const auto is_said = [&] { return running_.at("a")->said().contains(sentence); };
+    EXPECT_TRUE(wait_until(is_said, seconds(60))) << said();
+    EXPECT_FALSE(std::filesystem::exists(folder("a"))) << "it did not begin";
+  }
+}
+
+TEST_F(LogMembers, HaveAnAddressInFigures) {
+  const Said refused = shell_in_scratch(std::string(PIZARRA_CELL) + " log member etcd://pc-1,pc-2,pc-3/here pc-2 " +
+                                        folder("b") + " --log-insecure");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(refused.text.contains("a member that runs here has an address in figures, not pc-2")) << refused.text;
+}
+
+}  // namespace
+}  // namespace pizarra::programs
