@@ -199,8 +199,12 @@ void RemoteBoard::replied(const Datum& message) {
 
 void RemoteBoard::tick() {
   const Time now = executor_.now();
-  tick_timer_ =
-      executor_.call_at(now + (pending_.empty() && !has_others() ? tick_while_idle : tick_length), [this] { tick(); });
+  const Time next = now + (pending_.empty() && !has_others() ? tick_while_idle : tick_length);
+  tick_timer_ = executor_.call_at(next, [this, next] {
+    // A client that does not run cannot say that the board is silent.
+    heard_ = std::min(heard_ + (executor_.now() - next), executor_.now());
+    tick();
+  });
   give_up_overdue(now);
   if (connect_again_ && *connect_again_ <= now) {
     connect_again_.reset();

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <thread>
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/server/board_server.hpp"
@@ -76,6 +77,23 @@ TEST_F(RemoteTest, AClientGreetsAsSoonAsItIsLetIn) {
     best = std::min(best, executor_.now() - before);
   }
   EXPECT_LT(best, 8ms);
+}
+
+TEST_F(RemoteTest, AClientThatDidNotRunDoesNotLeaveItsBoardForAnother) {
+  board_ = std::make_unique<memory::MemoryBoard>(executor_);
+  server_ = server::BoardServer::open(executor_, *board_, {.addresses = {"tcp://127.0.0.1:*"}}).value();
+  const std::string both = server_->addresses().front() + ",tcp://127.0.0.1:1";
+  const auto alice = client::RemoteBoard::connect(executor_, both, "alice").value();
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  // As long as a program is stopped, or computes.
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  bool is_with_it = true;
+  executor_.run_until([&] {
+    is_with_it = is_with_it && alice->connected();
+    return !is_with_it || alice->silence() < 100ms;
+  });
+  EXPECT_TRUE(is_with_it);
+  EXPECT_EQ(symbol_of(tell(*alice, "(on a b)")), "ok");
 }
 
 TEST_P(ClientTest, AfterTheServerWasLostAgentsGoOnAndTheirLeasesAreGone) {
