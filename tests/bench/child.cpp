@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <poll.h>
@@ -119,18 +120,10 @@ double Child::memory_mb(const std::string& name) const {
 }
 
 double Child::cpu_s() const {
-  std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
-  const std::string stat((std::istreambuf_iterator<char>(file)), {});
-  const std::size_t name_ends = stat.rfind(')');
-  if (name_ends == std::string::npos) return 0;
-  // Eleven words are between the name and the two figures.
-  std::istringstream words(stat.substr(name_ends + 1));
-  std::string skipped;
-  for (int word = 0; word < 11; ++word) words >> skipped;
-  double user = 0;
-  double system = 0;
-  words >> user >> system;
-  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  clockid_t clock{};
+  timespec ran{};
+  const bool is_known = clock_getcpuclockid(process_, &clock) == 0 && clock_gettime(clock, &ran) == 0;
+  return is_known ? static_cast<double>(ran.tv_sec) + 1e-9 * static_cast<double>(ran.tv_nsec) : 0;
 }
 
 double Child::waited_for_core_ms() const {

@@ -49,7 +49,7 @@ class Child {
   bool ended() const;
   // A line of its /proc/PID/status, as VmRSS or VmHWM.
   double memory_mb(const std::string& name) const;
-  // Of the processor, in all of its threads.
+  // Of the processor, in all of its threads, ended ones too.
   double cpu_s() const;
   // How long its threads that still are have waited for a core, though they had something to do.
   double waited_for_core_ms() const;

@@ -56,9 +56,11 @@ Task<void> HostLoss::tell_notes() {
     if (!tells_) continue;
     const std::int64_t note = next_note_++;
     is_telling_ = true;
+    const bool is_after_the_loss = no_tell_since_.has_value();
     const Result<Revision> told = co_await board_->tell(list("note"_sym, note));
     is_telling_ = false;
     if (told) acknowledged_.insert(note);
+    if (told && is_after_the_loss) note_wait(no_tell_since_, waits_.told_s);
   }
 }
 
@@ -78,6 +80,7 @@ Task<void> HostLoss::watch_operations() {
         // One that stands is shown again when the watch is resynchronised.
         if (seen_last_ == fact.id) continue;
         seen_last_ = fact.id;
+        note_wait(no_work_since_, waits_.worked_s);
         const Datum& what = fact.datum[2];
         const bool is_done = fact.datum[3].is_symbol("done");
         if (is_done && what == done_last_) ++tally_.done_twice;
@@ -109,9 +112,15 @@ void HostLoss::lose_the_leading_host() {
   if (host.empty()) throw std::runtime_error("no board leads:\n" + cell_.said());
   last_ = host;
   cell_.network().cut_power(host);
+  no_tell_since_ = no_work_since_ = executor_.now();
   pass(between(500, 4000));
   cell_.network().link(host, "both");
   cell_.up(host);
+}
+
+void HostLoss::note_wait(std::optional<Time>& since, std::vector<double>& waits_s) const {
+  if (since) waits_s.push_back(std::chrono::duration<double>(executor_.now() - *since).count());
+  since.reset();
 }
 
 void HostLoss::round() {
@@ -133,6 +142,7 @@ void HostLoss::round() {
     status = asking.end(std::chrono::seconds(0));
   }
   tells_ = false;
+  no_work_since_.reset();
   std::string said = asking.said();
   while (said.ends_with('\n')) said.pop_back();
   // A goal that came while the coordinator's host had no power was not taken, which is said.

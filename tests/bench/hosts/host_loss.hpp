@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 #include <zmq.hpp>
 
 #include "blackboard/client/remote_board.hpp"
@@ -34,6 +35,13 @@ class HostLoss {
     bool is_well() const { return failed + durable_lost + done_twice == 0; }
   };
 
+  // In seconds from the loss of a host, one of each round: the first note that was sent after it and acknowledged, and
+  // the first news of an operation, in rounds whose goal was not reached by then.
+  struct Waits {
+    std::vector<double> told_s;
+    std::vector<double> worked_s;
+  };
+
   // A round throws when it is stopped.
   HostLoss(std::uint64_t seed, std::function<bool()> is_stopped);
   HostLoss(const HostLoss&) = delete;
@@ -41,6 +49,7 @@ class HostLoss {
   ~HostLoss();
   void round();
   const Tally& tally() const { return tally_; }
+  const Waits& waits() const { return waits_; }
   // Of the last round: the host that was lost, and how it ended; where it did not end well, what the cell says of it.
   const std::string& last() const { return last_; }
 
@@ -50,6 +59,7 @@ class HostLoss {
   Task<void> watch_operations();
   void pass(Duration time);
   void lose_the_leading_host();
+  void note_wait(std::optional<Time>& since, std::vector<double>& waits_s) const;
   void judge(const std::string& upper, int status, bool nobody_pursues);
   int lost_notes();
   // The coordinator's newest events, a line each.
@@ -65,6 +75,10 @@ class HostLoss {
   std::unique_ptr<client::RemoteBoard> board_;
   std::unique_ptr<simulation::SocketLink> world_;
   Tally tally_;
+  Waits waits_;
+  // When the host was lost, until it was waited for.
+  std::optional<Time> no_tell_since_;
+  std::optional<Time> no_work_since_;
   std::string last_;
   std::int64_t next_note_ = 1;
   std::int64_t first_note_ = 1;          // of this round

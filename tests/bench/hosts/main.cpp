@@ -8,6 +8,7 @@
 #include "tests/bench/bench_main.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/hosts/host_loss.hpp"
+#include "tests/bench/measure.hpp"
 
 namespace pizarra::bench {
 namespace {
@@ -18,6 +19,11 @@ bool is_stopped() { return stopped_by != 0; }
 
 std::string why_unavailable() {
   return find_program("etcd") ? network::Network::unavailable() : "etcd is not installed: etcd-server";
+}
+
+std::string median_and_worst(const std::vector<double>& waits_s) {
+  if (waits_s.empty()) return "never";
+  return fmt::format("{:.2f} s p50, {:.2f} s worst", percentile(waits_s, 0.5), percentile(waits_s, 1));
 }
 
 int run_all(int rounds, std::uint64_t seed) {
@@ -31,6 +37,8 @@ int run_all(int rounds, std::uint64_t seed) {
     fmt::print("round {}, lost {}\n", round, cell.last());
     std::fflush(stdout);
   }
+  fmt::print("from the loss of a host: first tell {}; first news of an operation {}\n",
+             median_and_worst(cell.waits().told_s), median_and_worst(cell.waits().worked_s));
   const HostLoss::Tally& tally = cell.tally();
   fmt::print("rounds {}, reached {}, refused correctly {}, failed {}, durable lost {}, done twice {}\n", tally.rounds,
              tally.reached, tally.refused_correctly, tally.failed, tally.durable_lost, tally.done_twice);
