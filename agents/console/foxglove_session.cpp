@@ -197,11 +197,12 @@ Task<void> FoxgloveSession::follow_images(Numbers numbers) {
 }
 
 std::unique_ptr<ImageFeeds::Look> FoxgloveSession::look(const Numbers& numbers, const std::string& stream) {
-  return setup_.images.look(stream, [this, numbers](const std::shared_ptr<const ImageFeeds::Picture>& picture) {
+  auto look = setup_.images.look(stream, [this, numbers](const std::shared_ptr<const ImageFeeds::Picture>& picture) {
     const bool taken_in = socket_->waiting() < WebSocket::low_mark;
-    if (taken_in && !picture->jpeg.empty())
-      send(numbers, picture->captured, foxglove_image(picture->captured, picture->jpeg));
+    if (taken_in) send(numbers, picture->captured, foxglove_image(picture->captured, picture->jpeg));
   });
+  look->want(ImageFeeds::Size::full);
+  return look;
 }
 
 Task<void> FoxgloveSession::room() {

@@ -26,15 +26,23 @@ cv::Mat pixels_of(const Image& image) {
   return {image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data())};
 }
 
-void encode_picture(ImageFeeds::Picture& into, const Image& image, bool full, bool light) {
-  if (full) into.jpeg = full_jpeg(image);
-  if (!light) return;
-  const cv::Mat pixels = pixels_of(image);
+// Halves, which are made several times quicker than other sizes, and then the rest of the way.
+cv::Mat light_pixels(const cv::Mat& pixels) {
   cv::Mat small = pixels;
-  if (image.width > light_width) {
-    cv::resize(pixels, small, {light_width, image.height * light_width / image.width}, 0, 0, cv::INTER_AREA);
+  while (small.cols >= 2 * light_width) {
+    cv::Mat half;
+    cv::resize(small, half, {small.cols / 2, small.rows / 2}, 0, 0, cv::INTER_AREA);
+    small = half;
   }
-  into.light = jpeg_of(small, light_quality);
+  if (small.cols <= light_width) return small;
+  cv::Mat light;
+  cv::resize(small, light, {light_width, small.rows * light_width / small.cols}, 0, 0, cv::INTER_LINEAR);
+  return light;
+}
+
+std::string jpeg_in(ImageFeeds::Size size, const Image& image) {
+  if (size == ImageFeeds::Size::full) return full_jpeg(image);
+  return jpeg_of(light_pixels(pixels_of(image)), light_quality);
 }
 
 }  // namespace
@@ -49,87 +57,118 @@ std::string full_jpeg(const Image& image) { return jpeg_of(pixels_of(image), jpe
 
 class ImageFeeds::Feed {
  public:
-  // `came`: a frame waits to be encoded.
-  Feed(Streams& streams, const std::string& stream, const std::function<void()>& came)
-      : subscription_(streams.subscribe(stream, [this, came](const StreamFrame& frame) {
+  using Pictures = std::map<Size, std::shared_ptr<const Picture>>;
+  // A frame, in each of the sizes in which it is wanted.
+  struct Wanted {
+    StreamFrame frame;
+    std::uint64_t count;
+    Pictures pictures;  // null: still to be made
+    bool lacks_any() const {
+      return std::ranges::any_of(pictures, [](const auto& entry) { return entry.second == nullptr; });
+    }
+  };
+
+  // `waits`: somebody waits for a picture.
+  Feed(Streams& streams, const std::string& stream, std::function<void()> waits)
+      : waits_(std::move(waits)), subscription_(streams.subscribe(stream, [this](const StreamFrame& frame) {
           if (!can_be_encoded(*frame.image)) return;
           newest_ = frame;
-          came();
+          ++count_;
+          made_.clear();
+          if (waits_since()) waits_();
         })) {}
 
-  void add(std::uint64_t number, Receiver receiver) {
-    if (shown_) receiver(shown_);
-    receivers_.emplace(number, Looking{std::move(receiver)});
+  void add(std::uint64_t number, Receiver receiver) { looks_.emplace(number, Looking{std::move(receiver)}); }
+  void want(std::uint64_t number, std::optional<Size> size) {
+    looks_.at(number).wants = size;
+    if (waits_since()) waits_();
   }
-  void set_light(std::uint64_t number, bool light) { receivers_.at(number).light = light; }
   // Whether nobody looks any more.
   bool remove(std::uint64_t number) {
-    receivers_.erase(number);
-    return receivers_.empty();
+    looks_.erase(number);
+    return looks_.empty();
   }
-  // Of what time the frame is that waits, if one does.
-  std::optional<Time> waits_since() const { return newest_ ? std::optional(newest_->captured) : std::nullopt; }
-  StreamFrame take_newest() { return *std::exchange(newest_, std::nullopt); }
-  bool is_wanted(bool light) const {
-    return std::ranges::any_of(receivers_, [light](const auto& entry) { return entry.second.light == light; });
+
+  // Of what time the frame is that somebody waits for, if anybody does.
+  std::optional<Time> waits_since() const {
+    const bool waiting = std::ranges::any_of(looks_, [this](const auto& entry) { return waits(entry.second); });
+    return waiting ? std::optional(newest_.captured) : std::nullopt;
   }
-  void show(const std::shared_ptr<const Picture>& made) {
-    shown_ = made;
-    for (const auto& [number, receiver] : receivers_) receiver.show(shown_);
+  Wanted wanted() const {
+    Wanted wanted{newest_, count_, {}};
+    for (const auto& [number, look] : looks_) {
+      if (!waits(look)) continue;
+      const auto made = made_.find(*look.wants);
+      wanted.pictures[*look.wants] = made == made_.end() ? nullptr : made->second;
+    }
+    return wanted;
+  }
+  void show(const Wanted& made) {
+    if (made.count == count_) made_.insert(made.pictures.begin(), made.pictures.end());
+    for (auto& [number, look] : looks_) {
+      if (!look.wants || look.shown >= made.count || !made.pictures.contains(*look.wants)) continue;
+      look.shown = made.count;
+      look.show(made.pictures.at(*look.wants));
+    }
   }
 
  private:
   struct Looking {
     Receiver show;
-    bool light = false;
+    std::optional<Size> wants = {};
+    std::uint64_t shown = 0;
   };
+  bool waits(const Looking& look) const { return look.wants && look.shown < count_; }
 
-  std::map<std::uint64_t, Looking> receivers_;
-  std::optional<StreamFrame> newest_;
-  std::shared_ptr<const Picture> shown_;
+  std::function<void()> waits_;
+  std::map<std::uint64_t, Looking> looks_;
+  StreamFrame newest_;
+  std::uint64_t count_ = 0;  // of the frames; 0: none has come
+  Pictures made_;            // of the newest frame
   std::unique_ptr<Streams::Subscription> subscription_;
 };
+
+namespace {
+
+void make_pictures(ImageFeeds::Feed::Wanted& wanted) {
+  const StreamFrame& frame = wanted.frame;
+  for (auto& [size, picture] : wanted.pictures) {
+    if (picture) continue;
+    picture = std::make_shared<ImageFeeds::Picture>(ImageFeeds::Picture{
+        frame.number, frame.captured, frame.image->width, frame.image->height, jpeg_in(size, *frame.image)});
+  }
+}
+
+}  // namespace
 
 ImageFeeds::ImageFeeds(Executor& executor, Streams& streams) : executor_(executor), streams_(streams) {}
 ImageFeeds::~ImageFeeds() = default;
 
 // One at a time, of all streams, so that the console takes one core at most of those that the cell works on.
 Task<void> ImageFeeds::encode_what_waits() {
-  while (const auto* waiting = longest_waiting()) {
-    const std::string stream = waiting->first;
-    const StreamFrame frame = waiting->second->take_newest();
-    const auto made = std::make_shared<Picture>();
-    made->number = frame.number;
-    made->captured = frame.captured;
-    made->width = frame.image->width;
-    made->height = frame.image->height;
-    const bool light = waiting->second->is_wanted(true);
-    const bool full = waiting->second->is_wanted(false);
-    const std::function<void(const std::function<bool()>&)> work = [made, full, light,
-                                                                    image = frame.image](const std::function<bool()>&) {
-      encode_picture(*made, *image, full, light);
-    };
-    co_await executor_.offload(work, encoding_cost);
-    const auto feed = feeds_.find(stream);
-    if (feed != feeds_.end()) feed->second->show(made);
+  while (const std::shared_ptr<Feed> feed = longest_waiting()) {
+    const auto wanted = std::make_shared<Feed::Wanted>(feed->wanted());
+    const std::function<void(const std::function<bool()>&)> work = [wanted](const auto&) { make_pictures(*wanted); };
+    if (wanted->lacks_any()) co_await executor_.offload(work, encoding_cost);
+    feed->show(*wanted);
   }
 }
 
-const std::pair<const std::string, std::unique_ptr<ImageFeeds::Feed>>* ImageFeeds::longest_waiting() const {
-  const std::pair<const std::string, std::unique_ptr<Feed>>* longest = nullptr;
-  for (const auto& entry : feeds_) {
-    const std::optional<Time> since = entry.second->waits_since();
-    if (since && (longest == nullptr || *since < *longest->second->waits_since())) longest = &entry;
+std::shared_ptr<ImageFeeds::Feed> ImageFeeds::longest_waiting() const {
+  std::shared_ptr<Feed> longest;
+  for (const auto& [stream, feed] : feeds_) {
+    const std::optional<Time> since = feed->waits_since();
+    if (since && (!longest || *since < *longest->waits_since())) longest = feed;
   }
   return longest;
 }
 
 std::unique_ptr<ImageFeeds::Look> ImageFeeds::look(const std::string& stream, Receiver receiver) {
-  std::unique_ptr<Feed>& feed = feeds_[stream];
-  const auto came = [this] {
+  std::shared_ptr<Feed>& feed = feeds_[stream];
+  const auto waits = [this] {
     if (encoding_.done()) encoding_ = executor_.spawn(encode_what_waits());
   };
-  if (!feed) feed = std::make_unique<Feed>(streams_, stream, came);
+  if (!feed) feed = std::make_shared<Feed>(streams_, stream, waits);
   const std::uint64_t number = next_look_++;
   feed->add(number, std::move(receiver));
   return std::make_unique<Look>(*this, stream, number);
@@ -138,7 +177,7 @@ std::unique_ptr<ImageFeeds::Look> ImageFeeds::look(const std::string& stream, Re
 ImageFeeds::Look::Look(ImageFeeds& feeds, std::string stream, std::uint64_t number)
     : feeds_(feeds), stream_(std::move(stream)), number_(number) {}
 
-void ImageFeeds::Look::set_light(bool light) { feeds_.feeds_.at(stream_)->set_light(number_, light); }
+void ImageFeeds::Look::want(std::optional<Size> size) { feeds_.feeds_.at(stream_)->want(number_, size); }
 
 ImageFeeds::Look::~Look() {
   const auto feed = feeds_.feeds_.find(stream_);

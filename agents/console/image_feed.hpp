@@ -1,12 +1,13 @@
 #pragma once
 
-// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread, one frame at a time.
-// Only the newest frame of a stream is encoded: a frame that comes meanwhile replaces the one that waits. A page on a
-// slow line gets a light picture: 240 px wide at most, and of less quality.
+// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread, one frame at a time,
+// and only in the sizes that somebody wants then. Only the newest frame of a stream is encoded: a frame that comes
+// meanwhile replaces the one that waits. A page on a slow line gets a light picture: 240 px wide at most, and of less
+// quality.
 //
 //   ImageFeeds feeds(executor, streams);
-//   auto look = feeds.look("vision-colour", [](const ImageFeeds::Picture& picture) { ... });
-//   look->set_light(true);
+//   auto look = feeds.look("vision-colour", [](const std::shared_ptr<const ImageFeeds::Picture>& picture) { ... });
+//   look->want(ImageFeeds::Size::light);
 //
 // A stream is subscribed to while somebody looks. The feeds outlive the looks, and the streams the feeds.
 
@@ -35,9 +36,9 @@ class ImageFeeds {
     Time captured{};
     int width = 0;
     int height = 0;
-    std::string jpeg;   // empty where nobody looks at it
-    std::string light;  // the same
+    std::string jpeg;
   };
+  enum class Size : std::uint8_t { full, light };
   using Receiver = std::function<void(const std::shared_ptr<const Picture>&)>;
 
   class Feed;
@@ -48,8 +49,8 @@ class ImageFeeds {
     Look(const Look&) = delete;
     Look& operator=(const Look&) = delete;
     ~Look();
-    // From the next picture on.
-    void set_light(bool light);
+    // The size in which it is shown each picture from the newest on; none: it can take none. It begins with none.
+    void want(std::optional<Size> size);
 
    private:
     ImageFeeds& feeds_;
@@ -67,11 +68,11 @@ class ImageFeeds {
  private:
   Task<void> encode_what_waits();
   // Null where none waits.
-  const std::pair<const std::string, std::unique_ptr<Feed>>* longest_waiting() const;
+  std::shared_ptr<Feed> longest_waiting() const;
 
   Executor& executor_;
   Streams& streams_;
-  std::map<std::string, std::unique_ptr<Feed>> feeds_;
+  std::map<std::string, std::shared_ptr<Feed>> feeds_;
   std::uint64_t next_look_ = 1;
   Job encoding_;
 };

@@ -11,12 +11,6 @@ namespace {
 
 constexpr ReadLimits word_limits{.bytes = 256, .depth = 2, .elements = 8};
 
-// Of the two that a picture may have, the one that is wanted.
-const std::string& sent_jpeg(const ImageFeeds::Picture& picture, bool light) {
-  if (picture.jpeg.empty()) return picture.light;
-  return light && !picture.light.empty() ? picture.light : picture.jpeg;
-}
-
 }  // namespace
 
 PageImages::PageImages(Executor& executor, ImageFeeds& feeds, const Pulse& pulse, Words words)
@@ -31,7 +25,7 @@ bool PageImages::look(const std::string& name) {
     stream.newest = picture;
     send_what_waits();
   });
-  stream.look->set_light(light_);
+  say_wishes();
   return true;
 }
 
@@ -72,8 +66,19 @@ void PageImages::note_drawn(Lane& lane, Duration drawing) {
 void PageImages::send_what_waits() {
   while (Lane* lane = free_lane()) {
     auto* next = next_stream();
-    if (next == nullptr) return;
+    if (next == nullptr) break;
     send(*lane, next->first, next->second);
+  }
+  say_wishes();
+}
+
+// Nothing is made ready for a page that could not be sent it now.
+void PageImages::say_wishes() {
+  const bool free = free_lane() != nullptr;
+  for (auto& [name, stream] : streams_) {
+    const bool takes = free && under_way(name) < most_under_way();
+    const ImageFeeds::Size size = light_ ? ImageFeeds::Size::light : ImageFeeds::Size::full;
+    stream.look->want(takes ? std::optional(size) : std::nullopt);
   }
 }
 
@@ -93,7 +98,7 @@ std::pair<const std::string, PageImages::Stream>* PageImages::next_stream() {
   for (auto& entry : streams_) {
     const auto& [name, stream] = entry;
     if (!stream.newest || under_way(name) >= most_under_way()) continue;
-    const bool fits = bytes == 0 || bytes + sent_jpeg(*stream.newest, light_).size() <= max_bytes_under_way;
+    const bool fits = bytes == 0 || bytes + stream.newest->jpeg.size() <= max_bytes_under_way;
     if (fits && (next == nullptr || stream.sent < next->second.sent)) next = &entry;
   }
   return next;
@@ -117,14 +122,13 @@ std::size_t PageImages::most_under_way() const {
 
 void PageImages::send(Lane& lane, const std::string& name, Stream& stream) {
   const auto picture = std::exchange(stream.newest, nullptr);
-  const std::string& jpeg = sent_jpeg(*picture, light_);
   stream.sent = executor_.now();
   lane.stream = name;
-  lane.bytes = jpeg.size();
+  lane.bytes = picture->jpeg.size();
   lane.sent = stream.sent;
-  lane.socket->send(WebSocket::Class::images,
-                    fmt::format("(image {} {} {} {} {})\n{}", name, picture->number,
-                                picture->captured.time_since_epoch().count(), picture->width, picture->height, jpeg));
+  lane.socket->send(WebSocket::Class::images, fmt::format("(image {} {} {} {} {})\n{}", name, picture->number,
+                                                          picture->captured.time_since_epoch().count(), picture->width,
+                                                          picture->height, picture->jpeg));
 }
 
 // Light images where they wait for the line, and full ones, which are several times larger, where light ones hardly
@@ -133,10 +137,7 @@ void PageImages::weigh_line(Duration waited) {
   constexpr Duration hardly = 20ms;
   constexpr int smoothing = 8;
   wait_ += (waited - wait_) / smoothing;
-  const bool light = light_ ? wait_ > hardly : wait_ > too_long;
-  if (light == light_) return;
-  light_ = light;
-  for (auto& [name, each] : streams_) each.look->set_light(light);
+  light_ = light_ ? wait_ > hardly : wait_ > too_long;
 }
 
 }  // namespace pizarra::console

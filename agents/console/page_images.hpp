@@ -66,6 +66,7 @@ class PageImages {
   void hear(Lane& lane, std::string_view message);
   void note_drawn(Lane& lane, Duration drawing);
   void send_what_waits();
+  void say_wishes();
   Lane* free_lane();
   std::pair<const std::string, Stream>* next_stream();
   std::size_t under_way(const std::string& stream) const;
