@@ -1,6 +1,5 @@
 // `console`: the cell that runs here, or one in this process, in a browser.
 
-#include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -20,6 +19,7 @@
 #include "programs/commands/console_choices.hpp"
 #include "programs/commands/console_instruments.hpp"
 #include "programs/commands/line_pipe.hpp"
+#include "programs/commands/picture_folder.hpp"
 
 namespace pizarra::programs {
 
@@ -76,25 +76,6 @@ void print_address(const std::string& address) {
   std::fflush(stdout);
 }
 
-// A folder that goes with this.
-class OwnFolder {
- public:
-  OwnFolder() : path_((std::filesystem::temp_directory_path() / "pizarra-pictures-XXXXXX").string()) {
-    made_ = mkdtemp(path_.data()) != nullptr;
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-  ~OwnFolder() {
-    std::error_code error;
-    if (made_) std::filesystem::remove_all(path_, error);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  bool made_ = false;  // where it is not, nothing can be written there
-};
-
 // The pictures of the past, where they are wanted: in the folder that is named, or in one of their own.
 class KeptPictures {
  public:
@@ -108,7 +89,7 @@ class KeptPictures {
   console::PictureStore* store() const { return opened_->get(); }
 
  private:
-  std::optional<OwnFolder> own_;
+  std::optional<PictureFolder> own_;
   Result<std::unique_ptr<console::PictureStore>> opened_;  // of none: none are wanted
 };
 
