@@ -159,7 +159,7 @@ Task<void> Session::open() {
     co_return;
   }
   co_await declare_wishes();
-  say(hello_text(setup_.cell, setup_.number, setup_.name, setup_.truth != nullptr && setup_.truth->is_there()));
+  say(hello_text(setup_.cell, setup_.number, setup_.name, may_see_truth()));
   beating_ = setup_.executor.spawn(keep_beating());
 }
 

@@ -24,8 +24,13 @@ std::string failed_text(const char* what, const Failure& failure) {
 
 }  // namespace
 
+bool Session::may_see_truth() const {
+  const bool own_machine = setup_.key.empty();
+  return own_machine && setup_.truth != nullptr && setup_.truth->is_there();
+}
+
 void Session::truth(const Datum&) {
-  if (setup_.truth == nullptr || !setup_.truth->is_there()) return;
+  if (!may_see_truth()) return;
   truth_ = setup_.truth->look([this](const Result<Datum>& truth) {
     if (unheard_bytes_ >= max_unheard_bytes) return;
     say_fact(truth ? fmt::format("{{\"truth\":{}}}", json_string(write(*truth))) : failed_text("truth", truth.error()));

@@ -48,11 +48,11 @@ const untilTold = async (fact, words) => {
 };
 await untilTold('(agent ?n ?k ?h)', 'coordinator');
 const listening = [
-  cell, 'console', inFolder('cell.scm'), '--board', board, '--key', inFolder('keys/console.secret'),
+  cell, 'console', '--cell', 'blocks', '--key', inFolder('keys/console.secret'),
   '--listen', '127.0.0.1', '--host', 'localhost', '--keys', inFolder('keys'),
   '--certificate', inFolder('tls.pem'), '--certificate-key', inFolder('tls.key'),
 ];
-const refused = spawnSync(listening[0], listening.slice(1, 7).concat('--listen', '0.0.0.0'), { encoding: 'utf8' });
+const refused = spawnSync(listening[0], listening.slice(1, 6).concat('--listen', '0.0.0.0'), { encoding: 'utf8' });
 expect(refused.status === 2 && /certificate/.test(refused.stderr), `without a certificate and tokens it does not listen there: ${refused.stderr.trim().slice(0, 120)}`);
 const served = start(listening, folder);
 const address = await served.line;
@@ -97,6 +97,7 @@ await page.waitForFunction(() => /frame \d/.test(document.querySelector('#images
 const first = await frame();
 await page.waitForFunction((old) => Number(document.querySelector('#images figcaption').textContent.match(/frame (\d+)/)[1]) > old + 30, first);
 expect(true, 'images go on coming');
+expect(await page.isHidden('#truth-choice'), 'no truth of the world is offered to another machine');
 await taught(page);
 await page.fill('#goal-text', '(on circle triangle)');
 await page.press('#goal-text', 'Enter');

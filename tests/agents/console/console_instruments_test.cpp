@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "blackboard/wire/keys.hpp"
+#include "blackboard/wire/tokens.hpp"
 #include "tests/agents/console/console_fixture.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra::console {
 namespace {
@@ -40,6 +43,35 @@ TEST_F(ConsoleTest, TheTruthGoesToThePageThatLooksAndToNoBoard) {
   EXPECT_LE(asked, until_then + 1) << "nobody looks any more";
   EXPECT_TRUE(has(journal, "stop"));
   EXPECT_EQ(journal.find("911.5"), std::string::npos);
+}
+
+TEST_F(ConsoleTest, TheTruthIsOfferedToNoPageOfAnotherMachine) {
+  const std::string keys = scratch_folder() + "keys";
+  ASSERT_TRUE(wire::make_keys(keys, "anna", {}));
+  int asked = 0;
+  reopen([&](Console::Setup& setup) {
+    setup.truth = [&asked] { return answered(asked); };
+    setup.abroad = Console::Abroad{"127.0.0.1", {"127.0.0.1"}, {}, {}, keys};
+  });
+  const std::string token = wire::make_token(keys, "anna").value();
+  const Headers from_there{{"Origin", fmt::format("https://127.0.0.1:{}", port_)}};
+  Headers log_in = from_there;
+  log_in["Authorization"] = "Bearer " + token;
+  const std::string answer = head("POST", "/session", log_in);
+  const std::size_t begin = answer.find("Set-Cookie: ") + 12;
+  Headers upgrade = upgrade_headers(answer.substr(begin, answer.find(';', begin) - begin));
+  upgrade.insert(from_there.begin(), from_there.end());
+  RawClient client(port_);
+  const auto hello = serve([&] {
+    client.send(request_text(port_, "GET", "/socket", upgrade));
+    client.read_head();
+    return client.read_frame();
+  });
+  ASSERT_TRUE(hello);
+  EXPECT_TRUE(has(hello->payload, "\"truth\":false"));
+  client.send_frame(RawClient::text, "(truth)");
+  EXPECT_TRUE(has(said(client, "(watch 1 \"(on ?x\")"), "query:1:1"));
+  EXPECT_EQ(asked, 0);
 }
 
 TEST_F(ConsoleTest, AsksOnceWhatHoldsAndNothingOfWhatNobodyHasDeclared) {
