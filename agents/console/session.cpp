@@ -155,7 +155,7 @@ Task<void> Session::say_goodbye() { [[maybe_unused]] const Result<void> left = c
 Task<void> Session::open() {
   const Result<void> present = co_await service_.start();
   if (!present) {
-    socket_->close(1011, "the board refuses this page");
+    socket_->close(1011, "the board refuses this page: " + present.error().sentence);
     co_return;
   }
   co_await declare_wishes();

@@ -11,6 +11,8 @@
 #include <unistd.h>
 #include <wslay/wslay.h>
 
+#include "lisp/shortened.hpp"
+
 namespace pizarra::console {
 
 namespace {
@@ -18,6 +20,7 @@ namespace {
 constexpr Duration stall_look = 5s;
 constexpr Duration longest_linger = 1s;
 constexpr int kernel_buffer = 128 << 10;
+constexpr std::size_t longest_reason = 120;  // a close frame holds little more
 
 WebSocket& of(void* socket) { return *static_cast<WebSocket*>(socket); }
 
@@ -110,7 +113,8 @@ void WebSocket::send(Class priority, std::string message) {
 
 void WebSocket::close(unsigned short code, std::string_view reason) {
   if (ended_) return;
-  wslay_event_queue_close(context_, code, reinterpret_cast<const std::uint8_t*>(reason.data()), reason.size());
+  const std::string said = shortened(reason, longest_reason);
+  wslay_event_queue_close(context_, code, reinterpret_cast<const std::uint8_t*>(said.data()), said.size());
   if (run_timer_ == 0) run_timer_ = executor_.call_at(executor_.now(), [this] { run(); });
 }
 

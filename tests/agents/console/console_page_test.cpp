@@ -8,6 +8,7 @@
 
 #include "lisp/reader.hpp"
 #include "tests/agents/console/console_fixture.hpp"
+#include "tests/blackboard/passing_board.hpp"
 
 namespace pizarra::console {
 namespace {
@@ -40,6 +41,32 @@ TEST_F(ConsoleTest, SendsAnAnswerWithoutWaitingForAnAcknowledgement) {
   }
   std::ranges::nth_element(took, took.begin() + 20);
   EXPECT_LT(took[20].count(), 30);
+}
+
+// As a board is for a key that may not tell that it is there.
+class Mute : public PassingBoard {
+ public:
+  using PassingBoard::PassingBoard;
+  Task<Result<Revision>> transact(Transaction) override {
+    co_return fail("not-permitted", "the key mute may not tell facts of agent" + std::string(200, '!'));
+  }
+};
+
+TEST_F(ConsoleTest, SaysToAPageThatTheBoardRefusesWhichRightItLacks) {
+  const Console::BoardMaker mute = [this](const std::string& name,
+                                          const std::string&) -> Result<std::unique_ptr<Board>> {
+    return std::make_unique<Mute>(board_.view(name));
+  };
+  reopen([&](Console::Setup& setup) { setup.board = mute; });
+  const auto refused = serve([port = port_, own = cookie()] {
+    RawClient client(port);
+    client.send(request_text(port, "GET", "/socket", upgrade_headers(own)));
+    client.read_head();
+    return client.read_frame();
+  });
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->close_code(), 1011);
+  EXPECT_TRUE(has(refused->payload, "the key mute may not tell facts of agent!"));
 }
 
 TEST_F(ConsoleTest, SaysOfATypedQuestionWhatIsWrongWithItAndWhere) {

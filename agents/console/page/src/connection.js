@@ -68,7 +68,7 @@ export class Connection {
   /** @type {Map<number, (told: Told) => void>} */
   #asked = new Map(); // questions of the past, by their watches
 
-  /** @type {(state: State) => void} */
+  /** @type {(state: State, why?: string) => void} */
   onState = () => {};
   /** @type {(hello: Hello) => void} */
   onHello = () => {};
@@ -98,11 +98,12 @@ export class Connection {
     const socket = socketAt('/socket');
     socket.onmessage = (event) =>
       typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#showKept(event.data);
-    socket.onclose = () => this.#lost();
+    socket.onclose = ({ reason }) => this.#lost(reason);
     this.#socket = socket;
   }
 
-  async #lost() {
+  /** @param {string} why what the console said of it, if it said anything */
+  async #lost(why) {
     this.#socket = null;
     this.#lanes.close();
     this.#heard = 0;
@@ -116,7 +117,7 @@ export class Connection {
     // Whether there is a session at all, only a plain request tells.
     const answer = await fetch('/socket').catch(() => null);
     if (answer?.status === 403) return this.onState('refused');
-    this.onState('lost');
+    this.onState('lost', why);
     setTimeout(() => this.#connect(), this.#pause);
     this.#pause = Math.min(this.#pause * 2, 4000);
   }

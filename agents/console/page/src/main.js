@@ -3,7 +3,7 @@
 import { Activity } from './activity.js';
 import { Connection } from './connection.js';
 import { Hands } from './hands.js';
-import { find } from './dom.js';
+import { clipped, find } from './dom.js';
 import { showAgents } from './agents.js';
 import { showCells } from './cells.js';
 import { showDrive } from './drive.js';
@@ -59,9 +59,9 @@ roles.onChange(() => {
   hands.robot = roles.server('robot') || hands.robot;
   hands.changed();
 });
-connection.onState = (state) => {
+connection.onState = (state, why = '') => {
   const chip = find('state');
-  chip.textContent = said[state];
+  chip.textContent = [said[state], clipped(why, 160)].filter(Boolean).join(': ');
   chip.className = `chip ${state === 'live' ? 'good' : 'bad'}`;
   document.body.dataset.state = state;
   logIn(state);
