@@ -53,27 +53,25 @@ export function folderOfSources(scratch) {
   return folder;
 }
 
+// It yields to the cell that it shows.
+export const yieldingChromium = join(here, 'yielding_chromium');
+export const chromiumFlags = [
+  '--no-sandbox',
+  // Three dimensions without a graphics card: by SwiftShader.
+  '--disable-gpu',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
 export async function launch(scratch, more = []) {
   if (!existsSync(chromium)) skip(`there is no ${chromium}: Debian's package chromium`);
   const { chromium: driver } = createRequire(join(modulesFolder(scratch), 'x.js'))('playwright-core');
-  return driver.launch({
-    // It yields to the cell that it shows.
-    executablePath: join(here, 'yielding_chromium'),
-    headless: true,
-    // Three dimensions without a graphics card: by SwiftShader.
-    args: [
-      '--no-sandbox',
-      '--disable-gpu',
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
-      '--disable-quic',
-      '--no-first-run',
-      '--disable-background-networking',
-      '--disable-component-update',
-      '--disable-sync',
-      ...more,
-    ],
-  });
+  return driver.launch({ executablePath: yieldingChromium, headless: true, args: [...chromiumFlags, ...more] });
 }
 
 // A folder in which programs find no other cell and leave none.

@@ -1,43 +1,62 @@
 // node crowd.mjs PIZARRA-CELL SCRATCH: how soon a page of a running cell is alive, and what a question to the arm, and one
-// to the board, takes beside ten pages, three of which take nothing in: lines as measure.mjs says them. Who asks is a
-// program of its own (asker.py), so that no browser's pace is measured.
+// to the board, takes beside ten pages, three of which take nothing in: lines as measure.mjs says them. The pages are in
+// this machine's browser, once as it usually runs, and once so that it gives way to the cell at once (`remote`): as if
+// the browsers were elsewhere. Who asks is a program of its own (asker.py), so that no browser's pace is measured.
 
 import { execFile } from 'node:child_process';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { here, launch, openPage, ownFolder, source, start, taught } from '../../agents/console/browser.mjs';
+import { here, ownFolder, source, start } from '../../agents/console/browser.mjs';
 import { p99, pause, say } from './figures.mjs';
+import { idle, launchQuiet } from './quiet_browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const rounds = 5;
+const rounds = 8;
 const questions = 200; // a round, of each kind
 
 const folder = ownFolder();
-const described = join(source, 'examples/01-blocks/cell.scm');
-const up = start([cell, 'up', described, '--console'], folder);
-const before = await launch(scratch);
-await taught(await openPage(before, await up.next(1)));
-await before.close();
+const up = start([cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console'], folder);
 
-const browser = await launch(scratch);
+// Nothing moves any more once the person of the cell has taught its objects.
+const first = await launchQuiet(scratch);
+const live = () => document.body?.dataset.state === 'live';
+const taught = await first.open(await up.next(1));
+await taught.until(live);
+await taught.evaluate(
+  () =>
+    new Promise((done) => {
+      const socket = new WebSocket(`ws://${location.host}/socket`);
+      socket.onmessage = ({ data }) => {
+        const message = JSON.parse(data);
+        if (message.hello) socket.send('(follow 1 (person done ?objects))');
+        if (message.watch && message.added.length > 0) done();
+      };
+    }),
+);
+await first.close();
+
+const near = await launchQuiet(scratch);
 const address = await up.next(2);
 const begun = Date.now();
-const page = await openPage(browser, address);
-await page.waitForFunction(
+const page = await near.open(address);
+await page.until(
   () =>
-    document.body.dataset.state === 'live' &&
+    document.body?.dataset.state === 'live' &&
     /mm/.test(document.getElementById('readings').textContent) &&
     [...document.querySelectorAll('figure canvas')].every((canvas) => canvas.dataset.frame),
-  null,
-  { timeout: 60_000, polling: 'raf' },
 );
 say('alive', Date.now() - begun);
-// It keeps its session, and shows nothing.
-await page.goto(new URL('/icon.svg', address).href);
+const remote = await launchQuiet(scratch, idle);
+const other = await up.next(3);
+const pages = { near: page, remote: await remote.open(other) };
+// They keep their sessions, and show nothing.
+await page.show(new URL('/icon.svg', address).href);
+await pages.remote.until(live);
+await pages.remote.show(new URL('/icon.svg', other).href);
 
-const gather = () =>
-  page.evaluate(
-    ([watchers, stalled]) =>
+const gather = (where) =>
+  pages[where].evaluate(
+    (watchers, stalled) =>
       new Promise((done) => {
         window.sockets = [];
         let there = 0;
@@ -73,27 +92,28 @@ const gather = () =>
           };
         }
       }),
-    [10, 3],
+    10,
+    3,
   );
-const disperse = () => page.evaluate(() => window.sockets.forEach((socket) => socket.close()));
+const disperse = (where) => pages[where].evaluate(() => window.sockets.forEach((socket) => socket.close()));
 
 // By turns, so that whatever else the machine does meets both.
 const board = `ipc://${folder}/pizarra/blocks@localhost/board.ipc`;
 const ask = () => promisify(execFile)('/usr/bin/python3', [join(here, '../../bench/console/asker.py'), source, board, questions]);
-const took = { arm: { alone: [], among: [] }, board: { alone: [], among: [] } };
+const took = { arm: {}, board: {} };
 for (let round = 0; round < rounds; ++round) {
-  for (const how of ['alone', 'among']) {
-    if (how === 'among') await gather();
+  for (const where of ['alone', ...Object.keys(pages)]) {
+    if (where in pages) await gather(where);
     await pause(1500);
     const { stdout } = await ask();
-    for (const [whom, times] of Object.entries(JSON.parse(stdout))) took[whom][how].push(...times);
-    if (how === 'among') await disperse();
+    for (const [whom, times] of Object.entries(JSON.parse(stdout))) (took[whom][where] ??= []).push(...times);
+    if (where in pages) await disperse(where);
   }
 }
-for (const [whom, { alone, among }] of Object.entries(took)) {
+for (const [whom, { alone, ...beside }] of Object.entries(took)) {
   say(`${whom}-alone-p99`, p99(alone));
-  say(`${whom}-crowd-ratio`, p99(among) / p99(alone));
+  for (const where of Object.keys(beside)) say(`${whom}-${where}-ratio`, p99(beside[where]) / p99(alone));
 }
-await browser.close();
+await Promise.all([near.close(), remote.close()]);
 await up.end();
 process.exit(0);

@@ -34,11 +34,11 @@ std::vector<std::string> console_command(const std::string& folder, int port) {
 }
 
 std::vector<std::string> measure_command(const Choices& choices, const std::string& folder) {
-  return {"node", script("measure.mjs"), folder, folder, std::to_string(choices.jog_seconds)};
+  return {"node", script("measure.mjs"), folder, std::to_string(choices.jog_seconds)};
 }
 
 // The cell that is measured, in `folder`.
-Measured write_cell(const std::string& folder) { return measure({"node", script("pictures.mjs"), folder, folder}); }
+Measured write_cell(const std::string& folder) { return measure({"node", script("pictures.mjs"), folder}); }
 
 Measured in_a_crowd() {
   const TemporaryFolder scratch;
@@ -89,10 +89,12 @@ void say_row(Figures& figures, const std::string& name, std::optional<double> va
 void say_crowd(Figures& figures, const Measured& measured) {
   say_row(figures, "page alive", measured.value("alive"), "ms", at_most(2000));
   for (const std::string whom : {"arm", "board"}) {
+    const std::string row = "p99 of a question to the " + whom + ", ten pages, three stalled";
     const double alone_ms = measured.value(whom + "-alone-p99").value_or(0);
-    say_row(figures, "p99 of a question to the " + whom + ", ten pages, three stalled",
-            measured.value(whom + "-crowd-ratio"), "x alone", at_most(1.2), 1,
+    say_row(figures, row, measured.value(whom + "-near-ratio"), "x alone", at_most(1.2), 1,
             fmt::format("alone {:.1f} ms", alone_ms));
+    say_row(figures, row + ", the browser giving way", measured.value(whom + "-remote-ratio"), "x alone", at_most(1.2),
+            1, "what the console itself costs them");
   }
 }
 
@@ -155,7 +157,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--json", choices.json, "one JSON object a line");
   app.footer(
-      "Needs chromium, node and npm; the long line needs root (network namespaces). Status 0 when every figure was\n"
+      "Needs chromium and node; the long line needs root (network namespaces). Status 0 when every figure was\n"
       "measured, short or not.");
   try {
     app.parse(argc, argv);

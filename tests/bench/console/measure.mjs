@@ -1,35 +1,31 @@
-// node measure.mjs SCRATCH FOLDER JOG-SECONDS [--cut]: what an operator's browser takes of a console whose addresses come into
+// node measure.mjs FOLDER JOG-SECONDS [--cut]: what an operator's browser takes of a console whose addresses come into
 // FOLDER/addresses, and whose eyes have the camera of pictures.mjs: a line `NAME VALUE` a figure, milliseconds where it
 // says no other. With --cut the line is lost in mid-jog, when a line says `cut`, until one says `whole`; else the page
 // falls silent.
 
 import { writeSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, openPage } from '../../agents/console/browser.mjs';
 import { read } from './coded.mjs';
 import { addressOf, mean, p99, pause, say } from './figures.mjs';
+import { launchQuiet } from './quiet_browser.mjs';
 
-const [scratch, folder, jogSeconds, ...options] = process.argv.slice(2);
+const [folder, jogSeconds, ...options] = process.argv.slice(2);
 const addresses = join(folder, 'addresses');
 
-const browser = await launch(scratch);
-const page = await openPage(browser, await addressOf(addresses, 1));
+const browser = await launchQuiet(folder);
+const page = await browser.open(await addressOf(addresses, 1));
 const alive = (one) =>
-  one.waitForFunction(
-    () => document.body.dataset.state === 'live' && /mm/.test(document.getElementById('readings').textContent),
-    null,
-    { timeout: 60_000, polling: 'raf' },
-  );
+  one.until(() => document.body?.dataset.state === 'live' && /mm/.test(document.getElementById('readings').textContent));
 await alive(page);
 await page.click('#tab-eyes');
-await page.click('#eyes button:text-is("Connect")');
-await page.waitForFunction(() => document.querySelector('figure canvas').dataset.frame);
+await page.click('#eyes button', 'Connect');
+await page.until(() => document.querySelector('figure canvas').dataset.frame);
 
 // In the animation frame that draws a picture its number is read back from the pixels: when each was seen first, and how
 // long after its stamp.
 const images = (seconds) =>
   page.evaluate(
-    ([ms, reading]) =>
+    (ms, reading) =>
       new Promise((done) => {
         const numberIn = new Function(`return ${reading}`)();
         const canvas = document.querySelector('figure canvas');
@@ -47,11 +43,12 @@ const images = (seconds) =>
           done(seen);
         }, ms);
       }),
-    [seconds * 1000, read.toString()],
+    seconds * 1000,
+    read.toString(),
   );
 const intervals = (seen) => seen.slice(1).map(({ at }, i) => at - seen[i].at);
 const ages = (seen) => seen.map(({ age }) => age);
-const hideScene = (hidden) => page.evaluate((to) => (document.getElementById('scene-card').hidden = to), hidden);
+const hideScene = (hidden) => page.evaluate((to) => void (document.getElementById('scene-card').hidden = to), hidden);
 const watched = await images(20);
 say('interval-mean', mean(intervals(watched)));
 say('interval-p99', p99(intervals(watched)));
@@ -75,11 +72,11 @@ await page.evaluate(() => {
 });
 await page.click('#tab-drive');
 await page.click('#take-arm');
-await page.waitForSelector('.jog:not(:disabled)');
+await page.until(() => document.querySelector('.jog:not(:disabled)'));
 await pause(1500);
 const press = (direction, ms) =>
   page.evaluate(
-    async ([way, length]) => {
+    async (way, length) => {
       const button = document.querySelector(`.jog[data-jog=${way}]`);
       const log = document.querySelector('#drive .log');
       const before = window.arm.length;
@@ -93,7 +90,8 @@ const press = (direction, ms) =>
       const moved = window.arm.slice(before).find((fact) => / moving /.test(fact.text));
       return { said: item.textContent, motion: moved ? moved.when / 1000 - pressed : null };
     },
-    [direction, ms],
+    direction,
+    ms,
   );
 const silent = ({ said }) => /has not renewed|late/.test(said);
 const clicks = [];
@@ -115,11 +113,10 @@ say('jogged-s', held);
 
 // The arm when its page falls silent in mid-jog, seen by another one, which shows nothing, so that the first has the
 // machine.
-const other = await browser.newContext();
 const shown = await addressOf(addresses, 2);
-const witness = await openPage(other, shown);
+const witness = await browser.open(shown);
 await alive(witness);
-await witness.goto(new URL('/icon.svg', shown).href);
+await witness.show(new URL('/icon.svg', shown).href);
 await witness.evaluate(() => {
   window.seen = [];
   const socket = new WebSocket(`ws://${location.host}/socket`);
@@ -159,7 +156,7 @@ const withoutLine = async () => {
 const distances = [];
 const delays = [];
 for (let i = 0; i < 5; ++i) {
-  await page.bringToFront();
+  await page.toFront();
   await jogging(i % 2 ? 'left' : 'right');
   const silentSince = await (options.includes('--cut') ? withoutLine() : busy());
   await lettingGo();

@@ -1,17 +1,17 @@
-// node pictures.mjs SCRATCH FOLDER: writes FOLDER/cell.scm, a cell with a simulated arm and a camera whose pictures are
+// node pictures.mjs FOLDER: writes FOLDER/cell.scm, a cell with a simulated arm and a camera whose pictures are
 // files that carry their number in their pixels.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch } from '../../agents/console/browser.mjs';
 import { draw, numbers } from './coded.mjs';
+import { launchQuiet } from './quiet_browser.mjs';
 
-const [scratch, folder] = process.argv.slice(2);
-const browser = await launch(scratch);
-const studio = await browser.newPage();
+const [folder] = process.argv.slice(2);
+const browser = await launchQuiet(folder);
+const studio = await browser.open('about:blank');
 // Sharp edges at low contrast: as many bytes as the simulated camera gives, and nothing to be taken for a mark.
 const pictures = await studio.evaluate(
-  ([count, drawing]) => {
+  (count, drawing) => {
     const canvas = document.createElement('canvas');
     Object.assign(canvas, { width: 320, height: 240 });
     const pen = canvas.getContext('2d');
@@ -25,7 +25,8 @@ const pictures = await studio.evaluate(
       return canvas.toDataURL('image/jpeg', 0.85).split(',')[1];
     });
   },
-  [numbers, draw.toString()],
+  numbers,
+  draw.toString(),
 );
 await browser.close();
 
