@@ -89,7 +89,7 @@ class ImageFeeds::Feed {
     return looks_.empty();
   }
 
-  // Of what time the frame is that somebody waits for, if anybody does.
+  // The time of the frame that somebody waits for, if anybody does.
   std::optional<Time> waits_since() const {
     const bool waiting = std::ranges::any_of(looks_, [this](const auto& entry) { return waits(entry.second); });
     return waiting ? std::optional(newest_.captured) : std::nullopt;

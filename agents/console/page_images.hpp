@@ -8,8 +8,8 @@
 //   images.look("vision-colour");              // its newest image goes whenever a lane is free
 //
 // On a lane the page is told an image as binary: a line `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG
-// behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn. What else it says on a lane goes
-// to `words`, which answers whether it was understood.
+// behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn. `words` hears all else that it
+// says on a lane, and answers whether that was understood.
 //
 // Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way
 // on all lanes together, or one larger image. Images are light (image_feed.hpp) until full ones are known to hardly

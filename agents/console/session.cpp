@@ -187,7 +187,7 @@ void Session::hear(std::string_view message) {
   socket_->close(1008, "not understood");
 }
 
-// What moves the arm is said on a lane as well: a packet that is lost on one way does not hold it back.
+// A lane brings the words that move the arm as well, so that a packet lost on one way does not hold them back.
 bool Session::hear_on_lane(const Datum& form) {
   for (const Verb& verb : Verb::all()) {
     if (!verb.moves || !form.is_form(verb.name) || !verb.fits(form)) continue;

@@ -20,8 +20,8 @@
 //   (stamp N)                   the page has the stamp N (pulse.hpp)
 //   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release N), its answer says how it ended
 //   (hold-on N STAMP), (release N)               what keeps it moving, said every 50 ms, and what ends it
-//   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp): no key has a
-//                               right to it, so it goes to pages of the console's own machine alone
+//   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp); only to a page
+//                               of the console's own machine
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
 //   (work N)                    what went on so far (kept_changes.hpp)
 //   (method N SECONDS)          what the components are and how they are connected, as seen for so long

@@ -104,7 +104,7 @@ TEST_F(HeldPage, TakesAJogFromWhicheverWayBringsItFirstAndOnce) {
   executor_.run_until([&] { return how_many("(hold robot console-1 2)") == 1; });
   say(*beside, "(release 7)");
   executor_.run_until([&] { return how_many("(hold robot ? ?)") == 0; });
-  // What the slower way brings later is of a jog that has ended: an answer shows that it was taken in.
+  // The slower way brings the same when the jog has ended; an answer shows that it was taken in.
   say(*client, fmt::format("(hold-on 7 {})", newest));
   say(*client, "(release 6)");
   EXPECT_NE(said(*client, "(stop 8 \"x\")").find("\"reply\":8"), std::string::npos);

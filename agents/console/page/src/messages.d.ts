@@ -1,4 +1,4 @@
-// What the console tells the page (agents/console/session.hpp says when), and what the page's files hand to one another.
+// The messages of the console to its page (agents/console/session.hpp says when), and types that the page's files share.
 
 import type { Sym } from './datum.js';
 
