@@ -1,5 +1,6 @@
 // `console`: the cell that runs here, or one in this process, in a browser.
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "blackboard/wire/wire_address.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/opencv_files.hpp"
 #include "drivers/simulation/socket_link.hpp"
@@ -154,6 +156,12 @@ int console_of_own_cell(const ConsoleChoices& choices) {
                choices);
 }
 
+// A board that is reached by a file of this machine asks for none there.
+bool asks_for_keys(const std::string& addresses) {
+  const Result<std::vector<std::string>> each = wire::addresses_from(addresses);
+  return each && std::ranges::none_of(*each, wire::is_ipc);
+}
+
 int console_of_running_cell(const ConsoleChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
@@ -166,9 +174,12 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!view) return complain(view.error(), exit_usage);
   auto abroad = abroad_of(choices);
   if (!abroad) return complain(abroad.error(), exit_usage);
-  if (*abroad && !keys->has_value()) {
-    const Failure open{
-        "no-keys", "a page of another machine does what its key may, so the board must ask for keys", {}, {}};
+  if (*abroad && (!keys->has_value() || !asks_for_keys(to->address))) {
+    const Failure open{"no-keys",
+                       "a page of another machine does what its key may, so the board must ask for keys: name an "
+                       "address where it does, --board tcp://HOST:PORT, and --key",
+                       {},
+                       {}};
     return complain(open, exit_usage);
   }
   RealExecutor executor;
