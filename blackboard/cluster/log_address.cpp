@@ -16,7 +16,7 @@ std::unexpected<Failure> bad_address(const std::string& sentence, const std::str
 // HOST:PORT of HOST or HOST:PORT; nothing where it is neither.
 std::optional<std::string> with_port(const std::string& member) {
   const bool in_brackets = member.starts_with('[');
-  const std::size_t host_ends = in_brackets ? member.find("]") : member.find(':');
+  const std::size_t host_ends = in_brackets ? member.find(']') : member.find(':');
   if (member.empty() || (in_brackets && host_ends == std::string::npos)) return std::nullopt;
   const std::string rest = host_ends == std::string::npos ? "" : member.substr(host_ends + (in_brackets ? 1 : 0));
   if (rest.empty()) return member + ":2379";
