@@ -150,7 +150,8 @@ std::optional<std::string> find_program(const std::string& name) {
   // Servers are where not everybody looks.
   std::istringstream folders(std::string(path == nullptr ? "/usr/bin" : path) + ":/usr/sbin");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    std::string file = folder + "/" + name;
+    std::string file = folder;
+    file.append("/").append(name);
     if (access(file.c_str(), X_OK) == 0) return file;
   }
   return std::nullopt;
