@@ -13,7 +13,7 @@ namespace {
 
 // An approach takes about ten motions; one that follows a block that is moved about may take some more.
 constexpr int most_looks = 120;
-constexpr int most_unseen = 40;
+constexpr int most_unseen = 80;
 // Where the arm does not come to a place at its height, it goes down by as much and tries again.
 constexpr double lowering_mm = 30;
 // Where the links stand at their limit no track takes over: the arm goes back by as much first.
@@ -117,7 +117,7 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   for (int i = 0; i < most_looks; ++i) {
     const Result<void> fine = may_move(surroundings_, vigil_);
     if (!fine) co_return fine;
-    const Result<void> looked = co_await eyes_.fresh_look();
+    const Result<void> looked = co_await eyes_.look_at_rest();
     if (!looked) co_return looked;
     const Result<Aim> aim = aims_.at(target);
     if (!aim) {

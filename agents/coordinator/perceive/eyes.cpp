@@ -117,12 +117,12 @@ Task<Result<void>> Eyes::begin_tracking() {
   co_return Result<void>();
 }
 
-Task<Result<void>> Eyes::fresh_look() {
+Task<Result<void>> Eyes::await_look(Wait wait) {
   const Time deadline = context_.executor.now() + options_.absence_patience;
-  const std::uint64_t under_way = surroundings_.looks() + 1;
+  const std::uint64_t before = surroundings_.looks();
   while (true) {
     const Time soon = context_.executor.now() + look_patience;
-    const bool looked = co_await surroundings_.look_after(under_way, soon);
+    const bool looked = co_await (surroundings_.*wait)(before, soon);
     if (looked) co_return Result<void>();
     if (context_.executor.now() > deadline) {
       co_return fail("absent", "vision shows nothing any more", Datum::symbol(roles_.holder("eyes").server));

@@ -23,11 +23,15 @@ class Eyes {
   Task<Result<void>> track();
   // Looks that began after this call: the next one may have been under way. Tracks again where no looks come, as after
   // a restart of vision. Failure `absent` when that does not help for long.
-  Task<Result<void>> fresh_look();
+  Task<Result<void>> fresh_look() { return await_look(&Surroundings::second_look_after); }
+  // The same, as soon as a look shows the arm as it rests.
+  Task<Result<void>> look_at_rest() { return await_look(&Surroundings::look_at_rest_after); }
   // After others have become the eyes: they learn what those before knew, and track what was tracked.
   Task<Result<void>> take_over(std::string before);
 
  private:
+  using Wait = Task<bool> (Surroundings::*)(std::uint64_t looks, Time deadline);
+  Task<Result<void>> await_look(Wait wait);
   bool tracks_all() const;
   Task<Result<void>> begin_tracking();
   Task<Result<Datum>> ask(Datum operation);

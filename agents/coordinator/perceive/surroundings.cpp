@@ -23,6 +23,17 @@ std::set<std::string> names_in(const Datum& objects) {
   return names;
 }
 
+// When the eyes captured the frame, where they say so.
+std::optional<Time> captured_in(const Datum& objects) {
+  for (const Datum& object : objects.items()) {
+    for (const Datum& part : object.items()) {
+      const bool says = part.is_form("captured") && part.size() == 2 && part[1].is_integer();
+      if (says) return Time(Duration(part[1].integer()));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
@@ -57,6 +68,7 @@ void Surroundings::follow_eyes(const std::string& agent) {
   const Datum eyes = Datum::symbol(agent);
   eyes_.clear();
   scene_.forget_camera();
+  capture_clock_ = CaptureClock();
   eyes_.push_back(followed(pattern_of("camera-model"_sym, eyes, 7), &Surroundings::take_model));
   eyes_.push_back(followed(pattern_of("look"_sym, eyes, 4), &Surroundings::take_look));
 }
@@ -105,7 +117,13 @@ Task<void> Surroundings::take_foot(Change change) {
 }
 
 Task<void> Surroundings::take_arm(Change change) {
-  const bool moving = !change.added.empty() && change.added.back().facts.front().datum[2].is_symbol("moving");
+  rests_since_.reset();
+  bool moving = false;
+  if (!change.added.empty()) {
+    const Fact& arm = change.added.back().facts.front();
+    moving = arm.datum[2].is_symbol("moving");
+    if (!moving) rests_since_ = arm.when;
+  }
   scene_.take_arm(moving);
   co_return;
 }
@@ -116,6 +134,9 @@ Task<void> Surroundings::take_look(Change change) {
   const Fact look = change.added.back().facts.front();
   const std::int64_t frame = look.datum[2].integer();
   tracked_ = names_in(look.datum[4]);
+  const std::optional<Time> captured = captured_in(look.datum[4]);
+  captured_.reset();
+  if (captured) captured_ = capture_clock_.on_board(*captured, look.when);
   const std::vector<Datum> believed(beliefs().begin(), beliefs().end());
   const Result<forms::PerceivedLook> perceived =
       forms::perceive_look(domain_.perception(), look.datum[3].text(), look.datum[4], scene_.situation(), believed);
@@ -156,6 +177,14 @@ Task<bool> Surroundings::look_after(std::uint64_t look, Time deadline) {
     if (!woken) co_return looks() > look;
   }
   co_return true;
+}
+
+Task<bool> Surroundings::look_at_rest_after(std::uint64_t look, Time deadline) {
+  const bool looked = co_await look_after(look, deadline);
+  if (!looked) co_return false;
+  const bool is_known = captured_ && rests_since_;
+  if (is_known && *captured_ > *rests_since_) co_return true;
+  co_return co_await second_look_after(look, deadline);
 }
 
 }  // namespace pizarra::coordinator

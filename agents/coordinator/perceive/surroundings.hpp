@@ -15,6 +15,7 @@
 
 #include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/perceive/camera_pose_news.hpp"
+#include "agents/coordinator/perceive/capture_clock.hpp"
 #include "agents/coordinator/perceive/mirror.hpp"
 #include "agents/coordinator/perceive/scene.hpp"
 #include "blackboard/time/latch.hpp"
@@ -53,6 +54,11 @@ class Surroundings {
 
   // True once more than `look` looks were made, false at the deadline.
   Task<bool> look_after(std::uint64_t look, Time deadline);
+  // The same of the second: the first may have been under way.
+  Task<bool> second_look_after(std::uint64_t look, Time deadline) { return look_after(look + 1, deadline); }
+  // The same of the first, where its frame is known to have been captured while the arm rested as it does; else of the
+  // second.
+  Task<bool> look_at_rest_after(std::uint64_t look, Time deadline);
 
  private:
   using Take = Task<void> (Surroundings::*)(Change);
@@ -76,6 +82,9 @@ class Surroundings {
   Mirror mirror_;
   CameraPoseNews camera_pose_news_;
   std::set<std::string> tracked_;
+  CaptureClock capture_clock_;
+  // On the board's clock; none where it is not known, as while the arm moves.
+  std::optional<Time> captured_, rests_since_;
   std::string told_failure_;
   WaitList looked_;
   Job head_;

@@ -59,7 +59,7 @@ Task<void> VisionFacts::tell_objects(std::vector<Datum> facts) {
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings) {
+Task<void> VisionFacts::tell_look(std::uint64_t frame, Time captured, const std::vector<TrackSighting>& sightings) {
   Transaction transaction;
   // What is followed no more is not seen either.
   std::erase_if(told_tracks_, [&](const auto& told) {
@@ -77,7 +77,7 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
     const double confidence = std::round(sighting.confidence * 1000) / 1000;
     facts.push_back(list("tracked"_sym, sighting.name, Datum::symbol(state), frame, confidence));
   }
-  facts.push_back(look_fact(frame, sightings));
+  facts.push_back(look_fact(frame, captured, sightings));
   add(transaction, facts);
   co_await transact(std::move(transaction));
 }

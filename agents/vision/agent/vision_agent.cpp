@@ -88,7 +88,7 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   const bool is_shown_here = !holders.finding();
   // The arm waits for what is told; whoever looks on may wait for the picture.
   const bool tells = tracks && holders.connected();
-  if (tells) co_await facts.tell_look(frame.number, sightings);
+  if (tells) co_await facts.tell_look(frame.number, frame.captured, sightings);
   if (is_shown_here) show(frame, std::move(sightings));
 }
 
@@ -116,7 +116,7 @@ Task<void> VisionAgent::State::tell_missed() {
   if (holders.finding()) co_return;
   const std::vector<TrackSighting> sightings = tracking.miss_all(context.executor.now());
   if (sightings.empty() || !holders.connected()) co_return;
-  co_await facts.tell_look(feed.frame_number(), sightings);
+  co_await facts.tell_look(feed.frame_number(), feed.latest(), sightings);
 }
 
 void VisionAgent::State::show(const camera::StereoFrame& frame, std::vector<TrackSighting> sightings) {

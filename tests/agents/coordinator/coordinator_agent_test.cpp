@@ -146,6 +146,41 @@ TEST_F(Coordinator, TellsAPersonsStopDuringACutAsAStop) {
   EXPECT_EQ(cell.times_told("(operation ? ? failed)"), 1);
 }
 
+// How long after the motion in hand the servo decides on the next one.
+Duration pause_after_motion(FakeCell& cell) {
+  const int motions = cell.motions;
+  const int decided = cell.times_told("(servo ? circle ? ? ?)");
+  const Time late = cell.now() + 5s;
+  while (cell.motions == motions && cell.now() < late) cell.run_for(1ms);
+  const Time ended = cell.now();
+  while (cell.times_told("(servo ? circle ? ? ?)") == decided && cell.now() < late) cell.run_for(1ms);
+  return cell.now() - ended;
+}
+
+void approach(FakeCell& cell) {
+  cell.motion_takes = 330ms;
+  cell.request("coordinator", "(goal (holding circle))");
+  EXPECT_TRUE(cell.run_until("(servo 2 circle ? ? ?)", 60s));
+}
+
+TEST_F(Coordinator, DecidesByTheFirstLookThatShowsTheArmAtRest) {
+  approach(cell);
+  EXPECT_LE(pause_after_motion(cell), 150ms);
+}
+
+TEST_F(Coordinator, TakesTheSecondLookOfEyesThatDoNotSayWhenTheyLooked) {
+  cell.tells_capture = false;
+  approach(cell);
+  EXPECT_GE(pause_after_motion(cell), 100ms);
+}
+
+TEST_F(Coordinator, TakesNoLookForNewThatWasCapturedDuringTheMotionAndCameLate) {
+  approach(cell);
+  cell.run_for(150ms);
+  cell.look_late = 500ms;
+  EXPECT_GE(pause_after_motion(cell), 450ms);
+}
+
 TEST_F(Coordinator, CutsNoMotionShortWhoseTargetRests) {
   cell.motion_takes = 2s;
   want("(goal (on circle square))");

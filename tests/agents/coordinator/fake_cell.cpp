@@ -312,6 +312,7 @@ Task<void> FakeCell::look() {
   const Datum model = list("camera-model"_sym, "vision"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0);
   while (true) {
     co_await sleep(executor_, 60ms);
+    const Time captured = executor_.now();
     const Eigen::Vector3d front(30, 0, 0);
     std::vector<std::pair<std::string, Eigen::Vector3d>> marks{{"end-effector", gripper_mark()}};
     const CameraView view(camera, {});
@@ -325,9 +326,11 @@ Task<void> FakeCell::look() {
       const bool seen = shown && sight.y_px > 0;
       text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)
                    : fmt::format(" (\"{}\" FAIL)", name);
-      told.push_back(list(Datum::symbol(name), seen ? "seen"_sym : "lost"_sym));
+      std::vector<Datum> object{Datum::symbol(name), seen ? "seen"_sym : "lost"_sym};
+      if (seen && tells_capture) object.push_back(list("captured"_sym, captured.time_since_epoch().count()));
+      told.push_back(Datum::list(std::move(object)));
     }
-    co_await sleep(executor_, 40ms);
+    co_await sleep(executor_, 40ms + std::exchange(look_late, 0ms));
     const Datum look = list("look"_sym, "vision"_sym, ++frame_, text + ")", Datum::list(told));
     co_await agents_->vision_view->tell(model);
     if (!tracked_.empty()) co_await agents_->vision_view->tell(look);

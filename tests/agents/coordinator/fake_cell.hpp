@@ -62,6 +62,8 @@ class FakeCell {
   std::string eyes_restart_at;  // the eyes forget what they track when they are first asked to track this one
   // Whether something stands before a cube.
   std::function<bool(const std::string& name)> covered = [](const std::string&) { return false; };
+  bool tells_capture = true;               // the eyes, when their frames were captured
+  Duration look_late{};                    // how long the next look is on its way to the board
   bool tells_pose = true;                  // the robot, as a fact
   Duration word_late{};                    // how long after a motion it says that it has ended, and where it is
   Eigen::Vector3d pose_error_mm{0, 0, 0};  // of the arm's own word for where it is

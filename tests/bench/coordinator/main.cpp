@@ -51,7 +51,7 @@ class StillEyes {
       sighting.range_mm += random_.uniform(-1, 1);
       sighting.yaw_deg = random_.uniform(-2, 2);
     }
-    co_await facts_.tell_look(++frame_, noisy);
+    co_await facts_.tell_look(++frame_, context_.executor.now(), noisy);
   }
 
  private:
