@@ -197,6 +197,11 @@ int ChaosCell::lives(const std::string& kind) const {
   return found == lives_.end() ? 0 : found->second;
 }
 
+bool ChaosCell::runs(const std::string& kind) const {
+  const auto found = agents_.find(kind);
+  return found != agents_.end() && found->second->process.alive() && !found->second->process.paused();
+}
+
 ChaosCell::Client::Client(ChaosCell& cell, const std::string& the_name)
     : process(cell.time(), {.ahead = epoch}),
       wires(cell.network().plug(the_name, process)),

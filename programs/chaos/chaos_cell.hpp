@@ -58,6 +58,8 @@ class ChaosCell {
   const forms::CellDescription& description() const { return description_; }
   // How many times an agent was started.
   int lives(const std::string& kind) const;
+  // Whether it lives and is not paused.
+  bool runs(const std::string& kind) const;
   std::vector<std::string> kinds() const { return launcher::agent_kinds(description_); }
 
   // A process that is no agent, with its session.

@@ -46,6 +46,9 @@ class Play {
         context_{"director", "localhost", director_.process, *director_.board, Random(story.seed).split("director")},
         service_(context_, runtime::contract_from_text("(contract director)").value()),
         caller_(context_, service_),
+        standing_by_{"bystander", "localhost", bystander_.process, *bystander_.board,
+                     Random(story.seed).split("bystander")},
+        bystanders_(standing_by_, runtime::contract_from_text("(contract bystander)").value()),
         player_(cell, bystander_, caller_, std::move(faults),
                 [this](const std::string& fault) { narrator_.say(cell_.time().now(), "fault", fault); }) {}
 
@@ -83,6 +86,9 @@ class Play {
   Task<Result<void>> prepare() {
     const Result<void> started = co_await service_.start();
     if (!started) co_return started;
+    // Who commands an arm is present.
+    const Result<void> present = co_await bystanders_.start();
+    if (!present) co_return present;
     const std::vector<Relation> relations = {
         relation_from_datum(read_one("(relation chaos-mark ((n integer)) (key n) (durable))").value()).value(),
         relation_from_datum(read_one("(relation stop ((who symbol) (reason string)) (key who) (durable))").value())
@@ -236,6 +242,8 @@ class Play {
   runtime::AgentContext context_;
   runtime::Service service_;
   runtime::Caller caller_;
+  runtime::AgentContext standing_by_;
+  runtime::Service bystanders_;
   FaultPlayer player_;
   RunResult result_;
   Time begun_{};

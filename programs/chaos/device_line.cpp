@@ -96,6 +96,15 @@ bool swallows(const WorldProcess& world, const Datum& request) {
   return world.plant == "stop-swallowed-in-state-3" && world.servo_state() == 3;
 }
 
+// The order that follows a stop has the fingers stand.
+bool ignores_hold(WorldProcess& world, const Datum& request) {
+  constexpr Duration follows = 100ms;
+  if (world.plant != "fingers-not-held") return false;
+  const Time now = world.process.now();
+  if (request[1].is_symbol("stop")) world.stopped_at = now;
+  return request[1].is_symbol("gripper") && now - world.stopped_at < follows;
+}
+
 void disturb(Message& frame, WorldProcess& world, Time now) {
   if (frame.images.size() != 2) return;
   plant_into(frame, world);
@@ -137,7 +146,7 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   }
   const Result<void> heeded = heeds_alarm(world.faults, request);
   if (!heeded) co_return fail(heeded);
-  if (swallows(world, request)) co_return Message{};
+  if (swallows(world, request) || ignores_hold(world, request)) co_return Message{};
   Result<Message> answer = co_await world.world->handle(request);
   const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 5;
   if (!reads) co_return answer;

@@ -29,6 +29,7 @@ struct WorldProcess {
   // A fault that is planted (plants.hpp), and what it needs to know: the servo's state.
   std::string plant;
   std::function<int()> servo_state;
+  Time stopped_at{};
   std::deque<std::vector<std::shared_ptr<const Image>>> old_images;
   std::shared_ptr<const Image> frozen_left;
   std::shared_ptr<const Image> frozen_right;

@@ -152,7 +152,7 @@ Datum what(const std::string& kind, Draw& draw) {
   if (kind == "slip") return list(word("slip"));
   if (kind == "misplace") return list(word("misplace"), draw.seconds(0.1, 0.5));
   if (kind == "hand") return hand(draw);
-  if (kind == "stop") return list(word("stop"), draw.seconds(0.3, 5));
+  if (kind == "stop") return list(word(draw.random.below(3) == 0 ? "command" : "stop"), draw.seconds(0.3, 5));
   if (kind == "swap") return swap(draw);
   if (kind == "alarm") return list(word("alarm"), draw.seconds(0.3, 5));
   if (kind == "bump") return bump(draw);

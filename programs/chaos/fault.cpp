@@ -27,7 +27,7 @@ const std::vector<FaultClass>& fault_classes() {
       {"slip", "what is held slips from the fingers"},
       {"misplace", "what is put down comes to lie off its place"},
       {"hand", "a hand pushes, places, stacks, steals, knocks, takes away and brings back"},
-      {"stop", "somebody stops the cell for a while"},
+      {"stop", "somebody stops the cell, or takes the arm in hand, for a while"},
       {"swap", "the eyes call two objects by each other's names", true},
       {"alarm", "the arm's controller raises an alarm, which somebody resets after a while", true},
       {"light", "the camera's light grows brighter or darker for a while", true},

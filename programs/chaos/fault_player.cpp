@@ -43,7 +43,7 @@ Task<void> FaultPlayer::end() {
   bool acting = true;
   while (acting) {
     co_await sleep(cell_.time(), poll_pause);
-    acting = hands_ > 0 || stops_ > 0 || alarms_ > 0;
+    acting = hands_ > 0 || said_ > 0 || alarms_ > 0;
   }
 }
 
@@ -78,7 +78,13 @@ void FaultPlayer::happen(const Fault& fault) {
   }
   if (fault.kind == "pause") return cell_.pause(std::string(what[1].text()), seconds(what[2]));
   if (fault.kind == "board") return cell_.kill_board(seconds(what[1]), what.is_form("power-cut"));
-  if (fault.kind == "stop") return acting_.push_back(cell_.time().spawn(stop_for(seconds(what[1]))));
+  if (what.is_form("stop")) {
+    return acting_.push_back(cell_.time().spawn(say(list("stop"_sym, "bystander"_sym, "chaos"), seconds(what[1]))));
+  }
+  if (what.is_form("command")) {
+    const Datum commander = list("commander"_sym, "robot"_sym, "bystander"_sym);
+    return acting_.push_back(cell_.time().spawn(say(commander, seconds(what[1]))));
+  }
   if (fault.kind == "alarm") return acting_.push_back(cell_.time().spawn(alarm_for(seconds(what[1]))));
   if (fault.kind == "swap") {
     return cell_.exchange_names(std::string(what[1].text()), std::string(what[2].text()), seconds(what[3]));
@@ -196,22 +202,21 @@ Task<void> FaultPlayer::borrow(Datum what) {
   --hands_;
 }
 
-Task<void> FaultPlayer::stop_for(Duration length) {
-  ++stops_;
-  const Datum stop = list("stop"_sym, "bystander"_sym, "chaos");
+Task<void> FaultPlayer::say(Datum fact, Duration length) {
+  ++said_;
   Transaction telling;
-  telling.tell(stop);
+  telling.tell(fact);
   const Result<Revision> told = co_await bystander_.board->transact(std::move(telling));
   if (told) co_await sleep(cell_.time(), length);
   // Whether it stands or not: who does not know says so until it is heard.
   while (true) {
     Transaction retracting;
-    retracting.retract(list("stop"_sym, "bystander"_sym, "?"_sym));
+    retracting.retract(fact);
     const Result<Revision> gone = co_await bystander_.board->transact(std::move(retracting));
     if (gone) break;
     co_await sleep(cell_.time(), busy_pause);
   }
-  --stops_;
+  --said_;
 }
 
 Task<void> FaultPlayer::alarm_for(Duration length) {

@@ -19,8 +19,8 @@ namespace pizarra::chaos {
 
 class FaultPlayer {
  public:
-  // `tell` hears of each fault as it happens. The cell, `bystander`, with whose session people stop the cell, and
-  // `caller`, with which they reset an alarm, outlive it.
+  // `tell` hears of each fault as it happens. The cell, `bystander`, with whose session people stop the cell or command
+  // its arm, and `caller`, with which they reset an alarm, outlive it.
   FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, runtime::Caller& caller, std::vector<Fault> faults,
               std::function<void(const std::string&)> tell);
   ~FaultPlayer();
@@ -49,7 +49,8 @@ class FaultPlayer {
   void do_to_arm(const Datum& what);
   Task<void> move_hand(Datum request);
   Task<void> borrow(Datum what);
-  Task<void> stop_for(Duration length);
+  // The bystander says a fact, and takes it back.
+  Task<void> say(Datum fact, Duration length);
   Task<void> alarm_for(Duration length);
   Task<void> ask_world(Datum request);
 
@@ -62,7 +63,7 @@ class FaultPlayer {
   Coverage coverage_;
   std::size_t happened_ = 0;
   int hands_ = 0;
-  int stops_ = 0;
+  int said_ = 0;
   int alarms_ = 0;
   Time hand_moved_{};
   bool ending_ = false;

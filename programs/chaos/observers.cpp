@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "lisp/writer.hpp"
 #include "programs/chaos/peek.hpp"
 
 namespace pizarra::chaos {
@@ -13,10 +12,6 @@ namespace {
 constexpr Duration look_pause = 50ms;
 constexpr int looks_a_world_look = 5;
 constexpr Duration lately = 3s;
-// The robot agent ends what moves within 100 ms of a stop; the arm's brakes take a quarter of a second.
-constexpr Duration stop_is_heard = 100ms;
-constexpr Duration brakes_take = 250ms;
-constexpr Duration look_slack = 60ms;
 
 // Events that are points of the coverage, recognised by words of their sentence.
 struct Telling {
@@ -38,59 +33,19 @@ constexpr Telling tellings[] = {
 }  // namespace
 
 Observers::Observers(ChaosCell& cell, const story::Judge& judge, Tell tell)
-    : cell_(cell), judge_(judge), tell_(std::move(tell)) {
-  cell_.world().on_request = [this](const std::string&, const Datum& request) { hear(request); };
+    : cell_(cell),
+      judge_(judge),
+      tell_(std::move(tell)),
+      arm_(cell, [this](std::string sentence) { add_unsafe(std::move(sentence)); }) {}
+
+void Observers::begin() {
+  arm_.begin();
+  looking_ = cell_.time().spawn(look());
 }
-
-Observers::~Observers() { cell_.world().on_request = nullptr; }
-
-void Observers::begin() { looking_ = cell_.time().spawn(look()); }
 
 void Observers::add_unsafe(std::string sentence) {
   tell_(cell_.time().now(), "unsafe", sentence);
   unsafe_.push_back(std::move(sentence));
-}
-
-void Observers::hear(const Datum& request) {
-  if (!request.is_form("arm") || request.size() < 2) return;
-  if (request[1].is_symbol("move")) note_motion();
-  if (!request[1].is_symbol("stop")) return;
-  std::erase_if(halts_, [](const Job& job) { return job.done(); });
-  halts_.push_back(cell_.time().spawn(check_halt()));
-}
-
-void Observers::note_motion() {
-  ++motions_;
-  const Time now = cell_.time().now();
-  const bool stopped = stop_stands_since_ && now - *stop_stands_since_ > stop_is_heard + look_slack;
-  if (stopped && !facts_of(cell_.board(), "(stop ? ?)").empty()) {
-    add_unsafe("a motion begins under a standing stop");
-  }
-  const std::vector<Datum> motions = facts_of(cell_.board(), "(robot-motion robot ? ?)");
-  const bool known_of = std::ranges::any_of(motions, [](const Datum& motion) { return motion[3] == Datum(); });
-  if (cell_.board() != nullptr && !known_of) add_unsafe("a motion begins that the board does not know of");
-  if (motions.empty()) return;
-  const int life = cell_.lives("robot");
-  const auto [known, first] = moved_for_.emplace(motions.front()[2], life);
-  if (!first && known->second != life) {
-    add_unsafe(fmt::format("a motion is made again for the request {}", write(motions.front()[2])));
-  }
-}
-
-// Asked of the simulated arm itself. One that moved as the stop came rests soon, and knows that it was stopped. Whoever
-// then orders another motion has had it end.
-Task<void> Observers::check_halt() {
-  const std::uint64_t motions = motions_;
-  const Datum question = list("arm"_sym, "read"_sym);
-  const Result<simulation::Message> before = co_await cell_.world().world->handle(question);
-  const bool moved = before && before->head[1].is_symbol("yes");
-  if (!moved) co_return;
-  co_await sleep(cell_.time(), stop_is_heard + brakes_take);
-  const Result<simulation::Message> after = co_await cell_.world().world->handle(question);
-  const bool tells = after && motions_ == motions;
-  if (!tells) co_return;
-  const bool heeded = after->head[1].is_symbol("no") && after->head[2].is_symbol("yes");
-  if (!heeded) add_unsafe("the arm moves on after a stop came to its controller");
 }
 
 Task<void> Observers::look() {
@@ -129,9 +84,6 @@ void Observers::look_at_board() {
     coverage_.hit("cell board-lived-again");
     check_marks();
   }
-  const bool stop = !facts_of(board, "(stop ? ?)").empty();
-  if (!stop) stop_stands_since_.reset();
-  if (stop && !stop_stands_since_) stop_stands_since_ = cell_.time().now();
   std::vector<Datum> events = facts_of(board, "(event ? ? ? ?)");
   std::ranges::sort(events, {}, [](const Datum& event) { return event[1].integer(); });
   for (const Datum& event : events) {

@@ -1,17 +1,15 @@
 #pragma once
 
 // Observers look at a running cell from outside and report what must never happen. No agent knows of them. They see
-// each request that reaches the arm's controller, the facts on the board, and the world itself.
+// each request that reaches the arm's controller (arm_observer.hpp), the facts on the board, and the world itself.
 //
 //   Observers observers(cell, judge, tell);
 //   observers.begin();
 //   observers.acknowledged(7);                  // the board said that it keeps (chaos-mark 7)
 //   observers.unsafe();                         // a sentence each
 //
-// Looked for: a motion that begins while a stop has stood for longer than it takes to hear of it; a motion that goes on
-// after a stop came to the controller; a motion made again for a request of which another life of the robot agent made
-// it; a motion that the board does not know of; something lost that was acknowledged as durable; a goal said to be
-// reached that the world does not show.
+// Looked for here: something lost that was acknowledged as durable; a goal said to be reached that the world does not
+// show. Of motions: arm_observer.hpp.
 
 #include <deque>
 #include <functional>
@@ -20,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "programs/chaos/arm_observer.hpp"
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
 #include "programs/chaos/world_news.hpp"
@@ -33,7 +32,6 @@ class Observers {
 
   // All outlive it.
   Observers(ChaosCell& cell, const story::Judge& judge, Tell tell);
-  ~Observers();
   Observers(const Observers&) = delete;
   Observers& operator=(const Observers&) = delete;
 
@@ -54,9 +52,6 @@ class Observers {
     Time when;
     std::vector<Datum> facts;
   };
-  void hear(const Datum& request);
-  void note_motion();
-  Task<void> check_halt();
   Task<void> look();
   Task<void> look_at_world();
   void look_at_board();
@@ -74,12 +69,9 @@ class Observers {
   WorldNews world_news_;
   std::int64_t last_event_ = 0;
   int board_lives_ = 1;
-  std::uint64_t motions_ = 0;
-  std::map<Datum, int> moved_for_;      // a request, and the life of the robot agent that moved for it
   std::map<std::string, int> present_;  // agents, in which of their lives
-  std::optional<Time> stop_stands_since_;
   std::string arm_action_;
-  std::vector<Job> halts_;
+  ArmObserver arm_;
   Job looking_;
 };
 

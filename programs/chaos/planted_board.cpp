@@ -127,6 +127,9 @@ Task<Result<std::unique_ptr<Watch>>> PlantedBoard::watch(Query query) {
   // Nobody is called so.
   const bool unheard = is_stop && has("robot", "stop-unheard");
   if (unheard) query = query_for(list("stop"_sym, "nobody-at-all"_sym, "?"_sym));
+  const bool is_commander = !query.clauses.empty() && query.clauses.front().form.is_form("commander");
+  const bool disregarded = is_commander && has("robot", "commander-unheard");
+  if (disregarded) query = query_for(list("commander"_sym, "nobody-at-all"_sym, "?"_sym));
   Result<std::unique_ptr<Watch>> watch = co_await board_.watch(std::move(query));
   const bool old = watch && is_look && has("coordinator", "looks-old");
   if (old) co_return std::make_unique<OldLooks>(std::move(*watch));

@@ -43,6 +43,17 @@ TEST(Chaos, ObserversFindEyesThatNeverSeeACubeAndAnArmThatHeedsNoStop) {
   EXPECT_TRUE(contains(swallowed, "found by run")) << swallowed.text;
 }
 
+// Each by the run in which it is found.
+TEST(Chaos, ObserversSayWhatAPlantedFaultDoes) {
+  const std::pair<const char*, const char*> planted[] = {
+      {"--replay 1 --only stop --plant commander-unheard", "a motion begins for coordinator under (commander"},
+      {"--replay 6 --only stop --plant fingers-not-held", "the fingers move on after a stop came to the arm"}};
+  for (const auto& [words, sentence] : planted) {
+    const Said said = run(words);
+    EXPECT_TRUE(contains(said, sentence)) << words << '\n' << said.text;
+  }
+}
+
 // In this run its power is cut as the last goal ends.
 TEST(Chaos, ABoardThatIsAwayAtTheEndIsAskedForWhatItKeepsWhenItIsBack) {
   const Said said = run("--replay 6200084");

@@ -1,0 +1,159 @@
+#include "programs/chaos/arm_observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "lisp/writer.hpp"
+#include "programs/chaos/peek.hpp"
+
+namespace pizarra::chaos {
+
+namespace {
+
+constexpr Duration watch_pause = 20ms;
+// The robot agent ends what moves within 100 ms of a stop and of another commander. The arm's brakes take a quarter of
+// a second.
+constexpr Duration stop_is_heard = 100ms;
+constexpr Duration brakes_take = 250ms;
+constexpr Duration watch_slack = 60ms;
+// Fingers that are told to stand where they are.
+constexpr double stands_mm = 2;
+
+// An ID is CLIENT-PRESENCE-NUMBER (agents/runtime/service.hpp).
+std::string client_of(const Datum& request) {
+  const std::string id(request.text());
+  const std::size_t number = id.rfind('-');
+  return id.substr(0, id.rfind('-', number - 1));
+}
+
+}  // namespace
+
+ArmObserver::ArmObserver(ChaosCell& cell, Unsafe unsafe) : cell_(cell), unsafe_(std::move(unsafe)) {
+  cell_.world().on_request = [this](const std::string&, const Datum& request) { hear(request); };
+}
+
+ArmObserver::~ArmObserver() { cell_.world().on_request = nullptr; }
+
+void ArmObserver::begin() { watching_ = cell_.time().spawn(watch()); }
+
+void ArmObserver::hear(const Datum& request) {
+  if (!request.is_form("arm") || request.size() < 2) return;
+  std::erase_if(checks_, [](const Job& job) { return job.done(); });
+  if (request[1].is_symbol("move")) note_motion();
+  if (request[1].is_symbol("gripper")) note_grip(request[2].number());
+  if (!request[1].is_symbol("stop")) return;
+  checks_.push_back(cell_.time().spawn(check_halt()));
+  checks_.push_back(cell_.time().spawn(check_fingers()));
+}
+
+void ArmObserver::note_motion() {
+  ++motions_;
+  of_fingers_ = false;
+  const int life = cell_.lives("robot");
+  if (stands(stop_)) unsafe_("a motion begins under a standing stop");
+  const std::vector<Datum> motions = facts_of(cell_.board(), "(robot-motion robot ? ?)");
+  const bool known_of = std::ranges::any_of(motions, [](const Datum& motion) { return motion[3] == Datum(); });
+  if (cell_.board() != nullptr && !known_of) unsafe_("a motion begins that the board does not know of");
+  if (motions.empty()) return;
+  const Datum& request = motions.front()[2];
+  const std::string client = client_of(request);
+  const bool is_another = stands(commander_) && !commander_->fact[2].is_symbol(client);
+  if (is_another) unsafe_(fmt::format("a motion begins for {} under {}", client, write(commander_->fact)));
+  const auto [known, first] = moved_for_.emplace(request, life);
+  if (!first && known->second != life) {
+    unsafe_(fmt::format("a motion is made again for the request {}", write(request)));
+  }
+}
+
+bool ArmObserver::stands(const std::optional<Standing>& standing) const {
+  if (!standing || cell_.time().now() - standing->since <= stop_is_heard + watch_slack) return false;
+  return !facts_of(cell_.board(), standing->fact).empty();
+}
+
+// Asked of the simulated arm itself.
+Task<ArmObserver::Reading> ArmObserver::read() {
+  const Datum question = list("arm"_sym, "read"_sym);
+  const Result<simulation::Message> answer = co_await cell_.world().world->handle(question);
+  if (!answer) co_return Reading();
+  const Datum& head = answer->head;
+  co_return Reading{head[1].is_symbol("yes"), head[2].is_symbol("yes"), head[3].number(), head[4].is_symbol("yes")};
+}
+
+void ArmObserver::note_grip(double opening_mm) {
+  ++grips_;
+  of_fingers_ = true;
+  checks_.push_back(cell_.time().spawn(check_grip(opening_mm)));
+}
+
+// Where a stop stands, fingers are told at most to stay where they are.
+Task<void> ArmObserver::check_grip(double opening_mm) {
+  const bool is_stopped = stands(stop_) && impaired_ < stop_->since;
+  const Reading now = co_await read();
+  const bool moves = std::abs(now.opening_mm - opening_mm) > stands_mm;
+  if (is_stopped && moves) unsafe_("the fingers begin to move under a standing stop");
+}
+
+// One that moved as the stop came rests soon, and knows that it was stopped. Whoever then orders another motion has had
+// it end.
+Task<void> ArmObserver::check_halt() {
+  const std::uint64_t motions = motions_;
+  const Reading before = co_await read();
+  if (!before.moves) co_return;
+  co_await sleep(cell_.time(), stop_is_heard + brakes_take);
+  const Reading after = co_await read();
+  const bool heeded = !after.moves && after.was_stopped;
+  if (motions_ == motions && !heeded) unsafe_("the arm moves on after a stop came to its controller");
+}
+
+// A controller stops its axes. The fingers it is told to hold where they are.
+Task<void> ArmObserver::check_fingers() {
+  const std::uint64_t grips = grips_;
+  const Time came = cell_.time().now();
+  const Reading before = co_await read();
+  // Behind what slipped they close by themselves.
+  if (!before.fingers_move || !of_fingers_) co_return;
+  co_await sleep(cell_.time(), stop_is_heard);
+  const Reading after = co_await read();
+  const bool is_another = grips_ > grips + 1;
+  const bool could_be_told = impaired_ < came - watch_pause;
+  if (after.fingers_move && !is_another && could_be_told) unsafe_("the fingers move on after a stop came to the arm");
+}
+
+Task<void> ArmObserver::watch() {
+  while (true) {
+    const Time now = cell_.time().now();
+    if (is_impaired()) impaired_ = now;
+    look_at_board();
+    co_await sleep(cell_.time(), watch_pause);
+  }
+}
+
+// Whether the robot agent could not tell the controller something, or would tell it what is wrong.
+bool ArmObserver::is_impaired() const {
+  const DeviceFaults& faults = cell_.world().faults;
+  const Time now = cell_.world().process.now();
+  const Time until =
+      std::max({faults.arm_away_until, faults.acks_late_until, faults.pendant_until, faults.sensor_stuck_until});
+  return faults.alarm || now < until || !cell_.runs("robot");
+}
+
+void ArmObserver::look_at_board() {
+  const memory::MemoryBoard* board = cell_.board();
+  if (board == nullptr) return;
+  const std::vector<Datum> stops = facts_of(board, "(stop ? ?)");
+  note(stop_, stops.empty() ? Datum() : stops.front());
+  Datum commander;
+  for (const Datum& fact : facts_of(board, "(commander robot ?)")) {
+    const bool present = !facts_of(board, list("agent"_sym, fact[2], "?"_sym, "?"_sym)).empty();
+    if (present && commander == Datum()) commander = fact;
+  }
+  note(commander_, commander);
+}
+
+void ArmObserver::note(std::optional<Standing>& standing, const Datum& fact) const {
+  if (fact == Datum()) return standing.reset();
+  if (!standing || standing->fact != fact) standing = Standing{fact, cell_.time().now()};
+}
+
+}  // namespace pizarra::chaos
