@@ -9,6 +9,7 @@ namespace {
 
 constexpr double furthest_mm = 2000;
 constexpr double least_speed_mm_s = 1;
+constexpr double longest_hold_s = 60;
 
 // The numbers from `first` on, all of them lengths that fit a cell.
 Result<std::vector<double>> lengths(const Datum& request, std::size_t first, std::size_t count) {
@@ -62,6 +63,13 @@ Result<void> begin_hand(Cell& cell, const Datum& request) {
     if (!way) return fail(way);
     if ((*way)[2] < least_speed_mm_s) return bad_request(request);
     return hand.slide(*cube, (*way)[0], (*way)[1], (*way)[2]);
+  }
+  if (what == "hold") {
+    const Result<std::vector<double>> how = lengths(request, 3, 4);
+    if (!how) return fail(how);
+    const double seconds = (*how)[3];
+    if (seconds <= 0 || seconds > longest_hold_s) return bad_request(request);
+    return hand.hold(*cube, {(*how)[0], (*how)[1], (*how)[2]}, seconds);
   }
   if (what == "stack" && request.size() == 4) {
     const Result<CubeId> on = cell.find(word(request, 3));

@@ -28,6 +28,7 @@
 //   (hand slide NAME DX DY SPEED)     the same at SPEED mm/s from beginning to end
 //   (hand place NAME X Y)             lifts it and puts it down there, straight
 //   (hand stack NAME ON)              lifts it and puts it on another cube
+//   (hand hold NAME X Y Z S)          holds it there, in the way, for S seconds, 60 at most, and puts it back
 //   (hand steal NAME)                 pulls it away towards the camera, out of the gripper too
 //   (hand remove NAME)                lifts it out of the scene
 //   (hand add NAME "mark" X Y)        puts down a new cube, or one that is gone (its mark stays)

@@ -25,7 +25,7 @@ std::vector<std::string> all_points() {
   for (const char* point : board_points) points.push_back(fmt::format("cell {}", point));
   for (const char* stop : stops) points.push_back(fmt::format("arm {}", stop));
   for (const FaultClass& kind : fault_classes()) {
-    if (kind.by_name_alone || std::string_view(kind.name) == "clock") continue;
+    if (std::string_view(kind.name) == "clock") continue;
     for (const char* operation : operations) {
       for (int state = 0; state < servo_states; ++state) points.push_back(pair_point(kind.name, operation, state));
     }

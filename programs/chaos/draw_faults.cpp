@@ -56,9 +56,16 @@ Datum network(Draw& draw) {
   }
 }
 
+// Something of what the goal wants is done.
+Datum help(Draw& draw) {
+  const Datum& wanted = draw.goal[draw.random.below(draw.goal.size())];
+  if (wanted.is_form("on")) return list(word("hand"), word("stack"), wanted[1], wanted[2]);
+  return list(word("hand"), word("place"), draw.cube(), draw.x(), draw.y());
+}
+
 Datum hand(Draw& draw) {
   const auto [cube, other] = draw.two_cubes();
-  switch (draw.random.below(7)) {
+  switch (draw.random.below(9)) {
     case 0:
       return list(word("hand"), word("push"), cube, draw.seconds(-20, 20), draw.seconds(-60, 60));
     case 1:
@@ -71,6 +78,10 @@ Datum hand(Draw& draw) {
       return list(word("hand"), word("remove"), cube);
     case 5:
       return list(word("borrow"), cube, draw.seconds(2, 10), draw.x(), draw.y());
+    case 6:
+      return list(word("hand"), word("hold"), cube, draw.x(), draw.y(), draw.seconds(150, 350), draw.seconds(1, 8));
+    case 7:
+      return help(draw);
     default:
       return list(word("hand"), word("knock"), cube);
   }

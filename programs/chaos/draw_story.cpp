@@ -31,9 +31,7 @@ forms::CellDescription draw_cell(forms::CellDescription cell, Random& random) {
 std::vector<std::string> draw_classes(const std::vector<std::string>& only, Random& random) {
   std::vector<std::string> candidates = only;
   if (candidates.empty()) {
-    for (const FaultClass& kind : fault_classes()) {
-      if (!kind.by_name_alone) candidates.emplace_back(kind.name);
-    }
+    for (const FaultClass& kind : fault_classes()) candidates.emplace_back(kind.name);
   }
   std::vector<std::string> classes;
   for (const std::string& kind : candidates) {

@@ -26,12 +26,12 @@ const std::vector<FaultClass>& fault_classes() {
       {"sensor", "the gripper's sensor is stuck"},
       {"slip", "what is held slips from the fingers"},
       {"misplace", "what is put down comes to lie off its place"},
-      {"hand", "a hand pushes, places, stacks, steals, knocks, takes away and brings back"},
+      {"hand", "a hand pushes, places, stacks, steals, knocks, helps, holds in the way, takes away and brings back"},
       {"stop", "somebody stops the cell, or takes the arm in hand, for a while"},
-      {"swap", "the eyes call two objects by each other's names", true},
-      {"alarm", "the arm's controller raises an alarm, which somebody resets after a while", true},
-      {"light", "the camera's light grows brighter or darker for a while", true},
-      {"bump", "somebody knocks against the camera, which stands elsewhere from then on", true},
+      {"swap", "the eyes call two objects by each other's names"},
+      {"alarm", "the arm's controller raises an alarm, which somebody resets after a while"},
+      {"light", "the camera's light grows brighter or darker for a while"},
+      {"bump", "somebody knocks against the camera, which stands elsewhere from then on"},
   };
   return classes;
 }

@@ -32,7 +32,6 @@ Datum fault_to_datum(const Fault& fault);
 struct FaultClass {
   const char* name;
   const char* sentence;
-  bool by_name_alone = false;  // in no run for which it is not named
 };
 const std::vector<FaultClass>& fault_classes();
 

@@ -131,6 +131,20 @@ Result<void> Hand::stack(CubeId cube, CubeId on) {
   return place(cube, below.x(), below.y());
 }
 
+Result<void> Hand::hold(CubeId cube, const Vector3d& at_mm, double seconds) {
+  const Vector3d from = physics_.pose(cube).translation();
+  Result<void> begun = begin(Job::carry, cube, from);
+  if (!begun) return begun;
+  const Vector3d above(from.x(), from.y(), std::max(carry_height(cube), at_mm.z()));
+  add_leg(above, carry_speed_mm_s);
+  add_leg(at_mm, carry_speed_mm_s);
+  legs_.push_back({at_mm, seconds});
+  add_leg(above, carry_speed_mm_s);
+  const double support = support_height(cube, from.x(), from.y());
+  add_leg({from.x(), from.y(), support + physics_.edge_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
+  return {};
+}
+
 Result<void> Hand::steal(CubeId cube) {
   const Vector3d from = physics_.pose(cube).translation();
   Result<void> begun = begin(Job::carry, cube, from);

@@ -23,6 +23,8 @@ class Hand {
   Result<void> place(CubeId cube, double x_mm, double y_mm);
   Result<void> stack(CubeId cube, CubeId on);
   Result<void> steal(CubeId cube);
+  // In the way: it is lifted to that place, held there, and put back.
+  Result<void> hold(CubeId cube, const Eigen::Vector3d& at_mm, double seconds);
   Result<void> remove(CubeId cube);
   // The cube is away; it comes from above.
   Result<void> add(CubeId cube, double x_mm, double y_mm);

@@ -57,6 +57,24 @@ TEST(Hand, PlacesAndStacksStraight) {
   EXPECT_EQ(bench.outcome("(hand stack cross cross)"), "bad-request");
 }
 
+TEST(Hand, HoldsACubeInTheWayAndPutsItBack) {
+  Bench bench(four_cubes());
+  const TruthOf before = bench.truth("circle");
+  std::optional<Result<Message>> answer;
+  const Job job = bench.executor.spawn(keep(bench.link.call(*read_one("(hand hold circle 450 0 250 3)"), 20s), answer));
+  bench.wait(3s);
+  EXPECT_NEAR(bench.truth("circle").y_mm, 0, 5);
+  EXPECT_NEAR(bench.truth("circle").z_mm, 250, 5);
+  EXPECT_EQ(bench.truth("circle").state, "carried");
+  bench.wait(6s);
+  EXPECT_NEAR(bench.truth("circle").x_mm, before.x_mm, 3);
+  EXPECT_NEAR(bench.truth("circle").y_mm, before.y_mm, 3);
+  EXPECT_EQ(bench.truth("circle").state, "table");
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(*answer);
+  EXPECT_EQ(bench.outcome("(hand hold circle 450 0 250 61)"), "bad-request");
+}
+
 TEST(Hand, KnocksATowerOver) {
   WorldConfig config;
   config.cubes = {{.name = "a", .x_mm = 450, .y_mm = 0}, {.name = "b", .on = "a"}, {.name = "c", .on = "b"}};
