@@ -16,6 +16,8 @@ constexpr double least_confidence = 0.03;
 // With more no other place is looked at; and by so much another one must be surer.
 constexpr double clearly_sure = 0.35;
 constexpr double clearly_surer = 0.3;
+// Of how far off a centre may be that is told surely, the wrong one of two tilts makes at most so much.
+constexpr double share_of_tilt = 0.4;
 
 std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
   for (const SeenMark& mark : marks) {
@@ -108,7 +110,10 @@ void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, 
   if (!pair.plane || !pair.plane->agrees) return;
   const LearnedSample& sample = *pair.plane->sample;
   if (!pair.right) {
-    pair.left.centre = pair.plane->fit.in_image(sample.plane.middle);
+    const std::optional<PlanePose>& pose = pair.plane->pose;
+    pair.left.centre = pose && !pose->is_contradicted()
+                           ? middle_in_image(sight.model(), *pose, share_of_tilt * most_off_px(sight))
+                           : pair.plane->fit.in_image(sample.plane.middle);
     return;
   }
   const std::optional<PlaneFit> right = fit_in_right(sight, sample, pair, pair.plane->fit, to_follow);

@@ -36,6 +36,10 @@ constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
 constexpr double least_contradiction = 4;
 constexpr double clearly_contradicted = 15;
+// How far faces are turned from the axis of a camera that looks at them: a standard deviation.
+constexpr double usual_turn_rad = 0.5;
+// A tilt that is less likely is none.
+constexpr double least_share_of_other = 0.01;
 
 std::vector<PlanePoint> edges_of(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
                                  double unit, double beside_mm) {
@@ -102,6 +106,17 @@ void count(const PlaneFit& fit, Scatter& scatter) {
   }
 }
 
+cv::Point2d in_image(const camera::StereoModel& model, const cv::Vec3d& place_mm) {
+  return {model.centre_x_px + model.focal_px * place_mm[0] / place_mm[2],
+          model.centre_y_px + model.focal_px * place_mm[1] / place_mm[2]};
+}
+
+// Half of the squared deviations, of the edges and of how cameras are aimed.
+double unlikely(const PlaneTilt& tilt) {
+  const double turned = std::acos(std::min(1.0, std::abs(tilt.turn(2, 2)))) / usual_turn_rad;
+  return tilt.misfit + turned * turned / 2;
+}
+
 PlaneTilt tilt_of(const SolvedPlane& solved, double share_of_misfit) {
   const Eigen::Vector3d& place = solved.pose.place;
   return {
@@ -147,6 +162,16 @@ std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const Plan
   if (!out.by_both) out.affine_misfit = affine_misfit(edges, weight);
   out.free_misfit = weight * scatter.squares / 2;
   return out;
+}
+
+cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& pose, double most_off_px) {
+  const cv::Point2d told = in_image(model, pose.place_mm);
+  const cv::Point2d other = in_image(model, pose.other.place_mm);
+  const double of_other = 1 / (1 + std::exp(std::clamp(unlikely(pose.other) - unlikely(pose), -50.0, 50.0)));
+  const double most = std::max(0.5, most_off_px / std::max(most_off_px, cv::norm(told - other)));
+  const bool either = pose.share_of_other() > least_share_of_other;
+  const double share = either ? std::clamp(of_other, 1 - most, most) : of_other;
+  return (1 - share) * told + share * other;
 }
 
 double covered_rather_than_tilted(const PlanePose& pose, double tilted_for_one_covered) {

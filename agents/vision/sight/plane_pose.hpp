@@ -47,6 +47,11 @@ struct PlaneFace {
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                     const PlaneFace& face, const PlaneFit* right = nullptr);
 
+// Where the mark's middle is seen, px: by both tilts, as likely as each is, and no farther than that from either while
+// both may be it. A camera is aimed, so that of two that explain the edges alike the face that is turned less from the
+// camera's axis is the likelier one.
+cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& pose, double most_off_px);
+
 // How likely a look that is slimmer than the mark is one of a part of it, facing the camera, rather than of all of it,
 // tilted: perspective goes with a tilt. `tilted_for_one_covered`: where that says nothing.
 double covered_rather_than_tilted(const PlanePose& pose, double tilted_for_one_covered);

@@ -126,6 +126,61 @@ TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
   EXPECT_LT(std::sqrt(squares / tries), 3);
 }
 
+// A homography leaves more open than a pose does: of a cross's middle a tenth of a pixel.
+TEST(Plane, PutsTheMiddleOfACrossWhereItsPoseIs) {
+  constexpr double arm = half_mm / 3;
+  const Corners cross = {{-arm, -half_mm}, {arm, -half_mm}, {arm, -arm},      {half_mm, -arm},
+                         {half_mm, arm},   {arm, arm},      {arm, half_mm},   {-arm, half_mm},
+                         {-arm, arm},      {-half_mm, arm}, {-half_mm, -arm}, {-arm, -arm}};
+  Random random(12);
+  const LearnedSample sample = learned(cross, random);
+  double squares = 0;
+  constexpr int tries = 40;
+  for (int i = 0; i < tries; ++i) {
+    SCOPED_TRACE(i);
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * random.uniform(0, 0.9)) *
+                             turned_about({0, 0, random.uniform(-3, 3)});
+    const cv::Vec3d place(random.uniform(-120, 120), random.uniform(-80, 80), random.uniform(400, 600));
+    const std::optional<Registered> seen = registered(filled(projected(cross, turn, place), random), sample);
+    ASSERT_TRUE(seen);
+    const double off =
+        cv::norm(middle_in_image(one_camera(), seen->pose, 2) - projected({{0, 0}}, turn, place).front());
+    squares += off * off;
+  }
+  EXPECT_LT(std::sqrt(squares / tries), 0.06);
+}
+
+// Two tilts of a circle look alike, and put its middle in two places. Who took either for it would be off by 0.7 of the
+// way between them, in the mean of squares.
+TEST(Plane, PutsTheMiddleOfACircleBetweenBothOfItsTilts) {
+  Corners circle;
+  for (int i = 0; i < 180; ++i) {
+    circle.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
+  }
+  Random random(13);
+  const LearnedSample sample = learned(circle, random);
+  double off2 = 0;
+  double apart2 = 0;
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * random.uniform(0.3, 0.9));
+    const cv::Vec3d place(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(400, 600));
+    const std::optional<Registered> seen = registered(filled(projected(circle, turn, place), random), sample);
+    ASSERT_TRUE(seen);
+    const auto in_image = [](const cv::Vec3d& at) { return projected({{0, 0}}, cv::Matx33d::eye(), at).front(); };
+    const double apart = cv::norm(in_image(seen->pose.place_mm) - in_image(seen->pose.other.place_mm));
+    const double off = cv::norm(middle_in_image(one_camera(), seen->pose, 2) - in_image(place));
+    apart2 += apart * apart;
+    off2 += off * off;
+    // Neither is farther off than may be.
+    const cv::Point2d between = middle_in_image(one_camera(), seen->pose, 0.6 * apart);
+    EXPECT_LT(cv::norm(between - in_image(place)), 0.6 * apart + 0.1);
+  }
+  EXPECT_LT(off2, 0.4 * apart2);
+}
+
 // An outline says nothing of its own stretch: of a triangle that is a little wider than high, that is a part of what
 // its tilt may be.
 TEST(Plane, OfATiltedTriangleIsWithinItsSpreads) {
