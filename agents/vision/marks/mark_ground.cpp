@@ -5,13 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "agents/vision/marks/ground_step.hpp"
+
 namespace pizarra::vision {
 namespace {
 
-// Of the contour, each as long as the others. A side has so many of them.
-constexpr std::size_t parts = 24;
-constexpr std::size_t least_side = 3;
-constexpr std::size_t most_side = parts / 2;
 // Of the contour so many places tell enough.
 constexpr std::size_t most_places = 96;
 constexpr std::size_t least_places = 12;
@@ -21,11 +19,6 @@ const double cosine_of_corner = std::cos(40 * CV_PI / 180);
 // a narrow margin ends; what hides a part is there at both.
 constexpr std::array beyond_edge_px = {1.25, 2.0};
 constexpr double well_outside_px = 2.5;
-// By how much ground differs that is one: grey levels, a part of the contrast, and standard deviations of noise, of
-// which the most unlike of so many sides has some four.
-constexpr double uneven_levels = 5;
-constexpr double uneven_share = 0.03;
-constexpr double most_deviations = 8;
 
 double level_at(const cv::Mat1b& grey, cv::Point2d place) {
   const double x = std::clamp(place.x, 0.0, grey.cols - 1.001);
@@ -63,7 +56,7 @@ std::vector<Place> places_along(const MarkContour& contour) {
     if (before.dot(after) < cosine_of_corner * std::sqrt(before.dot(before) * after.dot(after))) continue;
     const cv::Point2d along = before + after;
     const cv::Point2d outwards = side / std::sqrt(along.dot(along)) * cv::Point2d(along.y, -along.x);
-    out.push_back({at, outwards, i * parts / count});
+    out.push_back({at, outwards, i * around_parts / count});
   }
   return out;
 }
@@ -80,23 +73,8 @@ double edge_px(const cv::Mat1b& grey, const Place& place, double middle) {
   return between_pixels;
 }
 
-// Of samples: how many, where they are, and how far from the light's slope.
-struct Samples {
-  double count = 0;
-  cv::Point2d at = {};
-  double level = 0;
-
-  cv::Vec3d row() const { return {count, at.x, at.y}; }
-  Samples& operator+=(const Samples& other) {
-    count += other.count;
-    at += other.at;
-    level += other.level;
-    return *this;
-  }
-};
-
 struct Ground {
-  std::array<std::array<Samples, parts>, beyond_edge_px.size()> beyond{};
+  std::array<Around, beyond_edge_px.size()> beyond{};
   double contrast = 0;
 };
 
@@ -120,83 +98,15 @@ Ground ground_of(const cv::Mat1b& grey, const std::vector<Place>& places, cv::Po
   return out;
 }
 
-// Takes the light's slope away, the plane that fits best, and gives the inverse of its normal matrix.
-cv::Matx33d flatten(std::array<Samples, parts>& all) {
-  cv::Matx33d normal = cv::Matx33d::zeros();
-  cv::Vec3d right = cv::Vec3d::all(0);
-  for (const Samples& part : all) {
-    if (part.count == 0) continue;
-    normal += part.row() * part.row().t() * (1 / part.count);
-    right += part.level / part.count * part.row();
-  }
-  const cv::Matx33d inverse = normal.inv();
-  const cv::Vec3d plane = inverse * right;
-  for (Samples& part : all) part.level -= plane.dot(part.row());
-  return inverse;
-}
-
-// A side and the ground beyond the others, as a plane with a step.
-struct Step {
-  double height = 0;  // grey levels
-  double weight = 0;  // so many samples of the height's own would say as much
-  double apart = 1;   // how much of that the plane leaves: what is uneven counts the more, the more it is like a slope
-
-  // How much of the squared differences from a plane it explains.
-  double explained() const { return height * height * weight; }
-};
-
-// By linear least squares: of all sides the one whose step explains most.
-Step most_unlike_side(const std::array<Samples, parts>& flat, const cv::Matx33d& inverse) {
-  Step best;
-  double count = 0;
-  for (const Samples& part : flat) count += part.count;
-  for (std::size_t first = 0; first < parts; ++first) {
-    Samples side;
-    for (std::size_t length = 1; length <= most_side; ++length) {
-      side += flat[(first + length - 1) % parts];
-      if (length < least_side) continue;
-      const double weight = side.count - side.row().dot(inverse * side.row());
-      if (weight <= 1) continue;
-      const Step step{side.level / weight, weight, weight / (side.count - side.count * side.count / count)};
-      if (step.explained() > best.explained()) best = step;
-    }
-  }
-  return best;
-}
-
-// Of one sample about plane and step: as they scatter, and no less than noise makes of what lies between pixels.
-double variance_of(const std::array<Samples, parts>& flat, const Step& step, double noise) {
-  constexpr double left_between_pixels = 0.5;
-  constexpr int unknowns = 4;
-  double squares = -step.explained();
-  int known = -unknowns;
-  for (const Samples& part : flat) {
-    if (part.count == 0) continue;
-    squares += part.level * part.level / part.count;
-    ++known;
-  }
-  return std::max(squares / std::max(1, known), left_between_pixels * noise * noise);
-}
-
-// At one distance.
-double doubt_of(std::array<Samples, parts>& beyond, double contrast, double noise) {
-  const cv::Matx33d inverse = flatten(beyond);
-  const Step step = most_unlike_side(beyond, inverse);
-  if (step.weight == 0) return 0;
-  const double spread = std::sqrt(variance_of(beyond, step, noise) / step.weight);
-  const double uneven = std::hypot(uneven_levels, uneven_share * contrast) / std::sqrt(step.apart);
-  return std::abs(step.height) / std::hypot(uneven, most_deviations * spread);
-}
-
 }  // namespace
 
 double ground_doubt(const cv::Mat1b& grey, double noise, const SeenMark& mark) {
   const std::vector<Place> places = places_along(mark.contour);
   if (places.size() < least_places) return 0;
-  Ground ground = ground_of(grey, places, mark.centre);
-  double least = doubt_of(ground.beyond.front(), ground.contrast, noise);
+  const Ground ground = ground_of(grey, places, mark.centre);
+  double least = step_doubt(ground.beyond.front(), ground.contrast, noise);
   for (std::size_t i = 1; i < beyond_edge_px.size() && least > 0; ++i) {
-    least = std::min(least, doubt_of(ground.beyond[i], ground.contrast, noise));
+    least = std::min(least, step_doubt(ground.beyond[i], ground.contrast, noise));
   }
   return least;
 }

@@ -22,7 +22,9 @@ std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoMod
   if (!fit) return std::nullopt;
   const bool agrees = is_outline_of(*fit);
   PlaneView out{sample, std::move(*fit), agrees, std::nullopt};
-  if (agrees) out.pose = pose_in_plane(model, *sample, out.fit);
+  if (!agrees) return out;
+  out.pose = pose_in_plane(model, *sample, out.fit);
+  out.ground = look_at_ground(cut, sample->plane, out.fit);
   return out;
 }
 

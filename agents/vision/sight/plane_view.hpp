@@ -5,6 +5,7 @@
 //   std::optional<PlaneView> view = view_plane(segmentation.cut(), model, object, mark);
 //   view->fit.in_image({0, 0})           // where the mark's centroid is seen, whatever its tilt
 
+#include "agents/vision/marks/outline_ground.hpp"
 #include "agents/vision/objects/plane_look.hpp"
 #include "agents/vision/sight/plane_pose.hpp"
 
@@ -16,6 +17,7 @@ struct PlaneView {
   bool agrees;                    // the edges are those of the outline; else it is something that is like it
   std::optional<PlanePose> pose;  // where they agree
   bool is_part = false;           // something hides the rest: the fit goes by what is seen of the outline
+  OutlineGround ground = {};      // of a whole that agrees
 };
 
 // How the sample's plane lies by the fit in the left image, and by that in the right one where it is there; nothing

@@ -98,10 +98,14 @@ double confidence_at_first(const StereoSight& sight, const LearnedObject& object
   if (pair.plane && pair.plane->is_part) {
     return confidence_if_off(if_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
   }
-  const double by_ground = confidence_if_off(confidence_by_form(sight, object, pair), ground_doubt(sight, pair), 1);
-  if (pair.right || pair.left.tag || !pair.plane) return by_ground;
-  const double in_shadow = confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);
-  return std::max(by_ground, shadow_share * in_shadow);
+  const double by_form = confidence_by_form(sight, object, pair);
+  const double doubt = ground_doubt(sight, pair);
+  if (pair.right || pair.left.tag || !pair.plane) return confidence_if_off(by_form, doubt, 1);
+  const double in_shadow = shadow_share * confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);
+  if (!pair.plane->agrees) return std::max(confidence_if_off(by_form, doubt, 1), in_shadow);
+  const OutlineGround& ground = pair.plane->ground;
+  const double by_ground = confidence_if_off(by_form, std::min(doubt, ground.doubt), 1);
+  return std::lerp(std::max(by_ground, in_shadow), by_form, ground.light);
 }
 
 Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& now,

@@ -3,6 +3,7 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_learner.hpp"
 
 namespace pizarra::vision {
@@ -130,6 +131,11 @@ void GroundLooks::find(StereoSight& sight, const LearnedObjects& objects, ToldAt
   if (found) told.count(confidence_at_first(sight, object, *found), cv::norm(found->left.centre - centre_));
 }
 
+void GroundLooks::find_thoroughly(StereoSight& sight) {
+  const Result<FoundMark> found = MarkFinder(to_one_).find(sight, to_one_.all().front(), {});
+  if (found) by_find.count(found->confidence, cv::norm(found->pair.left.centre - centre_));
+}
+
 void GroundLooks::count(const TrackSighting& sighting, ToldAtFirst& told) const {
   if (sighting.seen) told.count(sighting.confidence, cv::norm(sighting.centre - centre_));
 }
@@ -146,6 +152,7 @@ void GroundLooks::look() {
     StereoSight left_only(left, cv::Mat1b::zeros(left.size()), alone_);
     if (frame == 0) find(both, to_pair_, by_pair);
     if (frame == 0) find(left_only, to_one_, of_one_told);
+    if (frame == 0) find_thoroughly(left_only);
     count(of_pair.update(both, Time() + frame * 100ms).front(), by_pair);
     count(of_one.update(left_only, Time() + frame * 100ms).front(), of_one_told);
   }

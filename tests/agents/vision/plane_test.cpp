@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/marks/outline_ground.hpp"
 #include "agents/vision/marks/segmentation.hpp"
 #include "agents/vision/objects/part_look.hpp"
 #include "agents/vision/objects/plane_look.hpp"
@@ -245,6 +246,49 @@ TEST(Plane, AHardShadowAcrossTheSheetHidesNoOutline) {
   ASSERT_TRUE(seen);
   const cv::Point2d middle = projected({{0, 0}}, cv::Matx33d::eye(), {10, 5, 500}).front();
   EXPECT_LT(cv::norm(seen->fit.in_image({0, 0}) - middle), 0.4);
+}
+
+OutlineGround ground_of_square(const cv::Mat1b& image, const LearnedSample& sample) {
+  const std::optional<Registered> seen = registered(image, sample);
+  if (!seen) return {};
+  return look_at_ground(look_at(image, {0, 0, image.cols, image.rows}, noise_of(image)), sample.plane, seen->fit);
+}
+
+TEST(OutlineGround, InAShadowIsUnevenByLight) {
+  Random random(14);
+  const LearnedSample sample = learned(square, random);
+  for (const double left : {0.35, 0.5, 0.65}) {
+    cv::Mat1b image = filled(projected(square, turned_about({0, 0, 0.3}), {10, 5, 500}), random, 2);
+    cv::Mat1b dark = image.colRange(0, 335);
+    dark = dark * left;
+    const OutlineGround ground = ground_of_square(image, sample);
+    EXPECT_GT(ground.doubt, 1) << left;
+    EXPECT_GT(ground.light, 0.9) << left;
+  }
+}
+
+// What is left of it looks like a square that is turned away.
+TEST(OutlineGround, BesideWhatHidesASideIsUnevenByMoreThanLight) {
+  Random random(15);
+  const LearnedSample sample = learned(square, random);
+  for (const double level : {70, 100, 130, 160}) {
+    cv::Mat1b image = filled(projected(square, cv::Matx33d::eye(), {0, 0, 500}), random, 2);
+    image.colRange(330, 420) = level;
+    const OutlineGround ground = ground_of_square(image, sample);
+    EXPECT_GT(ground.doubt, 1) << level;
+    EXPECT_LT(ground.light, 0.1) << level;
+  }
+}
+
+// Motion widens two of its edges, and darkens the ground beside them.
+TEST(OutlineGround, OfAMarkThatMovesIsEven) {
+  Random random(16);
+  const LearnedSample sample = learned(square, random);
+  for (const int motion_px : {5, 9}) {
+    cv::Mat1b image = filled(projected(square, turned_about({0, 0, 0.1}), {0, 0, 500}), random);
+    cv::blur(image, image, {motion_px, 1});
+    EXPECT_LT(ground_of_square(image, sample).doubt, 0.6) << motion_px;
+  }
 }
 
 // Lays grey over all that is farther than so much along a direction, px from the middle.
