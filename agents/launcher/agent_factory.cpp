@@ -89,10 +89,6 @@ class BuiltVision : public BuiltAgent {
   vision::VisionAgent agent_;
 };
 
-bool has_pan_tilt(const forms::CellDescription& description) {
-  return !description.head.empty() || !description.pan_tilt.kind.empty();
-}
-
 coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription& description) {
   coordinator::CoordinatorOptions options;
   options.domain_file = description.domain_file;
@@ -198,6 +194,10 @@ DevicePlugin plugin_of(const std::string& agent, const forms::CellDescription& d
   if (kind == "robot" && description.arm_line.protocol == "plugin") return {"arm", description.arm_line.places.front()};
   if (kind == "vision" && description.eyes.is_plugin()) return {"camera", description.eyes.plugin};
   return {};
+}
+
+bool has_pan_tilt(const forms::CellDescription& description) {
+  return !description.head.empty() || !description.pan_tilt.kind.empty();
 }
 
 bool needs_world(const std::string& agent, const forms::CellDescription& description) {

@@ -28,6 +28,9 @@ std::vector<std::string> agent_kinds(const forms::CellDescription& description);
 // Those that the cell's hosts run.
 std::vector<std::string> named_agents(const forms::CellDescription& description);
 
+// Whether its cameras stand on one.
+bool has_pan_tilt(const forms::CellDescription& description);
+
 // Whether the agent has a device in the simulated world, which is reached over its socket, on this machine alone.
 bool needs_world(const std::string& agent, const forms::CellDescription& description);
 

@@ -2,16 +2,21 @@
 
 #include <cmath>
 
+#include "drivers/ptu/head_axes.hpp"
 #include "lisp/numbers.hpp"
 
 namespace pizarra::pan_tilt {
 
 Gaze gaze_at(const forms::CameraPose& mount, const std::array<double, 3>& point_mm) {
-  const double x = point_mm[0] - mount.at_mm[0];
-  const double y = point_mm[1] - mount.at_mm[1];
-  const double z = point_mm[2] - mount.at_mm[2];
-  const double pan = degrees(std::atan2(y, -x)) - mount.pan_deg;
-  return {std::remainder(pan, 360), degrees(std::atan2(z, std::hypot(x, y))) - mount.tilt_deg};
+  constexpr int rounds = 30;
+  const Eigen::Vector3d point = ptu::camera_frame(mount).inverse() * Eigen::Vector3d(point_mm.data());
+  ptu::HeadTurn turn;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::Vector3d seen = ptu::head_turn(mount, turn).inverse() * point;
+    turn.pan_deg = std::remainder(turn.pan_deg + degrees(std::atan2(seen.x(), seen.z())), 360);
+    turn.tilt_deg += degrees(std::atan2(-seen.y(), std::hypot(seen.x(), seen.z())));
+  }
+  return {turn.pan_deg, turn.tilt_deg};
 }
 
 }  // namespace pizarra::pan_tilt

@@ -4,8 +4,8 @@
 //
 //   const Gaze gaze = gaze_at(mount, {450, -165, 30});     // degrees of the head's pan and tilt
 //
-// The camera pair turns about the centre of its base line, in which the head's two axes meet; `mount` is how it looks
-// while the head is in its middle. Source: the angles of a direction, atan2(y, -x) about z and atan2(z, hypot(x, y)).
+// `mount` is how the camera looks while the head is in its middle, and about which axes that turns it. The point's angle
+// from the middle of the turned camera's image is added to the turn, until none is left.
 
 #include <array>
 

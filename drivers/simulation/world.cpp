@@ -155,10 +155,7 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
 CameraConfig World::Inside::camera_now() {
   CameraConfig camera = config.camera;
   camera.pose = camera_pose;
-  if (head) {
-    camera.pose.pan_deg += head->unit().pan_deg();
-    camera.pose.tilt_deg += head->unit().tilt_deg();
-  }
+  if (head) camera.turn = {head->unit().pan_deg(), head->unit().tilt_deg()};
   return camera;
 }
 

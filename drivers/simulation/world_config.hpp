@@ -15,6 +15,7 @@
 
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/stereo_camera.hpp"
+#include "drivers/ptu/head_axes.hpp"
 #include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
@@ -56,6 +57,7 @@ struct TableConfig {
 struct CameraConfig {
   camera::StereoModel model;
   forms::CameraPose pose;
+  ptu::HeadTurn turn;      // how its unit has turned it
   std::string head = "";   // the pan-tilt unit that it stands on, as find_ptu_model() knows it; empty: it stands still
   int frames_per_s = 10;   // each takes a whole number of the world's steps
   double noise_sigma = 3;  // grey levels, each pixel and frame on its own

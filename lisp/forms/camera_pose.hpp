@@ -6,8 +6,24 @@
 //   CameraPose pose{.at_mm = {1330, 0, 200}};   // before the arm, looking at it
 
 #include <array>
+#include <optional>
 
 namespace pizarra::forms {
+
+// A line that the camera turns about: a point of it, mm, and its direction, right-handed.
+struct HeadAxis {
+  std::array<double, 3> at_mm{};
+  std::array<double, 3> along{};
+  bool operator==(const HeadAxis&) const = default;
+};
+
+// Those of the pan-tilt unit under a camera, in the camera's own frame while the unit is in its middle: x to the right
+// in the image, y down, z ahead. Pan turns the camera to the right, and the tilt axis with it; tilt turns it up.
+struct HeadAxes {
+  HeadAxis pan;   // mostly along y
+  HeadAxis tilt;  // mostly along x
+  bool operator==(const HeadAxes&) const = default;
+};
 
 // The base line's centre in the base frame. The pair looks along the base's -x, turned by pan (positive: towards +y,
 // image right), then by tilt (positive: up), then by roll about its own axis (positive: its right side down).
@@ -16,6 +32,8 @@ struct CameraPose {
   double pan_deg = 0;
   double tilt_deg = 0;
   double roll_deg = 0;
+  // None: there is no unit, or its axes, one upright and one level, meet in the base line's centre.
+  std::optional<HeadAxes> axes = std::nullopt;
   bool operator==(const CameraPose&) const = default;
 };
 

@@ -152,20 +152,31 @@ std::optional<CellDoor> door_from_datum(const Datum& datum, const std::string& f
   return door;
 }
 
-CameraPose camera_pose_from_datum(const Datum& datum) {
+std::array<double, 3> three_from_datum(const Datum& datum) {
+  return {datum[0].number(), datum[1].number(), datum[2].number()};
+}
+
+std::optional<HeadAxes> axes_from_datum(const Datum& datum) {
+  if (datum.items().empty()) return std::nullopt;
+  return HeadAxes{.pan = {three_from_datum(datum[0]), three_from_datum(datum[1])},
+                  .tilt = {three_from_datum(datum[2]), three_from_datum(datum[3])}};
+}
+
+CameraPose camera_pose_from_datum(const Datum& datum, const Datum& axes) {
   return {.at_mm = {datum[0].number(), datum[1].number(), datum[2].number()},
           .pan_deg = datum[3].number(),
           .tilt_deg = datum[4].number(),
-          .roll_deg = datum[5].number()};
+          .roll_deg = datum[5].number(),
+          .axes = axes_from_datum(axes)};
 }
 
 BelievedCamera believed_camera_from_datum(const Datum& datum) {
   const bool unknown = datum[0].items().empty();
-  return {.pose = unknown ? CameraPose() : camera_pose_from_datum(datum[0]),
+  return {.pose = unknown ? CameraPose() : camera_pose_from_datum(datum[0], datum[4]),
           .unknown = unknown,
           .sure_mm = datum[1][0].number(),
           .sure_deg = datum[1][1].number(),
-          .mark_mm = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()}};
+          .mark_mm = three_from_datum(datum[2])};
 }
 
 // The file counts as soon as there is one.
@@ -184,7 +195,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
   const Datum& camera = datum[1];
-  cell.world_camera = camera_pose_from_datum(camera);
+  cell.world_camera = camera_pose_from_datum(camera, camera[8]);
   cell.head = camera[6].text();
   cell.frames_per_s = static_cast<int>(camera[7].integer());
   cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};

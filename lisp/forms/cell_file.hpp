@@ -45,7 +45,9 @@
 // that may come; a host elsewhere comes with one: (host "desk" (agents planner) (key "keys/desk.secret")).
 //
 // Cameras on a pan-tilt unit: (camera (at 1330 0 200) (head ptu46-17.5)), and the agent pan-tilt, which turns that unit
-// or, where (pan-tilt ...) names a line, the one there. A cell without either has no agent pan-tilt.
+// or, where (pan-tilt ...) names a line, the one there. A cell without either has no agent pan-tilt. Axes that do not
+// meet in the camera: (head ptu46-17.5 (pan-axis (at 7 0 -41) (along 0 1 0)) (tilt-axis (at 0 54 -33) (along 1 0 0))),
+// in its own frame; in (camera-pose ...) as (head (pan-axis ...) (tilt-axis ...)).
 //
 // Without (camera ...) outside of the world the cell's eyes are the simulated pair.
 // Everything but the name has a default. A failure reports every error of the file, each with a caret.

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "agents/launcher/agent_factory.hpp"
+#include "agents/launcher/readiness.hpp"
 #include "lisp/numbers.hpp"
-#include "lisp/writer.hpp"
+#include "programs/commands/head_angles.hpp"
 
 namespace pizarra::programs {
 
@@ -13,25 +15,16 @@ namespace {
 
 using coordinator::MarkPair;
 
-constexpr const char* mark_name = "end-effector";
 constexpr Duration patience = 40s;
 constexpr Duration look_patience = 5s;
 constexpr Duration look_pause = 20ms;
 // Those under way when the arm came to rest are older.
 constexpr int looks_left_out = 2;
 constexpr int looks_a_pose = 10;
-constexpr std::size_t least_poses = 10;
-constexpr double least_turning_deg = 20;
-constexpr std::size_t hold_back_each = 4;
-// What a result must reach.
-constexpr double most_unsure_mm = 2;
-constexpr double most_unsure_deg = 0.2;
-constexpr double most_checked_mm = 4;
-// The error that a fit expects in the mean of ten looks, and the least that it takes any camera to have.
-constexpr double expected_error_px = 0.2;
-constexpr double least_error_px = 0.05;
-// Whatever the cell file says, it may be far off.
-constexpr coordinator::Sureness hardly_sure{.at_mm = 300, .turned_deg = 15, .mark_mm = 10};
+// At every so many poses the head turns, to so many angles.
+constexpr std::size_t turned_each = 4;
+constexpr std::size_t angles_a_pose = 6;
+constexpr ptu::HeadTurn in_the_middle;
 
 // Of the grip, above the row and before and behind it.
 constexpr double around_row_mm = 120;
@@ -40,89 +33,7 @@ constexpr double highest_mm = 330;
 constexpr double mark_half_mm = 35;
 constexpr double camera_away_mm = 900;
 
-constexpr const char* what_to_do =
-    "see to it that the camera looks at the row, that nothing stands before the gripper, and that the light is even";
-
-double turning_deg(const std::vector<MarkPair>& pairs) {
-  double most = 0;
-  for (const MarkPair& one : pairs) {
-    for (const MarkPair& other : pairs) {
-      const Eigen::Matrix3d between = one.tool.linear().transpose() * other.tool.linear();
-      most = std::max(most, degrees(Eigen::AngleAxisd(between).angle()));
-    }
-  }
-  return most;
-}
-
-// Where the mark is placed, from where the arm says it is.
-double off_mm(const coordinator::MountFit& fit, const MarkPair& pair, const coordinator::CameraModel& model) {
-  const coordinator::CameraView view(fit.camera.pose, model, pair.head);
-  const double depth = model.focal_px * model.base_line_mm / pair.seen.z();
-  const Eigen::Vector3d seen((pair.seen.x() - model.centre_x_px) * depth / model.focal_px - model.base_line_mm / 2,
-                             (pair.seen.y() - model.centre_y_px) * depth / model.focal_px, depth);
-  return (view.from_camera(seen) - pair.tool * fit.camera.mark_mm).norm();
-}
-
-double thousandths(double value) { return rounded(value, 1000); }
-
 }  // namespace
-
-Result<HandEyeResult> solve_hand_eye(const forms::BelievedCamera& guess, const std::vector<MarkPair>& pairs,
-                                     std::size_t tried, const coordinator::CameraModel& model) {
-  if (pairs.size() < least_poses) {
-    return fail("mark-hidden", fmt::format("{} was seen at {} of {} poses, {} are needed: {}", mark_name, pairs.size(),
-                                           tried, least_poses, what_to_do));
-  }
-  const double turning = turning_deg(pairs);
-  if (turning < least_turning_deg) {
-    return fail(
-        "too-little-turning",
-        fmt::format("the tool was turned by {:.0f} degrees in all, {:.0f} are needed to tell where the mark is on "
-                    "it: make room for the wrist to turn, or take more poses (--poses)",
-                    turning, least_turning_deg));
-  }
-  std::vector<MarkPair> solved_from;
-  std::vector<MarkPair> held_back;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    (i % hold_back_each == hold_back_each - 1 ? held_back : solved_from).push_back(pairs[i]);
-  }
-  const coordinator::MountedCamera guessed{guess.pose, {guess.mark_mm[0], guess.mark_mm[1], guess.mark_mm[2]}};
-  const coordinator::MountFit fit = coordinator::fit_mount(guessed, hardly_sure, solved_from, model);
-  double squares = 0;
-  for (const MarkPair& pair : held_back) squares += std::pow(off_mm(fit, pair, model), 2);
-  HandEyeResult result{.camera = {.pose = fit.camera.pose},
-                       .poses = solved_from.size(),
-                       .error_px = fit.error_px,
-                       .held_back = held_back.size(),
-                       .checked_mm = std::sqrt(squares / static_cast<double>(held_back.size()))};
-  // How well these pairs agree says how well this camera sees.
-  const double noise = std::max(fit.error_px, least_error_px) / expected_error_px;
-  const Eigen::Matrix<double, 9, 1> variances = fit.covariance.diagonal();
-  result.camera.sure_mm = noise * std::sqrt(variances.segment<3>(0).maxCoeff());
-  result.camera.sure_deg = noise * std::sqrt(variances.segment<3>(3).maxCoeff());
-  for (std::size_t i = 0; i < 3; ++i) result.camera.mark_mm[i] = fit.camera.mark_mm[static_cast<Eigen::Index>(i)];
-  if (result.camera.sure_mm <= most_unsure_mm && result.camera.sure_deg <= most_unsure_deg &&
-      result.checked_mm <= most_checked_mm) {
-    return result;
-  }
-  return fail(
-      "uncertain",
-      fmt::format("the camera's place is known to {:.1f} mm and {:.2f} degrees, and at the poses held back the mark "
-                  "is {:.1f} mm off: take more poses (--poses), and {}",
-                  result.camera.sure_mm, result.camera.sure_deg, result.checked_mm, what_to_do));
-}
-
-std::string write_believed_camera(const forms::BelievedCamera& camera) {
-  const forms::CameraPose& pose = camera.pose;
-  const Datum section = list(
-      "camera-pose"_sym,
-      list("at"_sym, thousandths(pose.at_mm[0]), thousandths(pose.at_mm[1]), thousandths(pose.at_mm[2])),
-      list("pan"_sym, thousandths(pose.pan_deg)), list("tilt"_sym, thousandths(pose.tilt_deg)),
-      list("roll"_sym, thousandths(pose.roll_deg)),
-      list("sure"_sym, std::max(thousandths(camera.sure_mm), 0.01), std::max(thousandths(camera.sure_deg), 0.001)),
-      list("mark"_sym, thousandths(camera.mark_mm[0]), thousandths(camera.mark_mm[1]), thousandths(camera.mark_mm[2])));
-  return write(section) + "\n";
-}
 
 HandEye::HandEye(Executor& executor, Board& board, const forms::CellDescription& cell, const arm::ArmModel& arm,
                  std::size_t poses, Tell tell)
@@ -159,7 +70,7 @@ Task<Result<void>> HandEye::begin() {
   telling.tell(commands, {}, service_.presence());
   const Result<Revision> told = co_await context_.board.transact(std::move(telling));
   if (!told) co_return fail(told);
-  const std::vector<Datum> wanted{list("connect"_sym), list("track"_sym, mark_name)};
+  const std::vector<Datum> wanted{list("connect"_sym), list("track"_sym, hand_mark)};
   for (const Datum& operation : wanted) {
     const Result<Datum> done = co_await ask(eyes_, operation);
     if (!done) co_return fail(done);
@@ -175,7 +86,22 @@ Task<Result<void>> HandEye::begin() {
     co_return fail("no-pair", "one camera alone does not measure how far the mark is: two are needed");
   }
   model_ = *model;
+  if (!launcher::has_pan_tilt(cell_)) co_return Result<void>();
+  co_return co_await begin_with_head();
+}
+
+Task<Result<void>> HandEye::begin_with_head() {
+  head_.emplace(executor_, context_.board, caller_);
+  const Result<ptu::PanTiltRange> range = co_await head_->range();
+  if (!range) co_return fail(range);
+  head_range_ = *range;
+  const Result<ptu::HeadTurn> ahead = co_await head_->turn_to(in_the_middle);
+  if (!ahead) co_return fail(ahead);
   co_return Result<void>();
+}
+
+double HandEye::margin_mm() const {
+  return mark_half_mm + cell_.camera.sure_mm + radians(cell_.camera.sure_deg) * camera_away_mm;
 }
 
 std::vector<CarriedPose> HandEye::poses() const {
@@ -183,10 +109,8 @@ std::vector<CarriedPose> HandEye::poses() const {
   const CarryingRoom room{{row.x_mm - around_row_mm, row.y_low_mm, lowest_mm},
                           {row.x_mm + around_row_mm, row.y_high_mm, highest_mm}};
   const forms::BelievedCamera& guess = cell_.camera;
-  const double unsure = guess.sure_mm + radians(guess.sure_deg) * camera_away_mm;
   const Eigen::Vector3d mark(guess.mark_mm[0], guess.mark_mm[1], guess.mark_mm[2]);
-  return poses_to_carry_to(arm_, coordinator::CameraView(guess.pose, model_), mark, room, mark_half_mm + unsure,
-                           wanted_);
+  return poses_to_carry_to(arm_, coordinator::CameraView(guess.pose, model_), mark, room, margin_mm(), wanted_);
 }
 
 Task<Result<HandEyeResult>> HandEye::run() {
@@ -198,7 +122,6 @@ Task<Result<HandEyeResult>> HandEye::run() {
                    "no pose above the row is within the arm's reach and the camera's view: see where the cell "
                    "file says that the row and the camera are");
   }
-  std::vector<MarkPair> pairs;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const CarriedPose& pose = chosen[i];
     const Result<void> carried = co_await carry_to(pose);
@@ -212,12 +135,49 @@ Task<Result<HandEyeResult>> HandEye::run() {
       tell_(fmt::format("{}: left out, {}", where, carried.error().sentence));
       continue;
     }
-    const Result<std::optional<MarkPair>> pair = co_await look();
-    if (!pair) co_return fail(pair);
-    tell_(fmt::format("{}: {}", where, *pair ? "seen" : "the mark is not seen"));
-    if (*pair) pairs.push_back(**pair);
+    const bool turning = head_ && i % turned_each == 0;
+    const Result<void> looked = co_await look_there(where, turning);
+    if (!looked) co_return fail(looked);
   }
-  co_return solve_hand_eye(cell_.camera, pairs, chosen.size(), model_);
+  unturned_.tried = chosen.size();
+  const Result<HandEyeResult> found = solve_hand_eye(cell_.camera, unturned_, model_);
+  if (!found || !head_) co_return found;
+  co_return solve_head(*found, unturned_, turned_, model_);
+}
+
+Task<Result<void>> HandEye::look_there(std::string where, bool turning) {
+  const Result<void> looked = co_await look_with(in_the_middle, unturned_, where);
+  if (!looked || !turning) co_return looked;
+  const Result<Eigen::Isometry3d> at = co_await tool();
+  if (!at) co_return fail(at);
+  const Result<void> turned = co_await look_turned(*at, where);
+  if (!turned) co_return turned;
+  const Result<ptu::HeadTurn> ahead = co_await head_->turn_to(in_the_middle);
+  if (!ahead) co_return fail(ahead);
+  co_return Result<void>();
+}
+
+Task<Result<void>> HandEye::look_turned(Eigen::Isometry3d tool, std::string where) {
+  const Eigen::Vector3d mark = tool * Eigen::Vector3d(cell_.camera.mark_mm.data());
+  const std::vector<ptu::HeadTurn> angles =
+      angles_to_turn_to(cell_.camera.pose, model_, mark, head_range_, margin_mm(), angles_a_pose);
+  for (const ptu::HeadTurn& angle : angles) {
+    ++turned_.tried;
+    const Result<ptu::HeadTurn> turned = co_await head_->turn_to(angle);
+    if (!turned) co_return fail(turned);
+    const std::string there = fmt::format("{}, head {:.2f} {:.2f}", where, turned->pan_deg, turned->tilt_deg);
+    const Result<void> looked = co_await look_with(*turned, turned_, there);
+    if (!looked) co_return looked;
+  }
+  co_return Result<void>();
+}
+
+Task<Result<void>> HandEye::look_with(ptu::HeadTurn head, SeenPairs& seen, std::string where) {
+  const Result<std::optional<MarkPair>> pair = co_await look(head);
+  if (!pair) co_return fail(pair);
+  tell_(fmt::format("{}: {}", where, *pair ? "seen" : "the mark is not seen"));
+  if (*pair) seen.pairs.push_back(**pair);
+  co_return Result<void>();
 }
 
 // The tool points down again first: a tilted tool is not carried across.
@@ -267,7 +227,7 @@ Task<Result<Datum>> HandEye::next_look() {
     const Datum& look = looks->back().datum;
     frame_ = look[2].integer();
     for (const Datum& entry : look[4].items()) {
-      if (entry.size() > 2 && entry[0].is_string() && entry[0].text() == mark_name && entry[1].is_symbol("seen")) {
+      if (entry.size() > 2 && entry[0].is_string() && entry[0].text() == hand_mark && entry[1].is_symbol("seen")) {
         co_return entry;
       }
     }
@@ -276,10 +236,10 @@ Task<Result<Datum>> HandEye::next_look() {
   co_return fail("absent", "the eyes look at nothing any more", Datum::symbol(eyes_));
 }
 
-Task<Result<std::optional<MarkPair>>> HandEye::look() {
+Task<Result<std::optional<MarkPair>>> HandEye::look(ptu::HeadTurn head) {
   const Result<Eigen::Isometry3d> at = co_await tool();
   if (!at) co_return fail(at);
-  MarkPair pair{.tool = *at, .head = {}, .seen = {0, 0, 0}, .looks = 0};
+  MarkPair pair{.tool = *at, .head = head, .seen = {0, 0, 0}, .looks = 0};
   for (int i = 0; i < looks_left_out + looks_a_pose; ++i) {
     const Result<Datum> entry = co_await next_look();
     if (!entry) co_return fail(entry);
@@ -296,6 +256,22 @@ Task<Result<std::optional<MarkPair>>> HandEye::look() {
   // A mark that comes and goes is not seen well.
   if (pair.looks < looks_a_pose / 2) co_return std::nullopt;
   co_return pair;
+}
+
+Task<Result<HandEyeResult>> find_in_local_cell(launcher::LocalCell& cell, Board& board, HandEye& hand_eye) {
+  std::vector<std::string> players{"robot", "vision", "person"};
+  if (launcher::has_pan_tilt(cell.description())) players.emplace_back("pan-tilt");
+  for (const std::string& kind : players) {
+    const Result<void> started = cell.start(kind);
+    if (!started) co_return fail(started);
+  }
+  const Result<void> there = co_await launcher::await_agents(cell, board, players);
+  if (!there) co_return fail(there);
+  const Result<void> ready = co_await launcher::await_devices(cell, board, players);
+  if (!ready) co_return fail(ready);
+  const Result<void> taught = co_await launcher::await_teaching(board, cell.executor());
+  if (!taught) co_return fail(taught);
+  co_return co_await hand_eye.run();
 }
 
 }  // namespace pizarra::programs

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "agents/launcher/readiness.hpp"
 #include "blackboard/client/keyed_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -41,20 +40,6 @@ void print_line(const HandEyeChoices& choices, const std::string& line) {
   std::fflush(stdout);
 }
 
-// The cell's own arm and eyes, where both are simulated: in virtual time, in this process.
-Task<Result<HandEyeResult>> carry_in(launcher::LocalCell& cell, Board& board, HandEye& hand_eye) {
-  const std::vector<std::string> players{"robot", "vision", "person"};
-  for (const std::string& kind : players) {
-    const Result<void> started = cell.start(kind);
-    if (!started) co_return fail(started);
-  }
-  const Result<void> there = co_await launcher::await_agents(cell, board, players);
-  if (!there) co_return fail(there);
-  const Result<void> taught = co_await launcher::await_teaching(board, cell.executor());
-  if (!taught) co_return fail(taught);
-  co_return co_await hand_eye.run();
-}
-
 Task<void> keep(Task<Result<HandEyeResult>> finding, Result<HandEyeResult>& found) {
   found = co_await std::move(finding);
 }
@@ -66,6 +51,7 @@ Result<HandEyeResult> finished(Executor& executor, Task<Result<HandEyeResult>> f
   return found;
 }
 
+// The cell's own arm and eyes, where both are simulated: in virtual time, in this process.
 Result<HandEyeResult> find_in_simulation(const HandEyeChoices& choices, forms::CellDescription description,
                                          const arm::ArmModel& arm, const HandEye::Tell& tell) {
   description.objects_directory.clear();
@@ -75,7 +61,7 @@ Result<HandEyeResult> find_in_simulation(const HandEyeChoices& choices, forms::C
   launcher::LocalCell cell(executor, description, choices.seed);
   const std::unique_ptr<Board> board = cell.board().view("hand-eye");
   HandEye hand_eye(executor, *board, cell.description(), arm, choices.poses, tell);
-  return finished(executor, carry_in(cell, *board, hand_eye));
+  return finished(executor, find_in_local_cell(cell, *board, hand_eye));
 }
 
 Result<HandEyeResult> find_in_running_cell(const HandEyeChoices& choices, const forms::CellDescription& description,
@@ -87,6 +73,34 @@ Result<HandEyeResult> find_in_running_cell(const HandEyeChoices& choices, const 
   if (!board) return fail(board);
   HandEye hand_eye(executor, **board, description, arm, choices.poses, tell);
   return finished(executor, hand_eye.run());
+}
+
+std::string axis_json(const forms::HeadAxis& axis) {
+  return fmt::format("{{\"at_mm\":[{:.3f},{:.3f},{:.3f}],\"along\":[{:.5f},{:.5f},{:.5f}]}}", axis.at_mm[0],
+                     axis.at_mm[1], axis.at_mm[2], axis.along[0], axis.along[1], axis.along[2]);
+}
+
+std::string axis_words(const forms::HeadAxis& axis) {
+  return fmt::format("through ({:.2f} {:.2f} {:.2f}) along ({:.4f} {:.4f} {:.4f})", axis.at_mm[0], axis.at_mm[1],
+                     axis.at_mm[2], axis.along[0], axis.along[1], axis.along[2]);
+}
+
+void print_head(const HandEyeChoices& choices, const HandEyeResult& found) {
+  const HandEyeResult::Head& head = *found.head;
+  const forms::HeadAxes& axes = *found.camera.pose.axes;
+  if (choices.json) {
+    fmt::print(
+        "{{\"pan_axis\":{},\"tilt_axis\":{},\"sure_mm\":{:.3f},\"sure_deg\":{:.4f},\"angles\":{},\"checked_mm\":{:.3f}}"
+        "}\n",
+        axis_json(axes.pan), axis_json(axes.tilt), head.sure_mm, head.sure_deg, head.angles, head.checked_mm);
+    return;
+  }
+  fmt::print("{} angles of the head; at {} held back the mark is placed {:.2f} mm off\n", head.angles, head.held_back,
+             head.checked_mm);
+  fmt::print(
+      "in the camera's frame it pans about an axis {},\nand tilts about one {}; standard deviations {:.2f} mm, {:.3f} "
+      "degrees\n",
+      axis_words(axes.pan), axis_words(axes.tilt), head.sure_mm, head.sure_deg);
 }
 
 void print_result(const HandEyeChoices& choices, const HandEyeResult& found) {
@@ -133,6 +147,7 @@ int run_hand_eye(const HandEyeChoices& choices) {
       simulated ? find_in_simulation(choices, *cell, *arm, tell) : find_in_running_cell(choices, *cell, *arm, tell);
   if (!found) return complain_as(style_of(choices), found.error(), exit_failed);
   print_result(choices, *found);
+  if (found->head) print_head(choices, *found);
   return keep_result(choices, *cell, *found);
 }
 
@@ -142,8 +157,10 @@ void add_hand_eye_command(CLI::App& calibrate, int& status) {
   auto choices = std::make_shared<HandEyeChoices>();
   CLI::App* word = calibrate.add_subcommand(
       "hand-eye",
-      "Find out where a cell's camera stands: the arm carries its mark to poses before it. A cell whose arm and eyes "
-      "are\nsimulated is played here; another one must run, with nothing high on its table.");
+      "Find out where a cell's camera stands: the arm carries its mark to poses before it. A camera on a pan-tilt unit "
+      "is\nalso turned, which tells about which axes. A cell whose arm and eyes are simulated is played here; another "
+      "one "
+      "must\nrun, with nothing high on its table.");
   word->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   word->add_option(
       "--out", choices->out,

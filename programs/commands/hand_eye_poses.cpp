@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "lisp/numbers.hpp"
+#include "programs/commands/spread_out.hpp"
 
 namespace pizarra::programs {
 
@@ -51,25 +51,12 @@ std::vector<CarriedPose> possible(const arm::ArmModel& arm, const coordinator::C
   return poses;
 }
 
-// Each the farthest from those before it.
-std::vector<CarriedPose> spread_out(const std::vector<CarriedPose>& poses, std::size_t wanted) {
-  std::vector<CarriedPose> chosen;
-  std::vector<double> nearest(poses.size(), std::numeric_limits<double>::infinity());
-  std::size_t next = 0;
-  while (chosen.size() < std::min(wanted, poses.size())) {
-    chosen.push_back(poses[next]);
-    for (std::size_t i = 0; i < poses.size(); ++i) nearest[i] = std::min(nearest[i], apart(poses[i], poses[next]));
-    next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
-  }
-  return chosen;
-}
-
 }  // namespace
 
 std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coordinator::CameraView& view,
                                            const Eigen::Vector3d& mark_mm, const CarryingRoom& room, double margin_mm,
                                            std::size_t wanted) {
-  std::vector<CarriedPose> left = spread_out(possible(arm, view, mark_mm, room, margin_mm), wanted);
+  std::vector<CarriedPose> left = spread_out(possible(arm, view, mark_mm, room, margin_mm), wanted, apart);
   std::vector<CarriedPose> ordered;
   while (!left.empty()) {
     const auto nearest =

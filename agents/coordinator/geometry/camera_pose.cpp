@@ -5,92 +5,47 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/coordinator/geometry/mark_fit.hpp"
+
 namespace pizarra::coordinator {
 
 namespace {
 
-using Numbers = Eigen::Matrix<double, 9, 1>;  // x, y, z, pan, tilt, roll, mark
+// x, y, z, pan, tilt, roll, mark
+constexpr int unknowns = 9;
+using Nine = Numbers<unknowns>;
 
-// Of one look; and what stays however often one looks from the same place.
-constexpr double look_px = 0.25;
-constexpr double lasting_px = 0.2;
-// A pair that is so many deviations off weighs half.
-constexpr double half_weight_at = 3;
 // Marks whose depth is told by their size alone count as seen by a pair with so short a base line.
 constexpr double least_base_line_mm = 10;
 constexpr double least_depth_mm = 1;
-constexpr int most_steps = 15;
-// The first steps count all pairs alike: from a guess that is far off, all of them are.
-constexpr int steps_alike = 3;
-constexpr double small_step = 1e-4;
 // 99.99 % of what agrees with a fit lies within, of three coordinates.
 constexpr double gate_deviations = 4.6;
 
-Numbers numbers_of(const MountedCamera& camera) {
-  Numbers numbers;
+Nine numbers_of(const MountedCamera& camera) {
+  Nine numbers;
   numbers << camera.pose.at_mm[0], camera.pose.at_mm[1], camera.pose.at_mm[2], camera.pose.pan_deg,
       camera.pose.tilt_deg, camera.pose.roll_deg, camera.mark_mm;
   return numbers;
 }
 
-MountedCamera camera_of(const Numbers& n) {
-  return {.pose = {.at_mm = {n[0], n[1], n[2]}, .pan_deg = n[3], .tilt_deg = n[4], .roll_deg = n[5]},
+// `axes`: of the unit that it stands on, which moves with it.
+MountedCamera camera_of(const Nine& n, const std::optional<forms::HeadAxes>& axes) {
+  return {.pose = {.at_mm = {n[0], n[1], n[2]}, .pan_deg = n[3], .tilt_deg = n[4], .roll_deg = n[5], .axes = axes},
           .mark_mm = n.tail<3>()};
 }
 
-SeenMark expected(const Numbers& numbers, const MarkPair& pair, const CameraModel& model) {
-  const MountedCamera camera = camera_of(numbers);
-  return seen_mark(CameraView(camera.pose, model, pair.head), pair.tool * camera.mark_mm);
+// By what numbers say of where the camera stands.
+auto expected_by(const std::optional<forms::HeadAxes>& axes, const CameraModel& model) {
+  return [&axes, &model](const Nine& numbers, const MarkPair& pair) {
+    return expected_mark(camera_of(numbers, axes), pair, model);
+  };
 }
 
-// How what `value` answers changes with each of the nine.
-template <class Value>
-Eigen::Matrix<double, 3, 9> slopes(const Numbers& numbers, const Value& value) {
-  constexpr double step = 1e-3;
-  Eigen::Matrix<double, 3, 9> out;
-  for (int i = 0; i < 9; ++i) {
-    Numbers up = numbers;
-    Numbers down = numbers;
-    up[i] += step;
-    down[i] -= step;
-    out.col(i) = (value(up) - value(down)) / (2 * step);
-  }
-  return out;
-}
-
-double deviation_px(const MarkPair& pair) { return std::hypot(look_px / std::sqrt(pair.looks), lasting_px); }
-
-Numbers deviations_of(const Sureness& sure) {
-  Numbers out;
+Nine deviations_of(const Sureness& sure) {
+  Nine out;
   out << Eigen::Vector3d::Constant(sure.at_mm), Eigen::Vector3d::Constant(sure.turned_deg),
       Eigen::Vector3d::Constant(sure.mark_mm);
   return out;
-}
-
-// The normal equations of the pairs, and of the guess where the pairs leave something open.
-struct Normal {
-  MountFit::Covariance information;
-  Numbers gradient;
-  double squares_px = 0;
-};
-
-Normal normal_of(const Numbers& numbers, const Numbers& guess, const Numbers& deviations,
-                 std::span<const MarkPair> pairs, const CameraModel& model, bool alike) {
-  Normal normal;
-  const Numbers trust = deviations.cwiseInverse().cwiseAbs2();
-  normal.information = trust.asDiagonal();
-  normal.gradient = trust.cwiseProduct(guess - numbers);
-  for (const MarkPair& pair : pairs) {
-    const SeenMark missing = pair.seen - expected(numbers, pair, model);
-    const auto slope = slopes(numbers, [&](const Numbers& at) { return expected(at, pair, model); });
-    const double off = missing.norm() / deviation_px(pair);
-    const double agreement = alike ? 1 : 1 / (1 + std::pow(off / half_weight_at, 2));
-    const double weight = agreement / std::pow(deviation_px(pair), 2);
-    normal.information += weight * slope.transpose() * slope;
-    normal.gradient += weight * slope.transpose() * missing;
-    normal.squares_px += missing.squaredNorm();
-  }
-  return normal;
 }
 
 }  // namespace
@@ -113,23 +68,22 @@ Eigen::Isometry3d tool_pose(const Eigen::Vector3d& at_mm, double rx_deg, double 
   return pose;
 }
 
+double deviation_px(const MarkPair& pair) {
+  // Of one look; and what stays however often one looks from the same place.
+  constexpr double look_px = 0.25;
+  constexpr double lasting_px = 0.2;
+  return std::hypot(look_px / std::sqrt(pair.looks), lasting_px);
+}
+
+SeenMark expected_mark(const MountedCamera& camera, const MarkPair& pair, const CameraModel& model) {
+  return seen_mark(CameraView(camera.pose, model, pair.head), pair.tool * camera.mark_mm);
+}
+
 MountFit fit_mount(const MountedCamera& guess, const Sureness& sure, std::span<const MarkPair> pairs,
                    const CameraModel& model) {
-  const Numbers guessed = numbers_of(guess);
-  const Numbers deviations = deviations_of(sure);
-  Numbers numbers = guessed;
-  Normal normal = normal_of(numbers, guessed, deviations, pairs, model, true);
-  for (int step = 1; step <= most_steps; ++step) {
-    const Numbers change = normal.information.ldlt().solve(normal.gradient);
-    numbers += change;
-    const bool alike = step < steps_alike;
-    normal = normal_of(numbers, guessed, deviations, pairs, model, alike);
-    if (!alike && change.norm() < small_step) break;
-  }
-  const double coordinates = 3.0 * static_cast<double>(std::max<std::size_t>(pairs.size(), 1));
-  return {.camera = camera_of(numbers),
-          .covariance = normal.information.inverse(),
-          .error_px = std::sqrt(normal.squares_px / coordinates)};
+  const MarkFit<unknowns> fit =
+      fit_to_marks<unknowns>(numbers_of(guess), deviations_of(sure), pairs, expected_by(guess.pose.axes, model));
+  return {.camera = camera_of(fit.numbers, guess.pose.axes), .covariance = fit.covariance, .error_px = fit.error_px};
 }
 
 namespace {
@@ -184,17 +138,18 @@ std::optional<forms::CameraPose> pose_from_pairs(const Eigen::Vector3d& mark_mm,
 
 double MountFit::spread_mm(const Eigen::Vector3d& point_mm) const {
   const Eigen::Vector3d seen = CameraView(camera.pose, {}).to_camera(point_mm);
-  const auto slope = slopes(numbers_of(camera), [&](const Numbers& numbers) -> Eigen::Vector3d {
-    return CameraView(camera_of(numbers).pose, {}).from_camera(seen);
+  const auto slope = slopes<unknowns>(numbers_of(camera), [&](const Nine& numbers) -> Eigen::Vector3d {
+    return CameraView(camera_of(numbers, {}).pose, {}).from_camera(seen);
   });
   const Eigen::Matrix3d placed = slope * covariance * slope.transpose();
   return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(placed).eigenvalues().maxCoeff());
 }
 
 Surprise surprise(const MountFit& fit, const MarkPair& pair, const CameraModel& model) {
-  const Numbers numbers = numbers_of(fit.camera);
-  const SeenMark missing = pair.seen - expected(numbers, pair, model);
-  const auto slope = slopes(numbers, [&](const Numbers& at) { return expected(at, pair, model); });
+  const auto expected = expected_by(fit.camera.pose.axes, model);
+  const Nine numbers = numbers_of(fit.camera);
+  const SeenMark missing = pair.seen - expected(numbers, pair);
+  const auto slope = slopes<unknowns>(numbers, [&](const Nine& at) { return expected(at, pair); });
   const double own = std::pow(deviation_px(pair), 2);
   const Eigen::Matrix3d may = slope * fit.covariance * slope.transpose() + own * Eigen::Matrix3d::Identity();
   const double deviations = std::sqrt(missing.dot(may.ldlt().solve(missing)));

@@ -44,6 +44,7 @@ struct MarkPair {
 
 // Of a point before the camera.
 SeenMark seen_mark(const CameraView& view, const Eigen::Vector3d& point_mm);
+SeenMark expected_mark(const MountedCamera& camera, const MarkPair& pair, const CameraModel& model);
 Eigen::Isometry3d tool_pose(const Eigen::Vector3d& at_mm, double rx_deg, double ry_deg, double rz_deg);
 
 struct MountFit {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "lisp/numbers.hpp"
 
 namespace pizarra::coordinator {
 
@@ -17,27 +18,15 @@ Result<CameraModel> camera_model_from_fact(const Datum& fact) {
                      fact[5].number(), fact[6].number(), fact[7].number()};
 }
 
-namespace {
-
-// Horizontally, at an angle from the base's -x towards +y.
-Eigen::Vector3d direction(double pan_deg) {
-  const double facing = (180 - pan_deg) * std::numbers::pi / 180;
-  return {std::cos(facing), std::sin(facing), 0};
-}
-
-}  // namespace
-
-CameraView::CameraView(const forms::CameraPose& pose, const CameraModel& model, HeadTurn head)
-    : model_(model), centre_(pose.at_mm[0], pose.at_mm[1], pose.at_mm[2]) {
-  away_ = direction(pose.pan_deg);
+CameraView::CameraView(const forms::CameraPose& pose, const CameraModel& model, HeadTurn head) : model_(model) {
+  const double facing = radians(180 - pose.pan_deg);
+  away_ = {std::cos(facing), std::sin(facing), 0};
   right_ = away_.cross(Eigen::Vector3d::UnitZ());
-  const Eigen::Vector3d ahead = direction(pose.pan_deg + head.pan_deg);
-  const double downwards = -(pose.tilt_deg + head.tilt_deg) * std::numbers::pi / 180;
-  const Eigen::Vector3d level = ahead.cross(Eigen::Vector3d::UnitZ());
-  forward_ = std::cos(downwards) * ahead - std::sin(downwards) * Eigen::Vector3d::UnitZ();
-  const double roll = pose.roll_deg * std::numbers::pi / 180;
-  across_ = std::cos(roll) * level + std::sin(roll) * forward_.cross(level);
-  down_ = forward_.cross(across_);
+  const Eigen::Isometry3d frame = ptu::camera_frame(pose) * ptu::head_turn(pose, head);
+  centre_ = frame.translation();
+  across_ = frame.linear().col(0);
+  down_ = frame.linear().col(1);
+  forward_ = frame.linear().col(2);
 }
 
 Eigen::Vector3d CameraView::from_camera(const Eigen::Vector3d& seen) const {

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "lisp/forms/camera_pose.hpp"
+#include "drivers/ptu/head_axes.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra::coordinator {
@@ -28,12 +28,7 @@ struct CameraModel {
 
 Result<CameraModel> camera_model_from_fact(const Datum& fact);
 
-// How a pan-tilt unit has turned the camera from its pose: pan positive to image right, tilt positive upwards. The pair
-// turns about the centre of its base line.
-struct HeadTurn {
-  double pan_deg = 0;
-  double tilt_deg = 0;
-};
+using ptu::HeadTurn;
 
 // A point as the left camera sees it: pixels, the range from the base line's centre, the depth along the axis.
 struct Sight {

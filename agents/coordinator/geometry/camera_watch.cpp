@@ -67,6 +67,7 @@ CameraWatch::CameraWatch(const forms::BelievedCamera& guess, const forms::CubeRo
 
 void CameraWatch::go_on_from(const forms::CameraPose& measured) {
   pose_ = measured;
+  pose_.axes = guess_.pose.axes;
   unknown_ = false;
   begin_anew(as_measured, {}, {});
 }

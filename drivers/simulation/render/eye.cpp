@@ -28,7 +28,10 @@ Eye make_eye(const CameraConfig& camera, Side side) {
   eye.axes.row(0) = right;
   eye.axes.row(1) = forward.cross(right);
   eye.axes.row(2) = forward;
-  eye.position_mm += right * camera.model.base_line_mm * (side == Side::left ? -0.5 : 0.5);
+  const Eigen::Isometry3d turned = ptu::head_turn(camera.pose, camera.turn);
+  eye.position_mm += eye.axes.transpose() * turned.translation();
+  eye.axes = turned.linear().transpose() * eye.axes;
+  eye.position_mm += eye.axes.row(0).transpose() * camera.model.base_line_mm * (side == Side::left ? -0.5 : 0.5);
   return eye;
 }
 

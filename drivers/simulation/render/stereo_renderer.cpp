@@ -42,6 +42,7 @@ struct StereoRenderer::View {
   View(const WorldConfig& config, const CameraConfig& camera, Side which, bool colour)
       : side(which),
         pose(camera.pose),
+        turn(camera.turn),
         eye(make_eye(camera, which)),
         background(paint_background(eye, config, colour ? 3 : 1)),
         canvas(background),
@@ -49,6 +50,7 @@ struct StereoRenderer::View {
 
   Side side;
   forms::CameraPose pose;
+  ptu::HeadTurn turn;
   Eye eye;
   Canvas background;
   Canvas canvas;
@@ -103,7 +105,8 @@ StereoPair StereoRenderer::render(const Snapshot& snapshot, const CameraConfig& 
   for (const Side side : {Side::left, Side::right}) {
     auto& view = views_[first + static_cast<std::size_t>(side)];
     // A camera that has turned sees all anew.
-    if (!view || view->pose != camera.pose) view = std::make_unique<View>(config_, camera, side, colour);
+    if (!view || view->pose != camera.pose || view->turn != camera.turn)
+      view = std::make_unique<View>(config_, camera, side, colour);
   }
   return {take(*views_[first], scene, frame), take(*views_[first + 1], scene, frame)};
 }

@@ -2,14 +2,15 @@
 ;; the numbers mean.
 ;;
 ;; (camera-pose-of-section NODE), NODE the section (camera-pose PART ...) of a cell file, answers
-;;   ((X Y Z PAN TILT ROLL) (SURE-MM SURE-DEGREES) (MARK-X MARK-Y MARK-Z) FILE)
+;;   ((X Y Z PAN TILT ROLL) (SURE-MM SURE-DEGREES) (MARK-X MARK-Y MARK-Z) FILE AXES)
 ;; FILE being the empty string where no file is to be preferred, and the pose () in (camera-pose unknown PART ...).
+;; AXES, of a pan-tilt unit, are ((X Y Z) (DX DY DZ) (X Y Z) (DX DY DZ)), first pan, or () where nothing is said of them.
 ;; (interpret DATA), the data of such a file, answers (ok (the same)) or (errors ...).
 
 (define-module (pizarra camera-pose)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (interpret pose-of camera-pose-of-section standing-as))
+  #:export (interpret pose-of axes-of camera-pose-of-section standing-as))
 
 ;; How sure a pose is where the file does not say: one that a person measured with a rule, and one of the world's own.
 (define measured-by-hand '(20 2))
@@ -24,9 +25,35 @@
           (numbers-in parts 'tilt '((-60 60)) '(0))
           (numbers-in parts 'roll '((-45 45)) '(0))))
 
+;; The axes in (head ... (pan-axis (at X Y Z) (along X Y Z)) (tilt-axis ...)); NODES are what follows there.
+(define (axes-of head nodes)
+  (if (null? nodes)
+      '()
+      (let* ((parts (sections nodes '(pan-axis tilt-axis)))
+             (pan (section-in parts 'pan-axis))
+             (tilt (section-in parts 'tilt-axis)))
+        (unless (and pan tilt)
+          (complain-missing! head '() "both axes are needed: (pan-axis (at X Y Z) (along X Y Z)) and (tilt-axis ...)"))
+        (if (and pan tilt)
+            (append (axis-of pan second "down in the image: its second number")
+                    (axis-of tilt first "to the right in the image: its first number"))
+            '()))))
+
+(define (axis-of node main main-way)
+  (let* ((parts (sections (node-rest node) '(at along)))
+         (anywhere '((-500 500) (-500 500) (-500 500)))
+         (along (numbers-in parts 'along '((-1 1) (-1 1) (-1 1)) #f)))
+    (unless (and (section-in parts 'at) (section-in parts 'along))
+      (complain-missing! node '() "an axis needs a point and a direction: (at X Y Z) (along X Y Z)"))
+    (when (and along (< (* 2 (main along) (main along)) (apply + (map * along along))))
+      (complain! (section-in parts 'along) 'malformed "this axis points mostly ~a is the largest" main-way))
+    (when (and along (not (positive? (main along))))
+      (complain! (section-in parts 'along) 'malformed "this axis points mostly ~a is positive" main-way))
+    (list (numbers-in parts 'at anywhere '(0 0 0)) (or along '(0 0 0)))))
+
 ;; Where a cell has no such section, the agents know the pose as well as the world does.
-(define (standing-as pose)
-  (list pose as-in-the-world usual-mark ""))
+(define (standing-as pose axes)
+  (list pose as-in-the-world usual-mark "" axes))
 
 (define (camera-pose-of-section node known)
   (let* ((nodes (node-rest (node-within node "in the camera's pose")))
@@ -39,10 +66,12 @@
     (list (if unknown? '() (pose-of parts))
           (numbers-in parts 'sure '((0.01 200) (0.001 20)) measured-by-hand)
           (numbers-in parts 'mark '((-300 300) (-300 300) (-300 300)) usual-mark)
-          (text-of-section parts 'file "the file of the pose" ""))))
+          (text-of-section parts 'file "the file of the pose" "")
+          (let ((head (section-in parts 'head)))
+            (if head (axes-of head (node-rest head)) '())))))
 
 (define (interpret data)
   (interpreting data
     (lambda (root)
       (let ((section (only-form root 'camera-pose)))
-        (and section (camera-pose-of-section section '(at pan tilt roll sure mark)))))))
+        (and section (camera-pose-of-section section '(at pan tilt roll sure mark head)))))))

@@ -11,11 +11,11 @@
     (if (eq? (car outcome) 'errors) (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))) outcome)))
 
 (check "what is left out has a default" (interpret '((cell c)))
-       '(ok (c (1330 0 200 0 0 0 "" 10) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) ""))))
+       '(ok (c (1330 0 200 0 0 0 "" 10 ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()))))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "")))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ())))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -85,10 +85,18 @@
     (list (list-ref cell 1) (list-ref cell 24))))
 (check "agents take the camera to be where the world has it"
        (camera-poses-of '(world (camera (at 1350 0 210) (roll 1))))
-       '((1350 0 210 0 0 1 "" 10) ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "")))
+       '((1350 0 210 0 0 1 "" 10 ()) ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "" ())))
+(check "agents know the axes of the unit as well as the world does"
+       (camera-poses-of
+        '(world (camera (head ptu46-70 (pan-axis (at 5 0 -38) (along 0 1 0)) (tilt-axis (at 0 52 0) (along 1 0 0))))))
+       '((1330 0 200 0 0 0 ptu46-70 10 ((5 0 -38) (0 1 0) (0 52 0) (1 0 0)))
+         ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ((5 0 -38) (0 1 0) (0 52 0) (1 0 0)))))
 (check "agents may take it to be elsewhere, until a file says better"
        (camera-poses-of '(world (camera (at 1350 0 210))) '(camera-pose (at 1330 5 200) (file "camera.scm")))
-       '((1350 0 210 0 0 0 "" 10) ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm")))
+       '((1350 0 210 0 0 0 "" 10 ()) ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm" ())))
+(check "a camera that stands still has no axes"
+       (complaint '(camera-pose (at 1330 0 200) (head (pan-axis (at 5 0 -38) (along 0 1 0)) (tilt-axis (at 0 5 0) (along 1 0 0)))))
+       '(1 malformed (0 2 2)))
 (check "a camera's pose needs its place" (complaint '(camera-pose (pan 3))) '(1 malformed (0 2 2)))
 (check "the simulated cameras take as many frames as they are told to"
        (list-ref (car (camera-poses-of '(world (camera (rate 30))))) 7) 30)

@@ -1,7 +1,7 @@
 ;; Cell files: see lisp/forms/cell_file.hpp for the language and for what is taken where something is left out.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
+;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
 ;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE
 ;;        ((AGENT FILE MILLISECONDS MEGABYTES MESSAGES KEY) ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE))
@@ -14,7 +14,8 @@
 ;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own; RATE how
 ;; often a second the arm tells its state; then the agents that are Scheme files, and the tags that the eyes look for;
 ;; DOOR is the text door, (PORT ((FILE BAUD) ...) KEYS), PORT -1 where it has none over TCP, or () where the cell has no
-;; door; CAMERA-POSE is what (pizarra camera-pose) makes of where the agents take the camera to be.
+;; door; CAMERA-POSE is what (pizarra camera-pose) makes of where the agents take the camera to be, as AXES, those of the
+;; simulated unit, are.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -167,7 +168,8 @@
          (head (section-in parts 'head)))
     (append (pose-of parts)
             (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")
-                  (frame-rate-of parts)))))
+                  (frame-rate-of parts)
+                  (if (and head (> (length (node-items head)) 2)) (axes-of head (drop (node-items head) 2)) '())))))
 
 (define (frame-rate-of parts)
   (let ((rate (first (numbers-in parts 'rate '((10 60)) '(10)))))
@@ -180,8 +182,15 @@
 (define (believed-camera-of found world-camera)
   (let ((section (section-in found 'camera-pose)))
     (if section
-        (camera-pose-of-section section '(at pan tilt roll sure mark file))
-        (standing-as (take world-camera 6)))))
+        (camera-pose-of-section section '(at pan tilt roll sure mark head file))
+        (standing-as (take world-camera 6) (last world-camera)))))
+
+;; A camera that stands still turns about nothing.
+(define (refuse-axes found)
+  (let* ((section (section-in found 'camera-pose))
+         (head (and section (find (lambda (item) (eq? (node-head item) 'head)) (node-rest section)))))
+    (when head
+      (complain! head 'malformed "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))))
 
 ;; ---- the pan-tilt unit of the agent, where it is not the simulated one
 
@@ -470,6 +479,7 @@
     (unless has-unit
       (refuse-agent named-hosts 'pan-tilt
                     "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))
+    (unless has-unit (refuse-axes found))
     (unless slave
       (for-each (lambda (kind) (refuse-agent named-hosts kind "there is no second arm: (slave ARM) is not given"))
                 '(slave follower)))
