@@ -213,5 +213,25 @@ TEST(UnseenTruth, ACubeOutsideTheImagesMayStandElsewhereBeAnotherOrNoneAndNoFact
   EXPECT_FALSE(journal == journal_of(example_cell(), shifted));
 }
 
+// The camera stands some 20 mm and 2 degrees from where its cell file says that somebody measured it.
+forms::CellDescription cell_with_guessed_camera() {
+  return forms::read_cell_file(source_dir() + "/tests/scenarios/cells/guessed-camera.scm").value();
+}
+
+TEST(CameraTruth, AgentsThatHaveAGuessAloneReachTheGoalAndReadNothingOfWhereTheCameraStands) {
+  const forms::CellDescription guessed = cell_with_guessed_camera();
+  const simulation::WorldConfig world = launcher::world_config(guessed, seed).value();
+  const std::string journal = journal_of(guessed, world);
+  ASSERT_NE(journal.find("reached"), std::string::npos) << journal;
+  // Whatever the agents' copy of the cell says of where the world has it, they see and do the same.
+  forms::CellDescription misled = guessed;
+  misled.world_camera = {.at_mm = {900, 400, 700}, .pan_deg = 20, .tilt_deg = -15, .roll_deg = 4};
+  EXPECT_TRUE(journal == journal_of(misled, world));
+  // The guess is what they begin with: another one shows.
+  forms::CellDescription other_guess = guessed;
+  other_guess.camera.pose.at_mm[0] += 5;
+  EXPECT_FALSE(journal == journal_of(other_guess, world));
+}
+
 }  // namespace
 }  // namespace pizarra::programs
