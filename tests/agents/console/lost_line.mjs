@@ -77,6 +77,23 @@ const after = place(await readings());
 expect(distance(stood, after) <= 1, 'nothing moves for what comes late');
 expect(/arm\s*stopped/.test(await readings()), 'and the arm stands as it was stopped');
 
+// The page is not shown as live, and a STOP that nobody acknowledges is said to be none.
+lose();
+await page.waitForSelector('body[data-state=silent]');
+expect(/silent for \d+ s/.test(await page.innerText('#state')), 'a line that falls silent is said to be silent');
+await page.keyboard.press('Escape');
+await page.waitForSelector('#stop-alarm[role=alert]:not([hidden])');
+expect(/STOP is not confirmed/.test(await page.innerText('#stop-alarm')), 'a STOP that is not acknowledged is said to be none');
+expect(await witness.isHidden('#stopped'), 'which it is');
+restore();
+await page.waitForSelector('body[data-state=live]');
+await witness.waitForSelector('#stopped:not([hidden])');
+await page.waitForSelector('#stop-alarm', { state: 'hidden' });
+expect(true, 'it stops when the line is back, and the alarm ends');
+await page.click('#clear-stops');
+await page.click('#confirm button[value=yes]');
+await witness.waitForSelector('#stopped', { state: 'hidden' });
+
 // A line that ends for good: what stands under the page goes with it.
 await moving();
 for (const end of links) end.destroy();

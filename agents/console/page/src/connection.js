@@ -16,7 +16,7 @@ import { read, text, write, sym } from './datum.js';
  * @typedef {Change | { error: Failure }} Told
  * @typedef {{ reject: (failure: Failure) => void, take: (reply: Reply) => void }} Request
  * @typedef {{ listeners: Listener[], told: Parameters<Listener> | null }} Shared
- * @typedef {'connecting' | 'live' | 'lost' | 'refused'} State
+ * @typedef {'connecting' | 'live' | 'silent' | 'lost' | 'refused'} State
  * What is told of the truth and of what goes on, or null and why that is not known; and what went on before.
  * @typedef {(truth: Form | null, why?: string) => void} ShowTruth
  * @typedef {(sample: Activity | null, why?: string) => void} ShowActivity
@@ -24,6 +24,8 @@ import { read, text, write, sym } from './datum.js';
  */
 
 const longestLate = 5e6; // microseconds
+// Stamps come once a second at least.
+const longestSilence = 2500; // milliseconds
 const notConnected = { symbol: 'unreachable', sentence: 'the console is not connected' };
 
 // Of `(image STREAM NUMBER CAPTURED-US WIDTH HEIGHT)` or `(picture REQUEST ...)`, a newline and a JPEG: what it is of, and
@@ -56,6 +58,10 @@ export class Connection {
   #pause = 500;
   #heard = 0;
   #stamp = 0;
+  #stamped = 0; // when that came, by the page's own clock
+  /** @type {number | undefined} */
+  #listening; // the timer that finds the line silent
+  #silent = false;
   #jog = 0; // the request that the page holds on to
   /** @type {ShowTruth | null} */
   #laid = null; // who is shown the world's truth
@@ -108,6 +114,7 @@ export class Connection {
     this.#lanes.close();
     this.#heard = 0;
     this.#stamp = 0;
+    clearInterval(this.#listening);
     for (const answered of this.#asked.values()) answered({ error: notConnected });
     this.#asked.clear();
     for (const request of this.#requests.values()) {
@@ -136,6 +143,7 @@ export class Connection {
       this.#pause = 500;
       this.onHello(message.hello);
       this.onState('live');
+      this.#listen();
       this.#lanes.open(message.hello.images);
       for (const [number, watch] of this.#watches) this.#ask(number, watch);
       for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
@@ -161,6 +169,8 @@ export class Connection {
       this.#takenIn();
     } else if ('pulse' in message) {
       this.#stamp = message.pulse;
+      this.#stamped = performance.now();
+      if (this.#silent) this.#noteSilence();
       this.#say(sym('stamp'), message.pulse);
       this.onPulse(message);
     } else {
@@ -170,6 +180,21 @@ export class Connection {
       this.#asked.get(message.reply)?.(message);
       this.#watches.get(message.reply)?.take(message);
     }
+  }
+
+  // A line that is lost on its way ends no connection: what is missing says so.
+  #listen() {
+    clearInterval(this.#listening);
+    this.#silent = false;
+    this.#stamped = performance.now();
+    this.#listening = setInterval(() => this.#noteSilence(), 250);
+  }
+  #noteSilence() {
+    const silence = performance.now() - this.#stamped;
+    const before = this.#silent;
+    this.#silent = silence > longestSilence;
+    if (this.#silent) this.onState('silent', `for ${Math.floor(silence / 1000)} s`);
+    else if (before) this.onState('live');
   }
 
   // The server has so much under way and no more, so that what is urgent never waits behind what is many.

@@ -24,7 +24,7 @@ import { showTabs } from './tabs.js';
 import { showWant } from './want.js';
 import { WorkEntries } from './work_entries.js';
 
-const said = { connecting: 'connecting', live: 'live', lost: 'no connection', refused: 'no session' };
+const said = { connecting: 'connecting', live: 'live', silent: 'silent', lost: 'no connection', refused: 'no session' };
 const connection = new Connection();
 const hands = new Hands(connection);
 const roles = new Roles(connection);
@@ -61,7 +61,8 @@ roles.onChange(() => {
 });
 connection.onState = (state, why = '') => {
   const chip = find('state');
-  chip.textContent = [said[state], clipped(why, 160)].filter(Boolean).join(': ');
+  const words = [said[state], clipped(why, 160)].filter(Boolean).join(state === 'silent' ? ' ' : ': ');
+  if (chip.textContent !== words) chip.textContent = words;
   chip.className = `chip ${state === 'live' ? 'good' : 'bad'}`;
   document.body.dataset.state = state;
   logIn(state);

@@ -8,19 +8,33 @@ import { text } from './datum.js';
 /** @import { Connection } from './connection.js' */
 /** @import { Hands } from './hands.js' */
 
+const longestStop = 1000; // milliseconds, until it is acknowledged
+const otherwise = 'use the button at the cell';
+
 /** @param {Connection} connection @param {Hands} hands */
 export function showStop(connection, hands) {
   const note = find('stop-note');
   /** @param {string} sentence */
   const say = (sentence) => (note.textContent = sentence);
 
+  const alarm = find('stop-alarm');
+  /** @param {string} sentence '' where there is nothing to fear */
+  const warn = (sentence) => {
+    alarm.textContent = sentence;
+    alarm.hidden = sentence === '';
+  };
+
+  // Who presses it hears within a second that it was told, or that it may not have been.
   const stop = async () => {
+    const late = setTimeout(() => warn(`STOP is not confirmed: ${otherwise}`), longestStop);
     try {
       await connection.stop("the operator's STOP");
       say('STOP is told');
+      warn('');
     } catch (failure) {
-      say(`STOP was NOT told: ${failureText(failure)}`);
+      warn(`STOP is not confirmed: ${otherwise} (${failureText(failure)})`);
     }
+    clearTimeout(late);
   };
   find('stop').addEventListener('click', stop);
   /** @param {KeyboardEvent} event */
@@ -46,6 +60,7 @@ export function showStop(connection, hands) {
 
   connection.followAlways('(stop ?who ?reason)', (answers) => {
     find('stopped').hidden = answers.length === 0;
+    if (answers.length > 0) warn('');
     const said = answers.map((answer) => `${text(fact(answer)[1])}: ${text(fact(answer)[2])}`);
     find('stopped-by').textContent = clipped(said.join('; '));
   });
