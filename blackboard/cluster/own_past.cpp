@@ -18,6 +18,15 @@ std::string journal_of(const PastChoices& choices, const std::string& cell, std:
   return fmt::format("{}/{}-{:06}{}", choices.folder, cell, epoch, ending);
 }
 
+// CELL-DIGITS.journal alone: another cell may be called CELL-2.
+bool is_journal_of(const std::string& cell, const std::string& name) {
+  const std::string start = cell + "-";
+  const std::size_t frame = start.size() + std::string_view(ending).size();
+  if (name.size() <= frame || !name.starts_with(start) || !name.ends_with(ending)) return false;
+  return std::ranges::all_of(std::string_view(name).substr(start.size(), name.size() - frame),
+                             [](char c) { return '0' <= c && c <= '9'; });
+}
+
 // The journals of a cell's terms, oldest first.
 Result<std::vector<std::string>> journals_in(const PastChoices& choices, const std::string& cell) {
   std::error_code refused;
@@ -25,7 +34,7 @@ Result<std::vector<std::string>> journals_in(const PastChoices& choices, const s
   std::vector<std::string> paths;
   for (const files::directory_entry& entry : files::directory_iterator(choices.folder, refused)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(cell + "-") && name.ends_with(ending)) paths.push_back(choices.folder + "/" + name);
+    if (is_journal_of(cell, name)) paths.push_back(choices.folder + "/" + name);
   }
   if (refused) return fail("journal-file", "cannot keep a past in " + choices.folder + ": " + refused.message());
   std::ranges::sort(paths);

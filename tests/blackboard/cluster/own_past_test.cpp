@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "blackboard/cluster/cluster_log.hpp"
 #include "blackboard/journal/past.hpp"
@@ -188,6 +189,25 @@ TEST_F(OwnPasts, KeepTheNewestTermsAlone) {
   }
   EXPECT_EQ(journals, OwnPast::most_terms);
   EXPECT_TRUE(seen(1001).contains("before revision 4000")) << seen(1001);
+}
+
+TEST_F(OwnPasts, LeaveThoseOfCellsWithLongerNamesInTheSameFolderAlone) {
+  store::Store store;
+  const auto blocks_0 = OwnPast::begin(executor_, {folder_, {}}, "blocks-0", 1, store, {}, nullptr).value();
+  const auto blocks_2 = OwnPast::begin(executor_, {folder_, {}}, "blocks-2", 1, store, {}, nullptr).value();
+  const auto files_of_others = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("blocks-0-") || name.starts_with("blocks-2-")) names.insert(name);
+    }
+    return names;
+  };
+  const std::set<std::string> before = files_of_others();
+  ASSERT_TRUE(before.contains("blocks-0-000001.journal") && before.contains("blocks-2-000001.journal"));
+  const auto begun = OwnPast::begin(executor_, {folder_, {.bytes = 0}}, "blocks", 1, store, {}, nullptr);
+  EXPECT_TRUE(begun.has_value()) << describe(begun.error());
+  EXPECT_EQ(files_of_others(), before);
 }
 
 TEST_F(OwnPasts, AreNotBegunInAFolderWithThePastOfAnotherLog) {
