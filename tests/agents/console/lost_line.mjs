@@ -81,6 +81,17 @@ expect(/arm\s*stopped/.test(await readings()), 'and the arm stands as it was sto
 lose();
 await page.waitForSelector('body[data-state=silent]');
 expect(/silent for \d+ s/.test(await page.innerText('#state')), 'a line that falls silent is said to be silent');
+const looks = () =>
+  page.evaluate(() => ({
+    jogs: document.querySelectorAll('.jog:not(:disabled)').length,
+    reason: document.querySelector('.jog').title,
+    inert: ['want', 'eyes', 'drive', 'head'].every((id) => document.getElementById(id).inert),
+    old: !document.getElementById('line-note').hidden && getComputedStyle(document.getElementById('images')).filter !== 'none',
+  }));
+const silent = await looks();
+expect(silent.jogs === 0 && /no live line/.test(silent.reason) && silent.inert, 'nothing moves the arm then, and the page says why');
+expect(silent.old, 'what is shown is shown as old');
+expect(!/your hands/.test(await page.innerText('#arm-chip')), 'and nobody is said to have the arm');
 await page.keyboard.press('Escape');
 await page.waitForSelector('#stop-alarm[role=alert]:not([hidden])');
 expect(/STOP is not confirmed/.test(await page.innerText('#stop-alarm')), 'a STOP that is not acknowledged is said to be none');
@@ -100,6 +111,9 @@ for (const end of links) end.destroy();
 await seen('arm\\s*stopped');
 await witness.waitForSelector('#arm-chip', { state: 'hidden' });
 expect(true, 'a connection that ends stops the arm, and lets it go');
+await page.waitForFunction(() => document.getElementById('hands-note').innerText.includes('You no longer have the arm in hand'));
+expect((await page.getAttribute('body', 'data-state')) === 'live', 'the page that comes back is told that it has the arm no more');
+expect(await page.isHidden('#line-note'), 'what it shows is new');
 
 for (const each of [page, witness]) expect(each.troubles.length === 0, `nothing went wrong: ${each.troubles.join('; ')}`);
 relay.close();

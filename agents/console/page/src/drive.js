@@ -126,7 +126,7 @@ function gate(hands, controls, moving, why) {
   for (const control of controls) control.dataset.title = control.title;
   return () => {
     for (const control of controls) {
-      const reason = hands.mine ? (moving.has(control) ? why() : '') : 'Take the arm in hand first';
+      const reason = hands.why || (moving.has(control) ? why() : '');
       control.disabled = reason !== '';
       control.title = reason || (control.dataset.title ?? '');
     }
@@ -141,6 +141,11 @@ function takeButton(hands) {
   const ask = element('button', { type: 'button', id: 'ask-for-arm', hidden: true }, 'Ask for it');
   ask.addEventListener('click', () => hands.toggleWish().catch((failure) => (note.textContent = failureText(failure))));
   hands.onChange((mine, holder) => {
+    take.disabled = !hands.live;
+    if (!hands.live) {
+      note.textContent = `${hands.why}.`;
+      return;
+    }
     ask.hidden = mine || holder === '';
     ask.textContent = hands.asking ? 'Ask no more' : 'Ask for it';
     take.textContent = mine ? 'Let the arm go' : holder ? `Take over from ${holder}` : 'Take the arm in hand';

@@ -17,9 +17,12 @@ export class Hands {
   /** @type {Form[]} */
   #wishes = [];
   #before = ''; // who had it
+  #had = false; // whether that was this page, under whatever name
+  #lettingGo = false;
   #taking = false;
   /** @type {{ from: string, to: string } | null} */
-  change = null; // of hands, until it is read
+  change = null; // of hands, into this page's or out of them, until it is read
+  live = false; // what is said is heard
   me = '';
   robot = 'robot';
 
@@ -42,7 +45,12 @@ export class Hands {
     return first ? text(first[2]) : '';
   }
   get mine() {
-    return this.me !== '' && this.holder === this.me;
+    return this.live && this.me !== '' && this.holder === this.me;
+  }
+  // Why nothing moves the arm from here; '' where something may.
+  get why() {
+    if (!this.live) return 'There is no live line to the console';
+    return this.mine ? '' : 'Take the arm in hand first';
   }
   // Who asks for it, and whether this page does.
   get askers() {
@@ -53,16 +61,25 @@ export class Hands {
     return this.#wishes.some((wish) => text(wish[1]) === this.robot && text(wish[2]) === this.me);
   }
 
-  // From one's hands into another's: both are told.
+  // From one's hands into another's: both are told. Who loses it without letting it go is told so, too.
   #note() {
     const from = this.#before;
+    const had = this.#had;
     const to = this.holder;
     this.#before = to;
+    this.#had = to !== '' && to === this.me;
     if (from === to) return;
-    if (to === this.me) this.change = from ? { from, to } : null;
-    else if (to && from === this.me) this.change = { from, to };
+    if (this.#had) this.change = from ? { from, to } : null;
+    else if (had && !this.#lettingGo) this.change = { from, to };
+    this.#lettingGo = false;
   }
 
+  /** @param {boolean} live */
+  setLive(live) {
+    if (this.live === live) return;
+    this.live = live;
+    this.changed();
+  }
   /** @param {(mine: boolean, holder: string) => void} listener */
   onChange(listener) {
     this.#listeners.push(listener);
@@ -71,7 +88,7 @@ export class Hands {
   changed() {
     const chip = find('arm-chip');
     chip.hidden = this.holder === '';
-    chip.textContent = this.mine ? 'arm: in your hands' : `arm: ${this.holder}`;
+    chip.textContent = this.mine ? 'arm: in your hands' : `arm: ${this.live ? this.holder : 'not known'}`;
     chip.className = this.mine ? 'chip good' : 'chip warn';
     for (const listener of this.#listeners) listener(this.mine, this.holder);
     this.#followWish();
@@ -79,7 +96,7 @@ export class Hands {
 
   // Who asked takes it as soon as it is free, and asks no more.
   async #followWish() {
-    if (!this.asking || this.#taking || !(this.mine || this.holder === '')) return;
+    if (!this.live || !this.asking || this.#taking || !(this.mine || this.holder === '')) return;
     this.#taking = true;
     const verb = this.mine ? 'ask-no-more' : 'command';
     await this.#connection.hold(verb, this.robot).catch(() => {}); // another was quicker
@@ -89,10 +106,19 @@ export class Hands {
 
   // Takes it, lets it go, or takes it over from another who is asked about first.
   async toggle() {
-    if (this.mine) return this.#connection.hold('let-go', this.robot);
+    if (this.mine) return this.#letGo();
     if (this.holder === '') return this.#connection.hold('command', this.robot);
     const sure = await confirmed(`${this.holder} has the arm in hand. Take it over? Its motion ends.`);
     return sure ? this.#connection.hold('take-over', this.robot) : undefined;
+  }
+  async #letGo() {
+    this.#lettingGo = true;
+    try {
+      await this.#connection.hold('let-go', this.robot);
+    } catch (failure) {
+      this.#lettingGo = false;
+      throw failure;
+    }
   }
   toggleWish() {
     return this.#connection.hold(this.asking ? 'ask-no-more' : 'ask-for', this.robot);

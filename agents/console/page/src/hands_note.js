@@ -1,5 +1,5 @@
 // What an operator is told of the arm's hands, whatever is on the screen: who asks for the arm, and that it was taken
-// over, both who took it and who lost it.
+// over or was lost, both who took it and who lost it.
 
 import { element, failureText, find } from './dom.js';
 
@@ -29,7 +29,8 @@ export function showHandsNote(hands) {
   const draw = () => {
     const { change, mine } = hands;
     const [asker] = hands.askers;
-    if (change && change.from === hands.me) return show(`${change.to} has taken the arm over.`, 'OK', read);
+    if (change && !change.to) return show('You no longer have the arm in hand.', 'OK', read);
+    if (change && change.to !== hands.me) return show(`${change.to} has taken the arm over.`, 'OK', read);
     if (mine && asker) return show(`${asker} asks for the arm.`, `Let ${asker} have it`, letGo);
     if (change && mine) return show(`You have taken the arm over from ${change.from}, who is told.`, 'OK', read);
     return show('', '', () => {});

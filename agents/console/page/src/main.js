@@ -3,7 +3,7 @@
 import { Activity } from './activity.js';
 import { Connection } from './connection.js';
 import { Hands } from './hands.js';
-import { clipped, find } from './dom.js';
+import { find } from './dom.js';
 import { showAgents } from './agents.js';
 import { showCells } from './cells.js';
 import { showDrive } from './drive.js';
@@ -14,6 +14,7 @@ import { showHandsNote } from './hands_note.js';
 import { showHead } from './head.js';
 import { showLogIn } from './log_in.js';
 import { showImages } from './images.js';
+import { showLine } from './line.js';
 import { showPast } from './past.js';
 import { showPlan } from './plan_list.js';
 import { showScene } from './scene.js';
@@ -24,13 +25,13 @@ import { showTabs } from './tabs.js';
 import { showWant } from './want.js';
 import { WorkEntries } from './work_entries.js';
 
-const said = { connecting: 'connecting', live: 'live', silent: 'silent', lost: 'no connection', refused: 'no session' };
 const connection = new Connection();
 const hands = new Hands(connection);
 const roles = new Roles(connection);
 
 showTabs();
 const logIn = showLogIn(connection);
+const line = showLine(hands);
 showStop(connection, hands);
 showHandsNote(hands);
 const scene = showScene(connection, roles);
@@ -59,12 +60,8 @@ roles.onChange(() => {
   hands.robot = roles.server('robot') || hands.robot;
   hands.changed();
 });
-connection.onState = (state, why = '') => {
-  const chip = find('state');
-  const words = [said[state], clipped(why, 160)].filter(Boolean).join(state === 'silent' ? ' ' : ': ');
-  if (chip.textContent !== words) chip.textContent = words;
-  chip.className = `chip ${state === 'live' ? 'good' : 'bad'}`;
-  document.body.dataset.state = state;
+connection.onState = (state, why) => {
+  line(state, why);
   logIn(state);
 };
 connection.open();

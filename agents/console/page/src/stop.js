@@ -55,7 +55,7 @@ export function showStop(connection, hands) {
   });
   hands.onChange((mine) => {
     clear.disabled = !mine;
-    clear.title = mine ? '' : 'Take the arm in hand first (Drive): who clears a stop sets it free';
+    clear.title = mine ? '' : `${hands.why}: who clears a stop sets the arm free`;
   });
 
   connection.followAlways('(stop ?who ?reason)', (answers) => {
