@@ -40,6 +40,16 @@ const awkward = (page) =>
     return wrong;
   });
 
+// Whatever stands beside it: all chips, and a way to log out.
+const fillHeader = (page) =>
+  page.evaluate(() => {
+    for (const [id, words] of [['arm-chip', 'arm: console-12736-1'], ['goal-chip', 'goal 12: cancelled'], ['log-out', 'Log out']]) {
+      document.getElementById(id).hidden = false;
+      document.getElementById(id).textContent = words;
+    }
+    document.getElementById('state').textContent = 'no connection: the board refuses this page, and says why at some length';
+  });
+
 for (const [index, { name, width, height, touch }] of screens.entries()) {
   const context = await browser.newContext({ viewport: { width, height }, hasTouch: touch, isMobile: touch });
   const page = await openPage({ newPage: () => context.newPage() }, next);
@@ -85,7 +95,21 @@ for (const [index, { name, width, height, touch }] of screens.entries()) {
     }
     expect(true, `${name}: a finger holds a jog, and ends it`);
     await page.screenshot({ path: join(pictures, `${name}-in-hand.png`), fullPage: true });
+
+    await page.click('#stop');
+    await page.waitForSelector('#stopped:not([hidden])');
+    await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+    const note = await page.locator('#stopped').boundingBox();
+    expect(note && note.y >= 0 && note.y + note.height <= height, `${name}: that it is stopped is in view, wherever the page is`);
+    await page.click('#clear-stops');
+    await page.click('#confirm button[value=yes]');
+    await page.waitForSelector('#stopped', { state: 'hidden' });
   }
+  const before = await page.locator('#stop').boundingBox();
+  await fillHeader(page);
+  const after = await page.locator('#stop').boundingBox();
+  expect(before.x === after.x && before.y === after.y, `${name}: STOP stays where it is, whatever stands beside it`);
+  expect(after.x + after.width >= width - 40, `${name}: at the right`);
   expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
   await context.close();
   next = await served.next(index + 1);

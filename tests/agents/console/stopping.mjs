@@ -40,6 +40,18 @@ await page.click('#tab-drive');
 await page.click('#take-arm');
 await page.waitForSelector('#confirm[open]');
 await stops('a dialog');
+// A tablet has no Escape.
+await page.click('#take-arm');
+await page.click('#confirm .stop');
+await holder.waitForSelector('#stopped:not([hidden])');
+expect(await page.isHidden('#confirm'), 'STOP in a dialog stops, and answers no');
+await holder.click('#clear-stops');
+await holder.click('#confirm .stop');
+await holder.waitForFunction(() => document.getElementById('stop-note').textContent === 'STOP is told');
+expect((await holder.isVisible('#stopped')) && (await holder.isHidden('#confirm')), 'also in the one that asks before a stop is cleared');
+await holder.click('#clear-stops');
+await holder.click('#confirm button[value=yes]');
+await page.waitForSelector('#stopped', { state: 'hidden' });
 await page.click('#scene');
 await stops('the picture of the cell');
 await page.click('#stop');

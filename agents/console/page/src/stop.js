@@ -37,6 +37,11 @@ export function showStop(connection, hands) {
     clearTimeout(late);
   };
   find('stop').addEventListener('click', stop);
+  // While a dialog asks, nothing beside it can be pressed.
+  find('confirm-stop').addEventListener('click', () => {
+    stop();
+    find('confirm').close();
+  });
   /** @param {KeyboardEvent} event */
   const escape = (event) => {
     if (event.key === 'Escape' && !event.repeat) stop();
