@@ -25,6 +25,7 @@ async function stops(where) {
   await holder.click('#clear-stops');
   await holder.click('#confirm button[value=yes]');
   await page.waitForSelector('#stopped', { state: 'hidden' });
+  expect(/Escape/.test(await text(page, '#stop-note')), 'and says so no more once another has cleared it');
 }
 
 for (const tab of await page.locator('[role=tab]:visible').allInnerTexts()) {

@@ -9,6 +9,7 @@ import { text } from './datum.js';
 /** @import { Hands } from './hands.js' */
 
 const longestStop = 1000; // milliseconds, until it is acknowledged
+const byKey = 'Escape, from anywhere';
 const otherwise = 'use the button at the cell';
 
 /** @param {Connection} connection @param {Hands} hands */
@@ -53,7 +54,6 @@ export function showStop(connection, hands) {
     if (!(await confirmed('Is everybody out of the way? Clearing the stop lets the arm move again.'))) return;
     try {
       await connection.clearStops();
-      say('Escape, from anywhere');
     } catch (failure) {
       say(failureText(failure));
     }
@@ -66,6 +66,7 @@ export function showStop(connection, hands) {
   connection.followAlways('(stop ?who ?reason)', (answers) => {
     find('stopped').hidden = answers.length === 0;
     if (answers.length > 0) warn('');
+    else say(byKey);
     const said = answers.map((answer) => `${text(fact(answer)[1])}: ${text(fact(answer)[2])}`);
     find('stopped-by').textContent = clipped(said.join('; '));
   });
