@@ -14,6 +14,8 @@ std::unexpected<Failure> deposed(const std::string& by) {
 
 }  // namespace
 
+Time time_behind(const Alive& said) { return said.leaves ? said.when : said.when + answers_for; }
+
 Result<std::optional<Leadership>> Leadership::campaign(KeyValues& key_values, const LogKeys& keys,
                                                        const std::optional<Alive>& seen, const std::string& board,
                                                        std::uint64_t nonce) {

@@ -26,6 +26,9 @@ inline constexpr Duration serves_after = 300ms;
 // Without a sign of life, who stands by takes the lead.
 inline constexpr Duration suspects_after = 220ms;
 
+// Behind every time of an answer by the leader that said this last.
+Time time_behind(const Alive& said);
+
 // What a leader knows of how long it leads.
 class Term {
  public:

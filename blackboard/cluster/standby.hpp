@@ -36,6 +36,9 @@ class Standby {
   void suspect() { suspects_ = true; }
 
   FollowedLog& followed() { return *followed_; }
+  // Where the time of a board that takes the lead begins at the earliest: behind the log and behind all answers of the
+  // former leader, whose clock may be ahead.
+  Time earliest_time() const { return std::max(followed_->end().when, seen_ ? time_behind(*seen_) : Time()); }
   Leadership take_leadership() { return std::move(*won_); }
   // How long whoever led before may still answer. Its last confirmation was sent before it was seen here, and taking
   // the lead compared it. Nothing where nobody led, or who did said that it answers no more.

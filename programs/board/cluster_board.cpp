@@ -129,7 +129,7 @@ class Leading {
  public:
   Leading(const ClusterChoices& choices, const std::shared_ptr<Standby>& standby, Duration waits)
       : choices_(choices),
-        executor_(std::max(RealExecutor::wall_clock(), standby->followed().end().when)),
+        executor_(std::max(RealExecutor::wall_clock(), standby->earliest_time())),
         lead_(executor_, needs(), cluster::LogKeys(choices.log.cell), standby, waits),
         gated_(
             wire::zeromq(), [this] { return lead_.may_answer(); },

@@ -274,5 +274,41 @@ TEST(Takeover, LosesNothingAcknowledgedAndAnswersNothingOldOnBadDaysOfEtcd) {
   RecordProperty("acknowledged", static_cast<int>(acknowledged));
 }
 
+// The time at which a board's time begins that takes the lead from one whose clock is an hour ahead.
+Time earliest_time_after(const std::function<void(Leadership&, KeyValues&, Time)>& leads) {
+  EtcdModel etcd(1);
+  etcd.trouble = 0;
+  ModelClient client(etcd);
+  const auto now = [&etcd] { return etcd.now; };
+  Standby former(client, cell_keys, "ahead", 1, etcd.now);
+  EXPECT_EQ(former.step(now), true);
+  Leadership leadership = former.take_leadership();
+  leads(leadership, client, etcd.now + 3600s);
+  Standby next(client, cell_keys, "behind", 2, etcd.now);
+  next.suspect();
+  for (int looks = 0; looks < 3; ++looks) {
+    const Result<bool> won = next.step(now);
+    if (won && *won) return next.earliest_time();
+    etcd.now += suspects_after;
+  }
+  ADD_FAILURE() << "it does not take the lead";
+  return {};
+}
+
+TEST(Takeover, BeginsBehindEveryTimeAtWhichALeaderWithAnotherClockMayHaveAnswered) {
+  Time said{};
+  const Time after_power_off = earliest_time_after([&](Leadership& leadership, KeyValues& etcd, Time ahead) {
+    said = ahead;
+    ASSERT_TRUE(leadership.confirm(etcd, ahead, 1, 1).has_value());
+  });
+  EXPECT_EQ(after_power_off, said + answers_for);
+  const Time after_goodbye = earliest_time_after([&](Leadership& leadership, KeyValues& etcd, Time ahead) {
+    said = ahead;
+    ASSERT_TRUE(leadership.confirm(etcd, ahead - 50ms, 1, 1).has_value());
+    ASSERT_TRUE(leadership.resign(etcd, ahead).has_value());
+  });
+  EXPECT_EQ(after_goodbye, said);
+}
+
 }  // namespace
 }  // namespace pizarra::cluster
