@@ -1,5 +1,6 @@
 #include "blackboard/cluster/log_transfer.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "blackboard/cluster/followed_log.hpp"
@@ -42,22 +43,33 @@ std::vector<KeyValue> begun_log(const LogKeys& keys, const SnapshotValue& snapsh
 }
 
 // A group needs at least one line. Declaring relations once more changes nothing.
-journal::JournalGroup remembered(const FollowedLog& followed, const store::Store& store) {
+journal::JournalGroup remembered(FollowedLog& followed, const journal::LineStart& begin) {
   std::vector<Relation> relations;
-  for (const auto& [name, table] : store.tables()) relations.push_back(table.relation());
+  for (const auto& [name, table] : followed.store().tables()) relations.push_back(table.relation());
   journal::JournalGroup group;
-  group.lines = journal::journal_line(followed.end().revision, followed.end().when, "board", relations) + '\n';
+  group.lines = journal::journal_line(begin.revision, begin.when, "board", relations) + '\n';
   journal::ReplyLines lines;
   for (const journal::RememberedReply& reply : followed.replies()) lines.add(group.replies, reply);
   group.durable = true;
   return group;
 }
 
-Result<void> write_file(const std::string& path, FollowedLog& followed) {
+// Behind all that a board gave out, as the next leader: of what is not durable the log has only the counters.
+Result<journal::LineStart> beginning_behind(KeyValues& key_values, const LogKeys& keys, FollowedLog& followed) {
+  const Result<std::optional<std::string>> said = get(key_values, keys.alive());
+  if (!said) return fail(said);
+  if (!*said) return followed.end();
+  const Result<Alive> alive = alive_from(**said);
+  if (!alive) return fail(alive);
+  followed.store().restore_counters(std::max(followed.end().revision, alive->revision), alive->fact);
+  return journal::LineStart{followed.store().revision(), std::max(followed.end().when, time_behind(*alive))};
+}
+
+Result<void> write_file(const std::string& path, FollowedLog& followed, const journal::LineStart& begin) {
   const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
   if (!file) return fail(file);
-  const Result<void> begun = (*file)->begin_with(followed.store(), followed.end());
-  return begun ? (*file)->append(remembered(followed, followed.store())) : begun;
+  const Result<void> begun = (*file)->begin_with(followed.store(), begin);
+  return begun ? (*file)->append(remembered(followed, begin)) : begun;
 }
 
 }  // namespace
@@ -102,11 +114,13 @@ Result<Transferred> cluster_to_file(KeyValues& key_values, const LogKeys& keys, 
   FollowedLog followed(key_values, keys);
   const Result<void> whole = followed.follow_to(**head);
   if (!whole) return fail(whole);
-  const Result<void> written = write_file(path, followed);
+  const Result<journal::LineStart> begin = beginning_behind(key_values, keys, followed);
+  if (!begin) return fail(begin);
+  const Result<void> written = write_file(path, followed, *begin);
   // Half a journal would be taken for a whole one.
   if (!written) journal::remove_journal(path);
   if (!written) return fail(written);
-  return Transferred{store::durable_facts(followed.store()).size(), followed.end().revision};
+  return Transferred{store::durable_facts(followed.store()).size(), begin->revision};
 }
 
 }  // namespace pizarra::cluster

@@ -98,6 +98,29 @@ TEST_F(Transfer, IsFollowedByABoardThatLeadsBehindTheFormerCounters) {
   EXPECT_GE(won.first_fact(), standby.followed().store().next_fact());
 }
 
+TEST_F(Transfer, BackFromAClusterBeginsBehindAllThatItsBoardsGaveOutAlsoWhatIsNotInTheLog) {
+  live();
+  ASSERT_TRUE(file_to_cluster(first_, client_, moved_cell, 7).has_value());
+  Standby standby(client_, moved_cell, "board-pc", 9, etcd_.now);
+  ASSERT_TRUE(standby.step([this] { return etcd_.now; }).value_or(false));
+  Leadership won = standby.take_leadership();
+  // Of what is not durable the log has nothing but what the leader says.
+  store::Store& led = standby.followed().store();
+  led.restore_counters(won.first_revision(), won.first_fact());
+  ASSERT_TRUE(led.transact("alice", Transaction().tell(list("seen"_sym, 2)), etcd_.now).has_value());
+  const Time last_answer = etcd_.now + 60s;
+  ASSERT_TRUE(won.confirm(client_, last_answer, led.revision(), led.next_fact()).has_value());
+  const Result<Transferred> back = cluster_to_file(client_, moved_cell, second_, nobody_leads_);
+  ASSERT_TRUE(back.has_value()) << describe(back.error());
+  const auto file = journal::JournalFile::open(second_, {}).value();
+  store::Store store;
+  ASSERT_TRUE(file->recover(store).has_value());
+  EXPECT_GE(store.revision(), led.revision());
+  EXPECT_GE(store.next_fact(), led.next_fact());
+  EXPECT_EQ(back->revision, store.revision());
+  EXPECT_GE(journal::end_of_journal(second_).value().when, last_answer);
+}
+
 TEST_F(Transfer, GoesOverNothingThatIsThere) {
   live();
   ASSERT_TRUE(file_to_cluster(first_, client_, moved_cell, 7).has_value());
