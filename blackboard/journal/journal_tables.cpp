@@ -274,6 +274,7 @@ Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Dura
       if (++of_session[reply->session] <= replies_of_session) replies.push_back(std::move(*reply));
     }
   }
+  std::ranges::reverse(replies);
   return replies;
 }
 

@@ -1,5 +1,6 @@
 #include "blackboard/server/answered.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pizarra::server {
@@ -9,7 +10,7 @@ void Answered::add(wire::RequestId number, Durability::Reply reply) {
   if (fresh) bytes_ += place->second.text.size();
   // One is remembered whatever its size.
   while (replies_.size() > most || (bytes_ > most_bytes && replies_.size() > 1)) {
-    forgotten_ = replies_.begin()->first;
+    forgotten_ = std::max(forgotten_, replies_.begin()->first);
     bytes_ -= replies_.begin()->second.text.size();
     replies_.erase(replies_.begin());
   }

@@ -47,7 +47,7 @@ struct BoardServerOptions {
   journal::JournalWriter* journal = nullptr;
   // From where questions about the past are answered; null: from the journal.
   journal::JournalWriter* past = nullptr;
-  std::vector<journal::RememberedReply> remembered = {};
+  std::vector<journal::RememberedReply> remembered = {};  // oldest first
   // Whether every answer waits until the journal has what came before it: where another board may take over that knows
   // of nothing else.
   bool answers_from_journal = false;

@@ -1,6 +1,7 @@
 #include "blackboard/server/requests.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "blackboard/limits.hpp"
 #include "blackboard/server/reply_text.hpp"
@@ -51,12 +52,14 @@ Requests::Requests(Executor& executor, memory::MemoryBoard& board, Sessions& ses
 }
 
 void Requests::restore(const std::vector<journal::RememberedReply>& remembered) {
-  for (const journal::RememberedReply& reply : remembered) {
-    Session& session = sessions_.restore(reply.session);
-    session.teller = reply.teller;
-    if (!reply.key.empty()) session.key = wire::PublicKey{.name = {}, .key = reply.key, .may = {}};
-    session.heard = executor_.now();
-    session.done.add(reply.request, {reply_text(reply.request, reply.result)});
+  // The sessions with the newest are restored first, because there may be too many.
+  for (const journal::RememberedReply& reply : remembered | std::views::reverse) {
+    Session* const session = sessions_.restore(reply.session);
+    if (session == nullptr) continue;
+    session->teller = reply.teller;
+    if (!reply.key.empty()) session->key = wire::PublicKey{.name = {}, .key = reply.key, .may = {}};
+    session->heard = executor_.now();
+    session->done.add(reply.request, {reply_text(reply.request, reply.result)});
   }
 }
 

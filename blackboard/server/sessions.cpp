@@ -25,6 +25,11 @@ Session* Sessions::find(wire::SessionId id) {
   return found == sessions_.end() ? nullptr : &found->second;
 }
 
+Session* Sessions::restore(wire::SessionId id) {
+  if (Session* const known = find(id)) return known;
+  return sessions_.size() < most_remembered ? &sessions_[id] : nullptr;
+}
+
 std::optional<wire::SessionId> Sessions::of_peer(const std::string& peer) const {
   const auto found = of_peer_.find(peer);
   if (found == of_peer_.end()) return std::nullopt;
@@ -54,9 +59,10 @@ Result<Sessions::Begun> Sessions::begin(const std::string& peer, const std::stri
 }
 
 Result<void> Sessions::check_room(const std::string& teller, const wire::PublicKey* key) const {
-  if (sessions_.size() >= most) return fail("too-large", "the board has too many clients");
+  if (of_peer_.size() >= most) return fail("too-large", "the board has too many clients");
   const auto own = std::ranges::count_if(sessions_, [&](const auto& entry) {
-    return is_of_key(entry.second, key) && (key != nullptr || entry.second.teller == teller);
+    const Session& session = entry.second;
+    return !session.peer.empty() && is_of_key(session, key) && (key != nullptr || session.teller == teller);
   });
   const std::size_t most_of_its = key != nullptr ? most_of_a_key : most_of_a_name;
   if (own < static_cast<std::ptrdiff_t>(most_of_its)) return {};

@@ -7,7 +7,9 @@
 //   sessions.find(begun->id)->watches;
 //   sessions.of_peer(peer);                          // a connection has one session
 //
-// A session belongs to its key, or to its teller where it has none. Its number cannot be guessed.
+// A session belongs to its key, or to its teller where it has none. Its number cannot be guessed. One that was restored
+// has no connection before its client comes back, and takes no room from those who come for the first time. A client
+// that comes back is never refused: it would not learn what was done for it.
 
 #include <functional>
 #include <map>
@@ -20,7 +22,8 @@ class Sessions {
  public:
   static constexpr std::size_t most = 1024;
   static constexpr std::size_t most_of_a_key = 64;
-  static constexpr std::size_t most_of_a_name = 256;  // of those without a key
+  static constexpr std::size_t most_of_a_name = 256;    // of those without a key
+  static constexpr std::size_t most_remembered = 1024;  // of a former life
 
   // Fits a datum, and nobody guesses it.
   static std::uint64_t random_number();
@@ -32,8 +35,8 @@ class Sessions {
   // Null where there is none.
   Session* find(wire::SessionId id);
   std::optional<wire::SessionId> of_peer(const std::string& peer) const;
-  // One that a former life of the board had.
-  Session& restore(wire::SessionId id) { return sessions_[id]; }
+  // One that a former life of the board had, before any begins here. Null where there are most_remembered others.
+  Session* restore(wire::SessionId id);
 
   struct Begun {
     wire::SessionId id;

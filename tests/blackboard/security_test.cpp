@@ -11,6 +11,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
+#include "blackboard/server/kept_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/wire/wire_socket.hpp"
 #include "tests/blackboard/board_fixture.hpp"
@@ -121,6 +122,30 @@ TEST_F(SecurityTest, ARestoredSessionIsItsKeysAlone) {
   anew.own = wire::read_secret_key(folder_ + ".new/robot.secret").value();
   std::filesystem::remove_all(folder_ + ".new");
   EXPECT_NE(welcomed(tcp(), &anew, "(hello \"robot\" 77)"), 77U) << "came with another key of that name";
+}
+
+TEST_F(SecurityTest, ManyShortClientsOfAKeyBeforeARestartTakeNoRoomFromTheNextOne) {
+  const std::string journal = folder_ + ".journal";
+  journal::remove_journal(journal);
+  // A life of the board, in which so many clients come one after another.
+  const auto live = [&](std::size_t clients) {
+    server::KeptBoard kept(executor_);
+    ASSERT_TRUE(kept.begin(journal::JournalFile::open(journal, {}).value()).has_value());
+    ASSERT_TRUE(kept.board().declare("test", {relation("(relation goal ((n integer)) (key n) (durable))")}));
+    server::BoardServerOptions options;
+    options.addresses = {"tcp://127.0.0.1:*"};
+    options.keys = folder_;
+    options.journal = kept.journal();
+    options.remembered = kept.take_remembered();
+    server_ = server::BoardServer::open(executor_, kept.board(), options).value();
+    for (std::size_t i = 0; i < clients; ++i) {
+      EXPECT_EQ(tell(*view("boss"), write(list("goal"_sym, i))), "ok") << "client " << i;
+    }
+    server_.reset();
+  };
+  live(server::Sessions::most_of_a_key + 6);
+  live(1);
+  journal::remove_journal(journal);
 }
 
 TEST_F(SecurityTest, AStrangersKeyIsRefusedWithAReasonAndTold) {

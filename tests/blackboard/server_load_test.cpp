@@ -173,6 +173,23 @@ TEST_F(ServerLoad, WhoOpensSessionsWithoutEndIsRefusedCountedAndLeavesRoomForOth
   EXPECT_EQ(refusals(""), std::vector<Datum>{list("too-large"_sym, 1)});
 }
 
+TEST_F(ServerLoad, ClientsOfAFormerLifeTakeNoRoomFromNewOnesAndTheNewestHaveTheirAnswers) {
+  constexpr std::size_t many = 2 * server::Sessions::most_remembered;
+  server::BoardServerOptions options;
+  options.addresses = {"tcp://127.0.0.1:*"};
+  for (std::size_t i = 1; i <= many; ++i) options.remembered.push_back({i, "former", 1, read("(ok 5)"), ""});
+  server = server::BoardServer::open(executor, board, options).value();
+  EXPECT_EQ(server->sessions(), server::Sessions::most_remembered);
+  Client stranger = client();
+  EXPECT_EQ(stranger.ask("(ping " + stranger.join("former") + ")").head(), "pong");
+  Client newest = client();
+  const std::string session = std::to_string(many);
+  ASSERT_EQ(write(newest.ask("(hello \"former\" " + session + ")")[1]), session);
+  EXPECT_EQ(newest.ask("(request " + session + " 1 (take (note 1 ?) 0))")[2], read("(ok 5)"));
+  Client oldest = client();
+  EXPECT_NE(write(oldest.ask("(hello \"former\" 1)")[1]), "1");
+}
+
 TEST_F(ServerLoad, WhoAsksForLeasesWithoutEndIsRefusedCountedAndLeavesThemToOthers) {
   Client greedy = client();
   const std::string session = greedy.join("greedy");
