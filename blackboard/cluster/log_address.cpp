@@ -1,36 +1,55 @@
 #include "blackboard/cluster/log_address.hpp"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <optional>
 
 namespace pizarra::cluster {
 
 namespace {
 
+constexpr int usual_port = 2379;
+
 std::unexpected<Failure> bad_address(const std::string& sentence, const std::string& text) {
   return fail("bad-address", sentence, to_datum(text));
 }
 
+bool is_sound(std::string_view text) {
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
+  return !text.empty() && text.size() <= 128 && std::ranges::all_of(text, allowed);
+}
+
+bool is_host(const std::string& text) {
+  if (!text.starts_with('[')) return is_sound(text);
+  in6_addr bytes{};
+  return text.ends_with(']') && inet_pton(AF_INET6, text.substr(1, text.size() - 2).c_str(), &bytes) == 1;
+}
+
+std::optional<int> port_from(std::string_view text) {
+  int port = 0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), port);
+  const bool whole = error == std::errc() && end == text.end();
+  return whole && port >= 1 && port <= 65535 ? std::optional(port) : std::nullopt;
+}
+
 // HOST:PORT of HOST or HOST:PORT; nothing where it is neither.
 std::optional<std::string> with_port(const std::string& member) {
-  const bool in_brackets = member.starts_with('[');
-  const std::size_t host_ends = in_brackets ? member.find(']') : member.find(':');
-  if (member.empty() || (in_brackets && host_ends == std::string::npos)) return std::nullopt;
-  const std::string rest = host_ends == std::string::npos ? "" : member.substr(host_ends + (in_brackets ? 1 : 0));
-  if (rest.empty()) return member + ":2379";
-  const bool has_port = rest.starts_with(':') && rest.find(':', 1) == std::string::npos;
-  return has_port ? std::optional(member) : std::nullopt;
+  const std::size_t host_ends =
+      std::min(member.find(':', member.starts_with('[') ? member.find(']') : 0), member.size());
+  const std::string host = member.substr(0, host_ends);
+  const std::optional<int> port = host_ends == member.size()
+                                      ? std::optional(usual_port)
+                                      : port_from(std::string_view(member).substr(host_ends + 1));
+  if (!is_host(host) || !port) return std::nullopt;
+  return fmt::format("{}:{}", host, *port);
 }
 
 bool is_loopback(const std::string& member) {
   return member.starts_with("127.") || member.starts_with("localhost:") || member.starts_with("[::1]");
-}
-
-bool is_sound(const std::string& text) {
-  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; };
-  return !text.empty() && text.size() <= 128 && std::ranges::all_of(text, allowed);
 }
 
 }  // namespace
@@ -50,8 +69,13 @@ Result<LogAddress> LogAddress::from(const std::string& text, const std::string& 
     const std::size_t end = std::min(text.find(',', from), slash);
     const std::optional<std::string> member = with_port(text.substr(from, end - from));
     if (!member) {
-      return bad_address("a member of the cluster is HOST or HOST:PORT, an address of IPv6 in brackets: [fd00::1]",
-                         text);
+      return bad_address(
+          "a member of the cluster is HOST or HOST:PORT, a port from 1 to 65535, an address of IPv6 in brackets: "
+          "[fd00::1]",
+          text);
+    }
+    if (std::ranges::count(address.members, *member) > 0) {
+      return bad_address("a member of the cluster is named twice: " + *member, text);
     }
     address.members.push_back(*member);
     from = end + 1;

@@ -65,10 +65,10 @@ Result<void> check_standby(const UpChoices& choices, const forms::CellDescriptio
 
 Result<void> check_log(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
   const bool owns_board = runs_board(choices, cell, host);
-  // Agents do not come to the log.
-  if (!owns_board && choices.standby.empty() && choices.log_here.empty()) return {};
+  // Agents do not come to the log, so they need no certificates.
+  const bool only_agents = !owns_board && choices.standby.empty() && choices.log_here.empty();
   const Result<cluster::LogAddress> log =
-      cluster::LogAddress::from(choices.log, choices.certificates, choices.log_insecure);
+      cluster::LogAddress::from(choices.log, choices.certificates, choices.log_insecure || only_agents);
   if (!log) return fail(log);
   return check_standby(choices, cell, owns_board);
 }

@@ -54,8 +54,9 @@ struct Peers {
 
 Result<Peers> peers_of(const MemberHere& member) {
   const std::vector<std::string>& members = member.log.members;
-  const auto own = std::ranges::find_if(
-      members, [&](const std::string& each) { return each == member.here || each.starts_with(member.here + ":"); });
+  const auto own = std::ranges::find_if(members, [&](const std::string& each) {
+    return each == member.here || each.substr(0, each.rfind(':')) == member.here;
+  });
   if (own == members.end()) {
     return fail("bad-address", fmt::format("{} is no member of {}", member.here, member.log.text));
   }

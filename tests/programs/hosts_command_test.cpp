@@ -146,6 +146,9 @@ TEST_F(HostsOfACell, HaveAServiceWithTheMemberOfTheLogAndAreToldWhatIsMissing) {
   const Said wrong = run(join + " --host desk" + log + " --standby tcp://10.0.0.9:7943");
   EXPECT_EQ(wrong.status, 2) << wrong.text;
   EXPECT_TRUE(wrong.text.contains("no client would look for a board at --standby tcp://10.0.0.9:7943")) << wrong.text;
+  const Said no_log = run(join + " --host desk --log banana");
+  EXPECT_EQ(no_log.status, 2) << no_log.text;
+  EXPECT_TRUE(no_log.text.contains("a log's address is etcd://A,B,C/CELL")) << no_log.text;
   EXPECT_FALSE(files::exists(service_));
   const Said joined = run(join + " --host desk" + log + " --standby tcp://10.0.0.2:7943");
   ASSERT_EQ(joined.status, 0) << joined.text;

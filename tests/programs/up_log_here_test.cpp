@@ -166,6 +166,16 @@ TEST_F(UpWithLogHere, IsRefusedForAnAddressThatIsNoMember) {
                                         " --log-here 127.0.0.1:1 --log-folder " + scratch_folder() + "none");
   EXPECT_NE(refused.status, 0);
   EXPECT_TRUE(refused.text.contains("127.0.0.1:1 is no member of")) << refused.text;
+  const Said half = shell_in_scratch(std::string(PIZARRA_CELL) + " log member 'etcd://[fd00::1]/cell' '[fd00' " +
+                                     scratch_folder() + "none --log-insecure");
+  EXPECT_EQ(half.status, 2) << half.text;
+  EXPECT_TRUE(half.text.contains("[fd00 is no member of")) << half.text;
+}
+
+TEST_F(UpWithLogHere, IsRefusedForWhatIsNoLogAlsoWhereAHostHasAgentsAlone) {
+  const Said refused = shell_in_scratch(std::string(PIZARRA_CELL) + " up " + cell_ + " --host c --log banana");
+  EXPECT_EQ(refused.status, 2) << refused.text;
+  EXPECT_TRUE(refused.text.contains("a log's address is etcd://A,B,C/CELL")) << refused.text;
 }
 
 }  // namespace

@@ -81,9 +81,33 @@ TEST(LogAddress, NamesMembersAndACellAndIsRefusedWhereOthersCouldListen) {
   const LogAddress address = LogAddress::from("etcd://127.0.0.1:7,localhost/blocks", "", false).value();
   EXPECT_EQ(address.members, (std::vector<std::string>{"127.0.0.1:7", "localhost:2379"}));
   EXPECT_EQ(address.cell, "blocks");
-  for (const char* wrong : {"etcd://a", "etcd:///c", "etcd://a,/c", "etcd://a/", "etcd://a/b c", "http://a/b"}) {
+  for (const char* wrong : {"etcd://a",
+                            "etcd:///c",
+                            "etcd://a,/c",
+                            "etcd://a/",
+                            "etcd://a/b c",
+                            "http://a/b",
+                            "etcd://127.0.0.1:42x79/b",
+                            "etcd://a:99999/b",
+                            "etcd://a:65536/b",
+                            "etcd://a:0/b",
+                            "etcd://a:-1/b",
+                            "etcd://a:/b",
+                            "etcd://:/b",
+                            "etcd://:2379/b",
+                            "etcd://a b/c",
+                            "etcd:// a/c",
+                            "etcd://a,a/c",
+                            "etcd://a,b,a:2379/c",
+                            "etcd://[fd00/c",
+                            "etcd://[]/c",
+                            "etcd://[fd00::1]x/c",
+                            "etcd://[localhost]/c",
+                            "etcd://fd00::1/c"}) {
     EXPECT_EQ(LogAddress::from(wrong, "", true).error().symbol, "bad-address") << wrong;
   }
+  EXPECT_EQ(LogAddress::from("etcd://[fd00::1],[fd00::1]:65535/c", "", true).value().members,
+            (std::vector<std::string>{"[fd00::1]:2379", "[fd00::1]:65535"}));
   EXPECT_EQ(LogAddress::from("etcd://10.0.0.1/c", "", false).error().symbol, "not-loopback");
   EXPECT_TRUE(LogAddress::from("etcd://10.0.0.1/c", "keys", false).has_value());
 }
