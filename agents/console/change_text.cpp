@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::console {
@@ -36,6 +37,22 @@ std::string added_text(const Answer& answer) {
   return fmt::format("{{\"ids\":[{}],\"bindings\":{{{}}},\"facts\":[{}]}}", ids_of(answer), bindings, facts);
 }
 
+// What was asked may be a part of what is said of it, more than once: an answer is not many times as long.
+Failure in_short(const Failure& failure) {
+  Failure said{shortened(failure.symbol, 100), shortened(failure.sentence, 700), failure.subject,
+               shortened(failure.place, 300)};
+  const std::string subject = write(failure.subject);
+  if (subject.size() > 200) said.subject = Datum::string(shortened(subject, 200));
+  return said;
+}
+
+// `of`: what is refused, a watch or a request.
+std::string failed_text(std::string_view of, std::int64_t number, const Failure& failure) {
+  const Failure said = in_short(failure);
+  return fmt::format("{{\"{}\":{},\"error\":{},\"said\":{}}}", of, number, json_failure(said),
+                     json_string(describe(said)));
+}
+
 }  // namespace
 
 std::string change_text(std::int64_t watch, const Change& change) {
@@ -57,8 +74,7 @@ std::string change_text(std::int64_t watch, const Change& change) {
 std::string told_text(const Fact& fact) { return added_text(Answer{.bindings = {}, .facts = {fact}}); }
 
 std::string failed_watch_text(std::int64_t watch, const Failure& failure) {
-  return fmt::format("{{\"watch\":{},\"error\":{},\"said\":{}}}", watch, json_failure(failure),
-                     json_string(describe(failure)));
+  return failed_text("watch", watch, failure);
 }
 
 std::string reply_text(std::int64_t request, const Datum& values) {
@@ -70,8 +86,7 @@ std::string reply_text(std::int64_t request, const Datum& values) {
 }
 
 std::string refusal_text(std::int64_t request, const Failure& failure) {
-  return fmt::format("{{\"reply\":{},\"error\":{},\"said\":{}}}", request, json_failure(failure),
-                     json_string(describe(failure)));
+  return failed_text("reply", request, failure);
 }
 
 }  // namespace pizarra::console

@@ -9,7 +9,8 @@
 //
 //   refusal_text(3, failure)     {"reply":3,"error":{"symbol":...},"said":"what a prompt would say of it"}
 //
-// Of more answers than a page shows, or larger ones, the first ones go, and `cut` says how many are left out.
+// A failure's texts are cut to some 2 kB in all. Of more answers than a page shows, or larger ones, the first ones go,
+// and `cut` says how many are left out.
 
 #include <cstdint>
 #include <string>

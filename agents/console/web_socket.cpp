@@ -103,12 +103,25 @@ WebSocket::~WebSocket() {
 }
 
 void WebSocket::send(Class priority, std::string message) {
-  if (ended_ || lingering_) return;
+  if (ended_ || lingering_ || given_up_) return;
+  if (priority == Class::control) {
+    if (control_ > max_unread_control) return give_up();
+    control_ += message.size();
+  }
   // It has only begun to wait.
   if (waiting_ == 0) progress_ = executor_.now();
   waiting_ += message.size();
   outbox_[static_cast<std::size_t>(priority)].push_back(std::move(message));
   if (run_timer_ == 0) run_timer_ = executor_.call_at(executor_.now(), [this] { run(); });
+}
+
+// What waits goes to nobody: who does not read it learns by the close why it has ended.
+void WebSocket::give_up() {
+  given_up_ = true;
+  for (std::deque<std::string>& waiting : outbox_) waiting.clear();
+  waiting_ = under_way_;
+  wslay_event_shutdown_read(context_);
+  close(WSLAY_CODE_POLICY_VIOLATION, "too many answers are left unread");
 }
 
 void WebSocket::close(unsigned short code, std::string_view reason) {
@@ -171,7 +184,9 @@ bool WebSocket::queue_next() {
     if (waiting.empty()) continue;
     const std::string message = std::move(waiting.front());
     waiting.pop_front();
-    const bool image = &waiting == &outbox_[static_cast<std::size_t>(Class::images)];
+    const auto is = [&](Class priority) { return &waiting == &outbox_[static_cast<std::size_t>(priority)]; };
+    const bool image = is(Class::images);
+    if (is(Class::control)) control_ -= message.size();
     const wslay_event_msg whole{.opcode = static_cast<std::uint8_t>(image ? WSLAY_BINARY_FRAME : WSLAY_TEXT_FRAME),
                                 .msg = reinterpret_cast<const std::uint8_t*>(message.data()),
                                 .msg_length = message.size()};

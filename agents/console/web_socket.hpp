@@ -8,7 +8,8 @@
 //   if (socket.waiting() < bound) socket.send(WebSocket::Class::facts, ...);    // `room` says when it is below again
 //
 // A message of more than 16 kB ends it (1009), as do more than 400 frames a second (1008), and a peer that takes
-// nothing of what waits for 30 s. `ended` is called once, never from within send() or the constructor.
+// nothing of what waits for 30 s, and one that leaves more than 1 MB of what it asked for unread (1008): none of that
+// is kept. `ended` is called once, never from within send() or the constructor.
 
 #include <deque>
 #include <functional>
@@ -27,6 +28,7 @@ class WebSocket {
   enum class Class : std::uint8_t { control, facts, images };
   static constexpr std::size_t max_message = 16 << 10;
   static constexpr int max_frames_a_second = 400;
+  static constexpr std::size_t max_unread_control = 1 << 20;
   static constexpr Duration longest_stall = 30s;
   // Below this much the next may be made ready to go.
   static constexpr std::size_t low_mark = 256 << 10;
@@ -57,6 +59,7 @@ class WebSocket {
   bool queue_next();
   void look_for_more(bool writable);
   void count_frame();
+  void give_up();
   void linger();
   void end();
   void watch_for_stall();
@@ -71,6 +74,8 @@ class WebSocket {
   bool ended_ = false;
   std::deque<std::string> outbox_[3];
   std::size_t waiting_ = 0;
+  std::size_t control_ = 0;    // of these, what was asked for
+  bool given_up_ = false;      // more of it than may wait: nothing is sent but the close
   std::size_t under_way_ = 0;  // bytes of the message that the library holds
   Time progress_{};
   Time second_{};

@@ -5,7 +5,10 @@
 #include <charconv>
 #include <chrono>
 #include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include "agents/console/change_text.hpp"
 #include "lisp/reader.hpp"
 #include "tests/agents/console/console_fixture.hpp"
 #include "tests/blackboard/passing_board.hpp"
@@ -254,6 +257,40 @@ TEST_F(ConsoleTest, ASlowReaderSlowsNobodyAndIsResynchronised) {
   const ReadToLast of_slow = serve([&] { return read_until(*slow, bulk, last, slow_read); });
   EXPECT_GT(of_slow.resynchronised, 0);
   EXPECT_LT(of_slow.bytes, rounds * bulk.size() / 2) << "what had become void was not kept for it";
+}
+
+TEST_F(ConsoleTest, SaysWhatIsWrongWithALongQuestionInShort) {
+  const auto client = page(cookie());
+  const std::string answer = said(*client, "(watch 1 \"(" + std::string(15'000, 'x') + " ?y)\")");
+  EXPECT_TRUE(has(answer, "{\"watch\":1,\"error\":{"));
+  EXPECT_LT(answer.size(), 3000u);
+  const std::string all(15'000, 'x');
+  EXPECT_LT(refusal_text(1, Failure{"malformed", all, Datum::string(all), all}).size(), 3000u);
+}
+
+// A page and a viewer alike.
+TEST_F(ConsoleTest, ClosesWhoLeavesItsAnswersUnread) {
+  int ends[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
+  {
+    WebSocket socket(executor_, UpgradedSocket(nullptr, ends[0], ""),
+                     {.text = [](std::string_view) {}, .room = [] {}, .ended = [] {}});
+    const std::string answer(100'000, 'x');
+    for (int i = 0; i < 10; ++i) socket.send(WebSocket::Class::control, answer);
+    EXPECT_EQ(socket.waiting(), 10 * answer.size()) << "so much may wait";
+    for (int i = 0; i < 1000; ++i) socket.send(WebSocket::Class::control, answer);
+    EXPECT_EQ(socket.waiting(), 0u) << "nothing of it is kept";
+    std::string got(200, '\0');
+    ssize_t size = 0;
+    executor_.run_until([&] {
+      size = ::recv(ends[1], got.data(), got.size(), MSG_DONTWAIT);
+      return size > 0 || tick();
+    });
+    got.resize(static_cast<std::size_t>(size));
+    EXPECT_TRUE(begins(got, "\x88")) << "a close frame comes first";
+    EXPECT_TRUE(has(got, "\x03\xf0too many answers are left unread")) << "1008";
+  }
+  for (const int end : ends) ::close(end);
 }
 
 TEST_F(ConsoleTest, OpensSoManyPagesAndNoMore) {
