@@ -32,15 +32,24 @@ Result<std::size_t> FollowedLog::follow() {
 }
 
 Result<std::size_t> FollowedLog::follow_some() {
-  if (store_ == nullptr) {
-    const Result<void> begun = begin();
+  while (true) {
+    const Result<void> begun = store_ == nullptr ? begin() : Result<void>();
     if (!begun) return fail(begun);
+    const std::size_t asked = at_once_;
+    const Result<std::vector<KeyValue>> came = next_entries();
+    if (!came) return fail(came);
+    const Result<std::size_t> entries = take(*came);
+    if (!entries) return fail(entries);
+    if (store_ == nullptr) continue;
+    is_behind_ = is_behind_ || *entries >= asked;
+    return entries;
   }
-  const std::size_t asked = at_once_;
-  const Result<std::vector<KeyValue>> came = next_entries();
-  if (!came) return fail(came);
+}
+
+// How many entries came. It has no store after a gap that a newer snapshot filled.
+Result<std::size_t> FollowedLog::take(const std::vector<KeyValue>& values) {
   std::size_t entries = 0;
-  for (const KeyValue& value : *came) {
+  for (const KeyValue& value : values) {
     if (value.key == keys_.alive()) {
       const Result<void> understood = heard(value.value);
       if (!understood) return fail(understood);
@@ -49,9 +58,10 @@ Result<std::size_t> FollowedLog::follow_some() {
     const Result<Entry> entry = entry_from(value.value);
     if (!entry) return fail(entry);
     if (entry->number != number_ + 1) {
-      // A snapshot stands in place of those between.
+      const Result<void> filled = check_gap();
+      if (!filled) return fail(filled);
       store_ = nullptr;
-      return follow_some();
+      return 0;
     }
     const Result<void> applied = apply(*entry);
     if (!applied) return fail(applied);
@@ -59,8 +69,15 @@ Result<std::size_t> FollowedLog::follow_some() {
     weight_.bytes += value.value.size();
     ++entries;
   }
-  is_behind_ = is_behind_ || entries >= asked;
   return entries;
+}
+
+// A newer snapshot stands in place of the entries between. Entries are deleted only after it counts.
+Result<void> FollowedLog::check_gap() {
+  const Result<std::optional<std::string>> pointer = get(key_values_, keys_.snapshot());
+  if (!pointer) return fail(pointer);
+  if (*pointer == begun_from_) return damaged(fmt::format("entry {} is missing", number_ + 1));
+  return {};
 }
 
 // Another leader may write another format.
@@ -127,6 +144,7 @@ Result<void> FollowedLog::begin() {
 Result<void> FollowedLog::restore_snapshot() {
   const Result<std::optional<std::string>> pointer = get(key_values_, keys_.snapshot());
   if (!pointer) return fail(pointer);
+  begun_from_ = *pointer;
   if (!*pointer) return {};
   const Result<SnapshotValue> snapshot = snapshot_from(**pointer);
   if (!snapshot) return fail(snapshot);

@@ -9,7 +9,8 @@
 //   followed.alive();                              // what the leader said last
 //
 // Entries are numbered without a gap. Where the next one is gone, because others came meanwhile and a snapshot took
-// their place, it begins anew from that. Failures: unavailable, bad-journal, other-format.
+// their place, it begins anew from that. A gap that no snapshot fills is damage. Failures: unavailable, bad-journal,
+// other-format.
 
 #include <memory>
 
@@ -55,6 +56,8 @@ class FollowedLog {
 
  private:
   Result<std::size_t> follow_some();
+  Result<std::size_t> take(const std::vector<KeyValue>& values);
+  Result<void> check_gap();
   Result<void> heard(const std::string& alive);
   Result<std::vector<KeyValue>> next_entries();
   Result<std::vector<KeyValue>> some_of(const KeyValues::Range& range);
@@ -71,7 +74,8 @@ class FollowedLog {
   store::Store* into_ = nullptr;
   const Moment until_ = {};
   std::unique_ptr<store::Store> own_;
-  store::Store* store_ = nullptr;  // null before it begins
+  store::Store* store_ = nullptr;          // null before it begins
+  std::optional<std::string> begun_from_;  // the snapshot, as its pointer says
   std::uint64_t number_ = 0;
   std::size_t at_once_ = most_at_once;
   bool is_behind_ = false;

@@ -256,6 +256,31 @@ TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
   EXPECT_EQ(followed.follow().error().symbol, "bad-journal");
 }
 
+TEST_F(ClusterLogs, ThatLackAnEntryAreRefusedByEveryoneWhoReadsThem) {
+  const EpochValue epoch{1, "a", 1};
+  etcd_.values[keys.epoch()] = text_of(epoch);
+  etcd_.values[keys.head()] = "0";
+  ClusterLog log(client_, client_, keys, epoch, 0, "etcd://model/cell");
+  for (int n = 1; n <= 5; ++n) ASSERT_TRUE(log.append(group(0), true));
+  FollowedLog since_before(*client_, keys);
+  ASSERT_TRUE(since_before.follow_to(5));
+  for (int n = 6; n <= 9; ++n) ASSERT_TRUE(log.append(group(0), true));
+  etcd_.values.erase(keys.entry(7));
+  const std::string file = scratch_folder() + "gap.journal";
+  store::Store store;
+  store::Store past;
+  Standby standby(*client_, keys, "b", 7, etcd_.now);
+  for (const Failure& failure :
+       {FollowedLog(*client_, keys).follow().error(), since_before.follow().error(),
+        standby.step([this] { return etcd_.now; }).error(), take_snapshot(*client_, keys, 1).error(),
+        cluster_to_file(*client_, keys, file, [](Duration) {}).error(), log.recover(store).error(),
+        log.read(past, {.revision = 1}).error()}) {
+    EXPECT_EQ(failure.symbol, "bad-journal");
+    EXPECT_EQ(failure.sentence, "the log in the cluster is damaged: entry 7 is missing");
+  }
+  EXPECT_EQ(since_before.follow().error().symbol, "bad-journal") << "again";
+}
+
 TEST_F(ClusterLogs, WithADamagedNumberAreRefusedByEveryoneWhoReadsIt) {
   const std::map<std::string, std::string> sound = {
       {keys.epoch(), text_of(EpochValue{1, "a", 1})}, {keys.head(), "0"}, {keys.alive(), text_of(Alive{.epoch = 1})}};
