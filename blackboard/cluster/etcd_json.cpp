@@ -53,9 +53,19 @@ json compare_json(const KeyValues::Compare& compare) {
 
 std::unexpected<Failure> not_understood() { return fail("unavailable", "etcd answered what is not understood"); }
 
+bool is_list_of_objects(const json& list) {
+  return list.is_array() && std::ranges::all_of(list, [](const json& each) { return each.is_object(); });
+}
+
+bool is_list_of_texts(const json& list) {
+  return list.is_array() && std::ranges::all_of(list, [](const json& each) { return each.is_string(); });
+}
+
 bool add_found(const json& response, std::vector<KeyValue>& found) {
+  if (!response.is_object()) return false;
   const auto values = response.find("kvs");
   if (values == response.end()) return true;
+  if (!is_list_of_objects(*values)) return false;
   for (const json& value : *values) {
     std::optional<std::string> key = decoded(value, "key");
     std::optional<std::string> text = decoded(value, "value");
@@ -109,11 +119,13 @@ Result<KeyValues::Reply> reply_from(const std::string& body) {
   const std::optional<json> form = object_from(body);
   if (!form || !form->contains("header")) return not_understood();
   KeyValues::Reply reply;
-  reply.succeeded = form->value("succeeded", false);
+  const json succeeded = form->value("succeeded", json(false));
+  if (!succeeded.is_boolean()) return not_understood();
+  reply.succeeded = succeeded.get<bool>();
   if (reply.succeeded) return reply;
-  const auto responses = form->find("responses");
-  if (responses == form->end()) return reply;
-  for (const json& response : *responses) {
+  const json responses = form->value("responses", json::array());
+  if (!is_list_of_objects(responses)) return not_understood();
+  for (const json& response : responses) {
     const auto range = response.find("response_range");
     if (range != response.end() && !add_found(*range, reply.found)) return not_understood();
   }
@@ -156,10 +168,12 @@ Result<std::vector<std::string>> disarming(const std::string& body) {
   const std::optional<json> form = object_from(body);
   if (!form) return not_understood();
   std::vector<std::string> requests;
-  const auto alarms = form->find("alarms");
-  if (alarms == form->end()) return requests;
-  for (const json& alarm : *alarms) {
-    const bool is_one = alarm.is_object() && alarm.contains("memberID") && alarm.value("alarm", "") == "NOSPACE";
+  const json alarms = form->value("alarms", json::array());
+  if (!is_list_of_objects(alarms)) return not_understood();
+  for (const json& alarm : alarms) {
+    const json kind = alarm.value("alarm", json("NONE"));
+    if (!kind.is_string()) return not_understood();
+    const bool is_one = alarm.contains("memberID") && kind == "NOSPACE";
     if (!is_one) continue;
     requests.push_back(json({{"action", "DEACTIVATE"}, {"memberID", alarm["memberID"]}, {"alarm", "NOSPACE"}}).dump());
   }
@@ -175,7 +189,8 @@ Result<std::vector<LogMember>> members_from(const std::string& body) {
     if (!sound) return not_understood();
     LogMember member{.id = each["id"].get<std::uint64_t>()};
     const json urls = each.value("peerURLs", json::array());
-    if (!urls.empty() && urls.front().is_string()) member.peer_url = urls.front().get<std::string>();
+    if (!is_list_of_texts(urls)) return not_understood();
+    if (!urls.empty()) member.peer_url = urls.front().get<std::string>();
     member.was_added = !each.contains("name") || each["name"] == "";
     member.has_run = each.contains("clientURLs") && !each["clientURLs"].empty();
     members.push_back(std::move(member));
