@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "blackboard/wire/loopback.hpp"
+
 namespace pizarra::cluster {
 
 namespace {
@@ -48,9 +50,7 @@ std::optional<std::string> with_port(const std::string& member) {
   return fmt::format("{}:{}", host, *port);
 }
 
-bool is_loopback(const std::string& member) {
-  return member.starts_with("127.") || member.starts_with("localhost:") || member.starts_with("[::1]");
-}
+bool is_on_loopback(const std::string& member) { return wire::is_loopback(member.substr(0, member.rfind(':'))); }
 
 }  // namespace
 
@@ -80,7 +80,7 @@ Result<LogAddress> LogAddress::from(const std::string& text, const std::string& 
     address.members.push_back(*member);
     from = end + 1;
   }
-  if (certificates.empty() && !insecure && !std::ranges::all_of(address.members, is_loopback)) {
+  if (certificates.empty() && !insecure && !std::ranges::all_of(address.members, is_on_loopback)) {
     return fail("not-loopback",
                 "other machines reach these members: name the folder of ca.crt, client.crt and client.key with "
                 "--log-certificates DIR, or give --log-insecure to go there unencrypted",

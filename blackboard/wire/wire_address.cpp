@@ -7,6 +7,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "blackboard/wire/loopback.hpp"
+
 namespace pizarra::wire {
 
 namespace {
@@ -18,10 +20,8 @@ std::unexpected<Failure> bad_address(std::string sentence, const std::string& ad
   return fail("bad-address", std::move(sentence), to_datum(address));
 }
 
-bool is_loopback(const std::string& address) {
-  const std::string host = address.substr(tcp.size(), address.rfind(':') - tcp.size());
-  const bool numeric = host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string::npos;
-  return numeric || host == "localhost" || host == "[::1]";
+std::string_view host_of(std::string_view address) {
+  return address.substr(tcp.size(), address.rfind(':') - tcp.size());
 }
 
 // Binding an ipc path takes it away from a server that lives there, so it is asked first.
@@ -86,7 +86,7 @@ bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
 Result<void> check_listening_address(const std::string& address, bool open_to_others) {
   const Result<void> formed = check_address(address);
   if (!formed) return formed;
-  if (address.starts_with(tcp) && !open_to_others && !is_loopback(address)) {
+  if (address.starts_with(tcp) && !open_to_others && !is_loopback(host_of(address))) {
     return fail("not-loopback",
                 "other machines reach this address: name the folder of the keys that may come with --keys DIR, or give "
                 "--insecure to let anybody come unencrypted",

@@ -108,7 +108,11 @@ TEST(LogAddress, NamesMembersAndACellAndIsRefusedWhereOthersCouldListen) {
   }
   EXPECT_EQ(LogAddress::from("etcd://[fd00::1],[fd00::1]:65535/c", "", true).value().members,
             (std::vector<std::string>{"[fd00::1]:2379", "[fd00::1]:65535"}));
-  EXPECT_EQ(LogAddress::from("etcd://10.0.0.1/c", "", false).error().symbol, "not-loopback");
+  for (const char* elsewhere : {"etcd://10.0.0.1/c", "etcd://127.evil.example/c", "etcd://127.0.0.1,localhost.b/c"}) {
+    const Result<LogAddress> refused = LogAddress::from(elsewhere, "", false);
+    ASSERT_FALSE(refused) << elsewhere;
+    EXPECT_EQ(refused.error().symbol, "not-loopback") << elsewhere;
+  }
   EXPECT_TRUE(LogAddress::from("etcd://10.0.0.1/c", "keys", false).has_value());
 }
 
