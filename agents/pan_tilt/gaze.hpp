@@ -4,8 +4,8 @@
 //
 //   const Gaze gaze = gaze_at(mount, {450, -165, 30});     // degrees of the head's pan and tilt
 //
-// `mount` is how the camera looks while the head is in its middle, and about which axes that turns it. The point's angle
-// from the middle of the turned camera's image is added to the turn, until none is left.
+// `mount` is how the camera looks while the head is in its middle, and about which axes that turns it. The point's
+// angle from the middle of the turned camera's image is added to the turn, until none is left.
 
 #include <array>
 
