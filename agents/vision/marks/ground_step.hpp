@@ -38,7 +38,7 @@ cv::Matx33d flatten(Around& all);
 // `noise` is that of the image.
 double step_doubt(Around beyond, double contrast, double noise);
 
-// Of what is measured between pixels, of which noise is a part.
+// The variance of a level that is measured between pixels, in an image of that noise.
 double variance_between_pixels(double noise);
 
 }  // namespace pizarra::vision

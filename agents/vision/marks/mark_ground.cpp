@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "agents/vision/image/levels.hpp"
 #include "agents/vision/marks/ground_step.hpp"
 
 namespace pizarra::vision {
@@ -21,15 +22,8 @@ constexpr std::array beyond_edge_px = {1.25, 2.0};
 constexpr double well_outside_px = 2.5;
 
 double level_at(const cv::Mat1b& grey, cv::Point2d place) {
-  const double x = std::clamp(place.x, 0.0, grey.cols - 1.001);
-  const double y = std::clamp(place.y, 0.0, grey.rows - 1.001);
-  const int column = static_cast<int>(x);
-  const int row = static_cast<int>(y);
-  const double right = x - column;
-  const double down = y - row;
-  const std::uint8_t* above = grey.ptr<std::uint8_t>(row) + column;
-  const std::uint8_t* below = above + grey.step;
-  return (1 - down) * ((1 - right) * above[0] + right * above[1]) + down * ((1 - right) * below[0] + right * below[1]);
+  return level_between(grey,
+                       {std::clamp(place.x, 0.0, grey.cols - 1.001), std::clamp(place.y, 0.0, grey.rows - 1.001)});
 }
 
 struct Place {

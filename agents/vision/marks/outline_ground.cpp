@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "agents/vision/image/levels.hpp"
 #include "agents/vision/marks/ground_step.hpp"
 
 namespace pizarra::vision {
@@ -26,12 +27,6 @@ struct PrintAndGround {
   Around beside_print{};
 };
 
-double level_at(const cv::Mat1b& pixels, const cv::Point2d& at) {
-  const int x = std::clamp(cvRound(at.x), 0, pixels.cols - 1);
-  const int y = std::clamp(cvRound(at.y), 0, pixels.rows - 1);
-  return pixels(y, x);
-}
-
 // Inside the border at that point; nothing where the print is too narrow for that.
 std::optional<cv::Vec2d> print_beside(const PlaneOutline& outline, const PlaneOutline::Point& point, double depth) {
   const cv::Vec2d place = point.at - depth * point.out;
@@ -52,7 +47,7 @@ PrintAndGround samples_of(const cv::Mat1b& pixels, const PlaneOutline& outline, 
     const std::optional<cv::Vec2d> place = print_beside(outline, outline.points[edge.point], depth);
     if (!place) continue;
     out.beside_print[part] += {1, edge.at - middle, edge.outer};
-    out.print[part] += {1, edge.at - middle, level_at(pixels, fit.in_image(*place))};
+    out.print[part] += {1, edge.at - middle, nearest_level(pixels, fit.in_image(*place))};
   }
   return out;
 }
@@ -67,9 +62,10 @@ double parts_seen(const Around& around) {
   return static_cast<double>(std::ranges::count_if(around, [](const LevelSamples& part) { return part.count > 0; }));
 }
 
-// By how much the print changes with the ground, once the light's slope is taken from both: nothing where something
-// covers a side, as much as the print is of the ground where that is in a shadow, and up to as much as the ground does
-// where light is added to both. Least squares; which of them is likelier.
+// How much likelier it is that light changes, than that something covers a side, 0 to 1. The light's slope is taken
+// from print and ground, and by least squares it is found how much the print changes with the ground. It does not where
+// something covers a side. In a shadow it changes in proportion to its level, and by as much as the ground where light
+// is added to both.
 double light_rather_than_cover(Around print, Around ground, double noise) {
   const double least_of_light = std::min(1.0, mean_level(print) / std::max(1.0, mean_level(ground)));
   flatten(print);

@@ -1,7 +1,8 @@
 #pragma once
 
 // The ground around an outline that was registered with an image, and why it is uneven where it is. Light changes print
-// and ground alike: a shadow's edge, a lamp's reflection. What hides a part leaves the print beside it as it was.
+// and ground alike: a shadow's edge, a lamp's reflection. A thing that hides a part does not change the print
+// beside it.
 //
 //   const OutlineGround ground = look_at_ground(cut, sample.plane, fit);
 //   if (ground.doubt > 1 && ground.light < 0.1) ...       // something else than light: it may hide a part

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/vision/image/levels.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -31,16 +33,6 @@ constexpr double biweight = 4.685;
 constexpr double most_off_px = 0.75;
 constexpr double most_off_share = 0.04;
 
-double level_at(const cv::Mat1b& image, double x, double y) {
-  const int left = static_cast<int>(x);
-  const int top = static_cast<int>(y);
-  const double a = x - left;
-  const double b = y - top;
-  const std::uint8_t* p = image.ptr<std::uint8_t>(top) + left;
-  const std::uint8_t* q = p + image.step;
-  return (1 - b) * ((1 - a) * p[0] + a * p[1]) + b * ((1 - a) * q[0] + a * q[1]);
-}
-
 bool is_within(const cv::Mat1b& image, double x, double y) {
   return x >= 0 && y >= 0 && x < image.cols - 1 && y < image.rows - 1;
 }
@@ -57,7 +49,7 @@ class Profile {
     if (reach_ == 0) return;
     half_ = reach_ + spread_px + 1;
     for (int t = -half_; t <= half_; ++t) {
-      levels_[static_cast<std::size_t>(t + half_)] = level_at(image, at.x + t * normal[0], at.y + t * normal[1]);
+      levels_[static_cast<std::size_t>(t + half_)] = level_between(image, {at.x + t * normal[0], at.y + t * normal[1]});
     }
   }
   // Of the edge nearest and steepest; nothing where there is none.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "agents/vision/image/levels.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -15,12 +17,6 @@ constexpr double same_level = 0.13;
 constexpr double same_in_noise = 3;
 // Paper is so many times as light as ink, in a shadow too.
 constexpr double least_ratio = 2;
-
-double level_at(const cv::Mat1b& pixels, const cv::Point2d& at) {
-  const int x = std::clamp(cvRound(at.x), 0, pixels.cols - 1);
-  const int y = std::clamp(cvRound(at.y), 0, pixels.rows - 1);
-  return pixels(y, x);
-}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -72,7 +68,7 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
     const PlaneOutline::Point& point = outline.points[edge.point];
     const cv::Point2d inward = -cv::Point2d(edge.normal[0], edge.normal[1]);
     const bool is_print = edge.found && is_there && print.is_ink(edge.inner) && print.is_ground(edge.outer) &&
-                          print.is_ink(level_at(pixels, fit.in_image(point.at - deep * point.out)));
+                          print.is_ink(nearest_level(pixels, fit.in_image(point.at - deep * point.out)));
     edge.is_border = edge.is_border && is_print;
     if (edge.is_border) {
       ++supported;
@@ -80,8 +76,8 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
       continue;
     }
     const cv::Point2d at = fit.in_image(point.at);
-    const bool none_there = print.is_ground(level_at(pixels, at + beside_px * inward)) &&
-                            print.is_ground(level_at(pixels, at - beside_px * inward));
+    const bool none_there = print.is_ground(nearest_level(pixels, at + beside_px * inward)) &&
+                            print.is_ground(nearest_level(pixels, at - beside_px * inward));
     contradicted += none_there || is_print ? 1 : 0;
   }
   SeenPart out;
