@@ -12,8 +12,7 @@ namespace pizarra::chaos {
 namespace {
 
 constexpr Duration watch_pause = 20ms;
-// The robot agent ends what moves within 100 ms of a stop and of another commander. The arm's brakes take a quarter of
-// a second.
+// The robot agent ends a motion so soon after a stop, and after another client began to command the arm.
 constexpr Duration stop_is_heard = 100ms;
 constexpr Duration brakes_take = 250ms;
 constexpr Duration watch_slack = 60ms;
@@ -48,8 +47,8 @@ void ArmObserver::hear(const Datum& request) {
 }
 
 void ArmObserver::note_motion() {
-  ++motions_;
-  of_fingers_ = false;
+  ++arm_motions_;
+  fingers_began_last_ = false;
   const int life = cell_.lives("robot");
   if (stands(stop_)) unsafe_("a motion begins under a standing stop");
   const std::vector<Datum> motions = facts_of(cell_.board(), "(robot-motion robot ? ?)");
@@ -81,49 +80,49 @@ Task<ArmObserver::Reading> ArmObserver::read() {
 }
 
 void ArmObserver::note_grip(double opening_mm) {
-  ++grips_;
-  of_fingers_ = true;
+  ++finger_motions_;
+  fingers_began_last_ = true;
   checks_.push_back(cell_.time().spawn(check_grip(opening_mm)));
 }
 
 // Where a stop stands, fingers are told at most to stay where they are.
 Task<void> ArmObserver::check_grip(double opening_mm) {
-  const bool is_stopped = stands(stop_) && impaired_ < stop_->since;
+  const bool is_stopped = stands(stop_) && last_impaired_ < stop_->since;
   const Reading now = co_await read();
   const bool moves = std::abs(now.opening_mm - opening_mm) > stands_mm;
   if (is_stopped && moves) unsafe_("the fingers begin to move under a standing stop");
 }
 
-// One that moved as the stop came rests soon, and knows that it was stopped. Whoever then orders another motion has had
-// it end.
+// An arm that moved as the stop came rests soon, and says that it was stopped. Where another motion has begun
+// meanwhile, this one has ended.
 Task<void> ArmObserver::check_halt() {
-  const std::uint64_t motions = motions_;
+  const std::uint64_t motions = arm_motions_;
   const Reading before = co_await read();
   if (!before.moves) co_return;
   co_await sleep(cell_.time(), stop_is_heard + brakes_take);
   const Reading after = co_await read();
   const bool heeded = !after.moves && after.was_stopped;
-  if (motions_ == motions && !heeded) unsafe_("the arm moves on after a stop came to its controller");
+  if (arm_motions_ == motions && !heeded) unsafe_("the arm moves on after a stop came to its controller");
 }
 
-// A controller stops its axes. The fingers it is told to hold where they are.
+// A controller's stop is of its axes alone. The fingers are told to stay where they are.
 Task<void> ArmObserver::check_fingers() {
-  const std::uint64_t grips = grips_;
+  const std::uint64_t grips = finger_motions_;
   const Time came = cell_.time().now();
   const Reading before = co_await read();
-  // Behind what slipped they close by themselves.
-  if (!before.fingers_move || !of_fingers_) co_return;
+  // They close by themselves when what they held slips.
+  if (!before.fingers_move || !fingers_began_last_) co_return;
   co_await sleep(cell_.time(), stop_is_heard);
   const Reading after = co_await read();
-  const bool is_another = grips_ > grips + 1;
-  const bool could_be_told = impaired_ < came - watch_pause;
+  const bool is_another = finger_motions_ > grips + 1;
+  const bool could_be_told = last_impaired_ < came - watch_pause;
   if (after.fingers_move && !is_another && could_be_told) unsafe_("the fingers move on after a stop came to the arm");
 }
 
 Task<void> ArmObserver::watch() {
   while (true) {
     const Time now = cell_.time().now();
-    if (is_impaired()) impaired_ = now;
+    if (is_impaired()) last_impaired_ = now;
     look_at_board();
     co_await sleep(cell_.time(), watch_pause);
   }

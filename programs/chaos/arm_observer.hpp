@@ -1,11 +1,11 @@
 #pragma once
 
-// Looks from outside at each request that reaches the arm's controller, and tells of motions that must never be:
+// Looks from outside at each request that reaches the arm's controller, and tells of motions that must never be.
 //
-//   - one that begins while a stop has stood, or another client commanded the arm, for longer than it takes to hear
-//   - one that the board does not know of, or that is made again for a request of an earlier life of the robot agent
-//   - one of the arm that goes on after a stop came to its controller and the brakes had their time
-//   - one of the fingers that goes on after that, though they can be told to stand
+// A motion may not begin under a stop, nor while another client commands the arm; the robot agent has 100 ms to hear of
+// either. The board must know of each motion. A robot agent that is started again may not move for a request for which
+// it moved before. After a stop came to the controller, the arm may move on as long as its brakes take, and the fingers
+// until they are told to stay where they are.
 //
 //   ArmObserver observer(cell, [&](std::string sentence) { ... });
 //   observer.begin();
@@ -59,13 +59,13 @@ class ArmObserver {
 
   ChaosCell& cell_;
   const Unsafe unsafe_;
-  std::uint64_t motions_ = 0;       // of the arm that began
-  std::uint64_t grips_ = 0;         // and of the fingers
+  std::uint64_t arm_motions_ = 0;  // that began
+  std::uint64_t finger_motions_ = 0;
+  bool fingers_began_last_ = false;
   std::map<Datum, int> moved_for_;  // a request, and the life of the robot agent that moved for it
   std::optional<Standing> stop_;
   std::optional<Standing> commander_;
-  bool of_fingers_ = false;  // the newest motion
-  Time impaired_{};          // the agent was last, or its line to the controller
+  Time last_impaired_{};  // when the robot agent, or its line to the controller, failed last
   std::vector<Job> checks_;
   Job watching_;
 };
