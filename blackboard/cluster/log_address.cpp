@@ -93,7 +93,7 @@ HostPort host_and_port(const std::string& member) {
   const std::size_t colon = member.rfind(':');
   std::string host = member.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  return {host, colon == std::string::npos ? 0 : std::atoi(member.c_str() + colon + 1)};
+  return {host, std::atoi(member.c_str() + colon + 1)};
 }
 
 }  // namespace pizarra::cluster

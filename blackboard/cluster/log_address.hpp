@@ -26,9 +26,9 @@ struct LogAddress {
 
 struct HostPort {
   std::string host;  // without brackets
-  int port = 0;      // 0 where it is none
+  int port = 0;
 };
-// Of HOST:PORT.
+// Of one of LogAddress::members, which all have a port.
 HostPort host_and_port(const std::string& member);
 
 }  // namespace pizarra::cluster

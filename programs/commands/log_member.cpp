@@ -21,7 +21,7 @@ constexpr Duration asks_every = 500ms;
 Result<std::string> peer_of(const std::string& member) {
   const int port = cluster::host_and_port(member).port;
   constexpr int highest = 65535;
-  if (port < 1 || port >= highest) return fail("bad-address", "a member has a port from 1 to 65534: " + member);
+  if (port == highest) return fail("bad-address", "a member that runs here has a port from 1 to 65534: " + member);
   return fmt::format("{}:{}", member.substr(0, member.rfind(':')), port + 1);
 }
 
