@@ -37,7 +37,7 @@ std::string added_text(const Answer& answer) {
   return fmt::format("{{\"ids\":[{}],\"bindings\":{{{}}},\"facts\":[{}]}}", ids_of(answer), bindings, facts);
 }
 
-// What was asked may be a part of what is said of it, more than once: an answer is not many times as long.
+// A failure may repeat the question several times. Cut texts keep the answer to a long question short.
 Failure in_short(const Failure& failure) {
   Failure said{shortened(failure.symbol, 100), shortened(failure.sentence, 700), failure.subject,
                shortened(failure.place, 300)};

@@ -18,8 +18,9 @@
 //   (ask-for N ROBOT), (ask-no-more N ROBOT)                     others are told: (commander-wanted ROBOT US)
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
 //   (stamp N)                   the page has the stamp N (pulse.hpp)
-//   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release N), its answer says how it ended
-//   (hold-on N STAMP), (release N)               what keeps it moving, said every 50 ms, and what ends it
+//   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release N); the answer says how it ended
+//   (hold-on N STAMP)           the jog goes on; the page says it every 50 ms
+//   (release N)                 the jog ends
 //   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp); only to a page
 //                               of the console's own machine
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)

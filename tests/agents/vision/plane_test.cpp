@@ -152,8 +152,8 @@ TEST(Plane, PutsTheMiddleOfACrossWhereItsPoseIs) {
   EXPECT_LT(std::sqrt(squares / tries), 0.06);
 }
 
-// Two tilts of a circle look alike, and put its middle in two places. Who took either for it would be off by 0.7 of the
-// way between them, in the mean of squares.
+// Two tilts of a circle look alike, and put its middle in two places. Telling one of them
+// would be off by 0.7 of the way between them, root mean square.
 TEST(Plane, PutsTheMiddleOfACircleBetweenBothOfItsTilts) {
   Corners circle;
   for (int i = 0; i < 180; ++i) {
@@ -267,7 +267,7 @@ TEST(OutlineGround, InAShadowIsUnevenByLight) {
   }
 }
 
-// What is left of it looks like a square that is turned away.
+// The part that stays visible looks like a square that is turned away.
 TEST(OutlineGround, BesideWhatHidesASideIsUnevenByMoreThanLight) {
   Random random(15);
   const LearnedSample sample = learned(square, random);

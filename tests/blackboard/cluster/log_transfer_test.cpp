@@ -104,7 +104,7 @@ TEST_F(Transfer, BackFromAClusterBeginsBehindAllThatItsBoardsGaveOutAlsoWhatIsNo
   Standby standby(client_, moved_cell, "board-pc", 9, etcd_.now);
   ASSERT_TRUE(standby.step([this] { return etcd_.now; }).value_or(false));
   Leadership won = standby.take_leadership();
-  // Of what is not durable the log has nothing but what the leader says.
+  // Facts that are not durable are not in the log: it has only the counters that the leader says.
   store::Store& led = standby.followed().store();
   led.restore_counters(won.first_revision(), won.first_fact());
   ASSERT_TRUE(led.transact("alice", Transaction().tell(list("seen"_sym, 2)), etcd_.now).has_value());
