@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t most_answer_bytes = std::size_t{256} << 20;
 constexpr long http_ok = 200;
 constexpr long http_too_many = 429;
+constexpr const char* status_path = "/v3/maintenance/status";
 constexpr std::uint64_t default_quota = std::uint64_t{2} << 30;  // etcd's own
 
 std::size_t take_answer(char* bytes, std::size_t, std::size_t size, void* into) {
@@ -22,6 +23,10 @@ std::size_t take_answer(char* bytes, std::size_t, std::size_t size, void* into) 
   if (answer.size() + size > most_answer_bytes) return 0;
   answer.append(bytes, size);
   return size;
+}
+
+double share_taken(const KeyValues::Space& space) {
+  return static_cast<double>(space.taken) / static_cast<double>(space.most);
 }
 
 std::string file_in(const std::string& folder, const char* name) { return folder + "/" + name; }
@@ -99,6 +104,8 @@ std::size_t EtcdClient::answering_member() {
   return *member_;
 }
 
+std::size_t EtcdClient::next_member() { return (answering_member() + 1) % address_.members.size(); }
+
 Result<std::string> EtcdClient::ask(std::size_t number, const char* path, const std::optional<std::string>& body,
                                     Duration wait) {
   const std::string& member = address_.members[number];
@@ -120,7 +127,7 @@ Result<std::string> EtcdClient::post(const char* path, const std::string& body, 
   Result<std::string> answer = ask(member, path, body, wait);
   // Where there is no space, the others have none either.
   const bool others_may_answer = !answer && !lacks_space(answer.error());
-  if (others_may_answer) member_ = (member + 1) % address_.members.size();
+  if (others_may_answer) member_ = next_member();
   return answer;
 }
 
@@ -137,8 +144,8 @@ Result<std::vector<KeyValue>> EtcdClient::range(const Range& range, std::size_t 
 }
 
 // A member says it among its figures, a line `NAME NUMBER` each.
-std::uint64_t EtcdClient::quota(Duration wait) {
-  const Result<std::string> figures = ask(answering_member(), "/metrics", std::nullopt, wait);
+std::uint64_t EtcdClient::quota(std::size_t member, Duration wait) {
+  const Result<std::string> figures = ask(member, "/metrics", std::nullopt, wait);
   constexpr std::string_view name = "\netcd_server_quota_backend_bytes ";
   const std::size_t at = figures ? figures->find(name) : std::string::npos;
   if (at == std::string::npos) return default_quota;
@@ -146,16 +153,34 @@ std::uint64_t EtcdClient::quota(Duration wait) {
   return bytes >= 1 ? static_cast<std::uint64_t>(bytes) : default_quota;
 }
 
-Result<KeyValues::Space> EtcdClient::space(Duration wait) {
-  const Result<std::string> answer = post("/v3/maintenance/status", "{}", wait);
+Result<KeyValues::Space> EtcdClient::space_of(std::size_t member, Duration wait) {
+  const Result<std::string> answer = ask(member, status_path, "{}", wait);
   if (!answer) return fail(answer);
   Result<Space> space = etcd_json::space_from(*answer);
-  if (space) space->most = quota(wait);
+  if (!space) return space;
+  space->most = quota(member, wait);
+  space->member = address_.members[member];
+  return space;
+}
+
+// Any member lists the alarms of all, but knows its own file and quota alone.
+Result<KeyValues::Space> EtcdClient::space(Duration wait) {
+  const std::size_t first = answering_member();
+  Result<Space> space = space_of(first, wait);
+  if (!space) member_ = next_member();
+  const bool is_settled = !space || !space->refuses;
+  if (is_settled) return space;
+  for (std::size_t member = 0; member < address_.members.size(); ++member) {
+    if (member == first) continue;
+    Result<Space> other = space_of(member, wait);
+    if (other && share_taken(*other) > share_taken(*space)) space = std::move(other);
+  }
+  space->refuses = true;
   return space;
 }
 
 Result<void> EtcdClient::forget_former(Duration wait) {
-  const Result<std::string> status = post("/v3/maintenance/status", "{}", wait);
+  const Result<std::string> status = post(status_path, "{}", wait);
   if (!status) return fail(status);
   const Result<std::string> revision = etcd_json::revision_from(*status);
   if (!revision) return fail(revision);

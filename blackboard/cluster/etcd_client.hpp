@@ -40,7 +40,9 @@ class EtcdClient : public KeyValues {
   Result<std::string> post(const char* path, const std::string& body, Duration wait);
   Result<std::string> ask(std::size_t member, const char* path, const std::optional<std::string>& body, Duration wait);
   std::size_t answering_member();
-  std::uint64_t quota(Duration wait);
+  std::size_t next_member();
+  Result<Space> space_of(std::size_t member, Duration wait);
+  std::uint64_t quota(std::size_t member, Duration wait);
 
   const LogAddress address_;
   std::unique_ptr<Connection> connection_;

@@ -48,7 +48,8 @@ class KeyValues {
   struct Space {
     std::uint64_t most = 0;
     std::uint64_t taken = 0;
-    bool refuses = false;  // it was full, and puts nothing until refusing is ended
+    bool refuses = false;     // it was full, and puts nothing until refusing is ended
+    std::string member = {};  // whose space it is, where members have a space each
   };
 
   virtual ~KeyValues() = default;
@@ -57,7 +58,7 @@ class KeyValues {
   // In their order, `most` at most; as of now, whoever leads. Failure unavailable.
   virtual Result<std::vector<KeyValue>> range(const Range& range, std::size_t most, Duration patience) = 0;
 
-  // For all who use the store. Failure unavailable.
+  // For all who use the store. Where it refuses, the space is that of the fullest member. Failure unavailable.
   virtual Result<Space> space(Duration patience) = 0;
   virtual Result<void> forget_former(Duration patience) = 0;
   // Keeps everybody waiting meanwhile.

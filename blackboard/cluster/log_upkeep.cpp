@@ -28,10 +28,10 @@ Result<void> make_space(KeyValues& key_values) {
   if (!space) return fail(space);
   if (is_roomy(*space)) return key_values.end_refusing(patience);
   return fail("unavailable",
-              fmt::format("etcd is full and takes nothing (alarm NOSPACE): {} of {} bytes are in use, also after "
+              fmt::format("etcd is full and takes nothing (alarm NOSPACE): {} of {} bytes are in use{}, also after "
                           "compaction. Delete what is not this cell's, or give every member a larger "
                           "--quota-backend-bytes",
-                          space->taken, space->most),
+                          space->taken, space->most, space->member.empty() ? "" : " at the member " + space->member),
               Datum::symbol(no_space));
 }
 
