@@ -1,7 +1,7 @@
 #pragma once
 
-// Relations of the board itself: those that it alone tells (`board-refusal`, `board-leads`), and the statistics that it
-// makes up when it is asked (memory/statistics.hpp).
+// Relations of the board itself: those that it alone tells (`board-refusal`, `board-leads`), and those that it makes up
+// when it is asked: the statistics (memory/statistics.hpp), and what a client may do (memory/own_permissions.hpp).
 
 #include <algorithm>
 #include <array>
@@ -15,9 +15,11 @@ namespace pizarra {
 // The teller of the board's own changes; nobody else has this name.
 inline constexpr std::string_view board_teller = "board";
 
-inline bool is_statistics(std::string_view relation) {
-  constexpr std::array<std::string_view, 5> names = {"relation-stats", "reader-stats", "journey-stats", "watcher-stats",
-                                                     "client-stats"};
+inline constexpr std::string_view own_permission = "own-permission";
+
+inline bool is_made_up(std::string_view relation) {
+  constexpr std::array<std::string_view, 6> names = {"relation-stats", "reader-stats", "journey-stats",
+                                                     "watcher-stats",  "client-stats", own_permission};
   return std::ranges::find(names, relation) != names.end();
 }
 

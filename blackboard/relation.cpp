@@ -118,7 +118,7 @@ Result<Relation> relation_from_datum(const Datum& form) {
   if (std::ranges::find(query_words, relation.name) != query_words.end()) {
     return malformed("a relation has a name that queries use", form[1]);
   }
-  if (is_statistics(relation.name)) return fail(left_to_the_board(relation.name));
+  if (is_made_up(relation.name)) return fail(left_to_the_board(relation.name));
   read = read_arguments(form[2], relation);
   if (!read) return fail(read);
   relation.key.resize(relation.arguments.size());

@@ -5,9 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/looking.hpp"
-#include "blackboard/store/query_tables.hpp"
+#include "blackboard/store/made_up.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/watches.hpp"
 #include "lisp/pattern.hpp"
@@ -246,29 +245,7 @@ Result<Answers> Statistics::ask(const Query& query, const store::Store& store, c
   examined += looks_for(asked);
   const Result<void> cheap = check_examined(examined, query_to_datum(query));
   if (!cheap) return fail(cheap);
-  store::Tables tables;
-  store::FactTable& table = tables.try_emplace(about.name, about).first->second;
-  FactId id = 0;
-  for (Datum& form : facts_of(asked)) {
-    Fact fact;
-    fact.datum = std::move(form);
-    fact.id = ++id;
-    fact.teller = "board";
-    fact.when = now;
-    fact.revision = store.revision();
-    table.insert({std::move(fact)});
-  }
-  const Result<void> checked = store::check_query_on(query, tables);
-  if (!checked && checked.error().symbol == "undeclared-relation") {
-    return fail("bad-query", about.name + " is asked for alone", query_to_datum(query));
-  }
-  if (!checked) return fail(checked);
-  // These tables are gone when others have been served.
-  const store::Indexing indexing(store::Indexing::May::make_at_once);
-  Result<std::vector<Answer>> answers = store::evaluate(query, tables, examined);
-  examined += indexing.examined();
-  if (!answers) return fail(answers);
-  return Answers{store.revision(), std::move(*answers)};
+  return store::answer_from(about, facts_of(asked), query, {store.revision(), now}, examined);
 }
 
 std::size_t Statistics::looks_for(const Asked& asked) const {

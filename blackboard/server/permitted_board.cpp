@@ -1,5 +1,7 @@
 #include "blackboard/server/permitted_board.hpp"
 
+#include "blackboard/boards_own.hpp"
+#include "blackboard/memory/own_permissions.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/watch_queue.hpp"
@@ -10,6 +12,18 @@ namespace pizarra::server {
 namespace {
 
 std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
+
+memory::ListedPermissions listed_in(const wire::Permissions& may) {
+  memory::ListedPermissions listed;
+  const auto add = [&](const char* verb, const std::vector<std::string>& relations) {
+    for (const std::string& relation : relations) listed.emplace_back(verb, relation);
+  };
+  add("tell", may.tell);
+  add("take", may.take);
+  add("read", may.read);
+  add("override", may.override_leases);
+  return listed;
+}
 
 Result<Datum> nothing_or(const Result<void>& result) {
   if (!result) return fail(result);
@@ -88,12 +102,19 @@ Result<Query> PermittedBoard::query_of(const Client& client, const Datum& body) 
 Result<Datum> PermittedBoard::ask(const Client& client, const Datum& body, std::size_t& examined) {
   const Result<Query> query = query_of(client, body);
   if (!query) return fail(query);
-  const Result<Answers> answers = board_.ask(*query, examined, client.teller);
+  const Result<Answers> answers = answers_for(client, *query, examined);
   // To say them takes as long as to look at some more facts that are none.
   constexpr std::size_t looks_an_answer = 8;
   if (!answers) return fail(answers);
   examined += looks_an_answer * answers->answers.size();
   return wire::answers_to_datum(*answers);
+}
+
+Result<Answers> PermittedBoard::answers_for(const Client& client, const Query& query, std::size_t& examined) {
+  const bool of_its_key = client.key != nullptr && store::asks_for(query, own_permission);
+  if (!of_its_key) return board_.ask(query, examined, client.teller);
+  const store::AskedAt asked{board_.store().revision(), board_.executor().now()};
+  return memory::own_permissions(listed_in(client.key->may), query, asked, examined);
 }
 
 // One that leads answers as it does any question, when the log has what came before.

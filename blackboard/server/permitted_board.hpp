@@ -47,6 +47,7 @@ class PermittedBoard {
   Result<Datum> declare(const Client& client, const Datum& body);
   Result<Datum> transact(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> ask(const Client& client, const Datum& body, std::size_t& examined);
+  Result<Answers> answers_for(const Client& client, const Query& query, std::size_t& examined);
   Result<Datum> take(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> lease(const Client& client, const Datum& body, std::size_t& examined);
 

@@ -26,7 +26,7 @@ Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tabl
   const auto found = tables.find(pattern.head());
   if (found != tables.end()) return &found->second;
   if (pattern.head().empty()) return fail("wrong-shape", "a fact is a list that begins with a symbol", pattern);
-  if (is_statistics(pattern.head())) {
+  if (is_made_up(pattern.head())) {
     return fail("not-permitted",
                 std::string(pattern.head()) + " says what is now: it can be asked for, alone, and nothing else",
                 Datum::symbol(pattern.head()));

@@ -17,9 +17,9 @@ Relation named(const std::string& name, const std::string& argument = "text") {
 }
 
 TEST_P(BoardOwn, WhatItSaysOfItselfCanBeAskedForAndNothingElse) {
-  for (const char* pattern :
-       {"(relation-stats ?a ?b ?c ?d ?e ?f ?g)", "(reader-stats ?a ?b ?c)", "(journey-stats ?a ?b ?c)",
-        "(watcher-stats ?a ?b ?c ?d)", "(client-stats ?a ?b ?c ?d)"}) {
+  for (const char* pattern : {"(relation-stats ?a ?b ?c ?d ?e ?f ?g)", "(reader-stats ?a ?b ?c)",
+                              "(journey-stats ?a ?b ?c)", "(watcher-stats ?a ?b ?c ?d)", "(client-stats ?a ?b ?c ?d)",
+                              "(own-permission ?a ?b)"}) {
     const Datum form = read(pattern);
     EXPECT_EQ(symbol_of(wall->run(bob->ask(query(pattern)))), "ok") << pattern;
     const auto watched = wall->run(bob->watch(query(pattern)));

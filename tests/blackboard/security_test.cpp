@@ -1,7 +1,9 @@
 // A board that asks for keys: who is let in, as whom, and what each may do.
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -14,6 +16,7 @@
 #include "blackboard/server/kept_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/wire/wire_socket.hpp"
+#include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 
 namespace pizarra {
@@ -87,6 +90,28 @@ TEST_F(SecurityTest, AClientWithAnAuthorisedKeyTellsUnderItsName) {
   const auto boss = view("boss");
   EXPECT_EQ(run(boss->facts(read("(arm ?)")))->front().teller, "robot");
   EXPECT_EQ(run(boss->facts(read("(agent ?)")))->front().teller, "robot/gripper");
+}
+
+TEST_F(SecurityTest, SaysToAClientWhatItsOwnKeyPermitsAndCountsNoRefusal) {
+  serve();
+  const auto permissions_of = [&](Board& board) {
+    std::vector<std::string> said;
+    const Result<std::vector<Fact>> permissions = run(board.facts(read("(own-permission ?verb ?relation)")));
+    EXPECT_TRUE(permissions) << permissions.error().sentence;
+    for (const Fact& fact : *permissions) said.push_back(write(fact.datum));
+    std::ranges::sort(said);
+    return fmt::format("{}", fmt::join(said, " "));
+  };
+  const auto robot = view("robot");
+  EXPECT_EQ(permissions_of(*robot),
+            "(own-permission read arm*) (own-permission read job) (own-permission take job) "
+            "(own-permission tell agent) (own-permission tell arm)");
+  EXPECT_EQ(permissions_of(*view("boss")), "(own-permission read *) (own-permission take *) (own-permission tell *)");
+  EXPECT_EQ(permissions_of(*board_.view("here")),
+            "(own-permission override *) (own-permission read *) (own-permission take *) (own-permission tell *)");
+  EXPECT_EQ(refusals("robot").size(), 0U);
+  EXPECT_EQ(ask(*robot, "(and (own-permission tell ?x) (job ?n))"), "bad-query") << "it is asked for alone";
+  EXPECT_EQ(tell(*robot, "(own-permission tell goal)"), "not-permitted");
 }
 
 // A board that lives again knows its sessions by what their clients were answered.
