@@ -4,6 +4,7 @@
 
 #include "agents/console/change_text.hpp"
 #include "agents/console/console_contract.hpp"
+#include "agents/console/page_rights.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::console {
@@ -20,8 +21,16 @@ std::string reach_text(const ReachOutline& reach) {
   return fmt::format("{{\"height\":{:.1f},\"parts\":[{}]}}", reach.height_mm, parts);
 }
 
+std::string refused_text(const PageRights& rights) {
+  std::string items;
+  for (const auto& [word, why] : rights.refused()) {
+    items += fmt::format("{}{}:{}", items.empty() ? "" : ",", json_string(word), json_string(why));
+  }
+  return items;
+}
+
 // `truth`: whether there is any to lay over what is believed.
-std::string hello_text(const CellView& cell, int page, const std::string& name, bool truth) {
+std::string hello_text(const CellView& cell, int page, const std::string& name, const PageRights& rights, bool truth) {
   std::string arms;
   for (const auto& [arm, model] : cell.arms) arms += (arms.empty() ? "" : ",") + json_string(arm);
   std::string reaches;
@@ -36,9 +45,9 @@ std::string hello_text(const CellView& cell, int page, const std::string& name, 
   }
   return fmt::format(
       "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"reaches\":{{{}}},\"camera\":{},\"cube\":{:.1f},\"truth\":{"
-      "},"
+      "},\"mayNot\":{{{}}},"
       "\"images\":{{\"path\":\"/socket/{}\",\"lanes\":{}}}}}}}",
-      json_string(name), json_string(cell.name), arms, reaches, camera, cell.cube_mm, truth, page,
+      json_string(name), json_string(cell.name), arms, reaches, camera, cell.cube_mm, truth, refused_text(rights), page,
       PageImages::max_lanes);
 }
 
@@ -159,7 +168,8 @@ Task<void> Session::open() {
     co_return;
   }
   co_await declare_wishes();
-  say(hello_text(setup_.cell, setup_.number, setup_.name, may_see_truth()));
+  const PageRights rights = co_await rights_of(context_.board);
+  say(hello_text(setup_.cell, setup_.number, setup_.name, rights, may_see_truth()));
   beating_ = setup_.executor.spawn(keep_beating());
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "agents/console/change_text.hpp"
+#include "blackboard/boards_own.hpp"
 #include "lisp/reader.hpp"
 #include "tests/agents/console/console_fixture.hpp"
 #include "tests/blackboard/passing_board.hpp"
@@ -70,6 +71,52 @@ TEST_F(ConsoleTest, SaysToAPageThatTheBoardRefusesWhichRightItLacks) {
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->close_code(), 1011);
   EXPECT_TRUE(has(refused->payload, "the key mute may not tell facts of agent!"));
+}
+
+// As a board is for a key that may stop the arm and look at everything.
+class Guest : public PassingBoard {
+ public:
+  using PassingBoard::PassingBoard;
+  Task<Result<Answers>> ask(Query query) override {
+    const bool about_itself = query.clauses.front().form.is_form(own_permission);
+    if (about_itself) co_return permissions();
+    Result<Answers> answers = co_await PassingBoard::ask(std::move(query));
+    co_return answers;
+  }
+
+ private:
+  static Answers permissions() {
+    Answers answers;
+    for (const char* text : {"(own-permission tell agent)", "(own-permission tell stop)", "(own-permission read *)"}) {
+      Fact fact;
+      fact.datum = read_one(text).value();
+      answers.answers.push_back(Answer{.bindings = {}, .facts = {fact}});
+    }
+    return answers;
+  }
+};
+
+TEST_F(ConsoleTest, SaysInItsHelloWhatTheKeyOfThePageDoesNotPermit) {
+  const auto hello = [this] {
+    return serve([port = port_, own = cookie()] {
+      RawClient client(port);
+      client.send(request_text(port, "GET", "/socket", upgrade_headers(own)));
+      client.read_head();
+      const auto frame = client.read_frame();
+      return frame ? frame->payload : std::string("nothing");
+    });
+  };
+  EXPECT_TRUE(has(hello(), "\"mayNot\":{}")) << "no key is asked for";
+  const Console::BoardMaker guest = [this](const std::string& name,
+                                           const std::string&) -> Result<std::unique_ptr<Board>> {
+    return std::make_unique<Guest>(board_.view(name));
+  };
+  reopen([&](Console::Setup& setup) { setup.board = guest; });
+  const std::string said = hello();
+  EXPECT_TRUE(has(said, R"("goal":"this page's key may not tell facts of request")"));
+  EXPECT_TRUE(has(said, R"("command":"this page's key may not tell facts of commander")"));
+  EXPECT_TRUE(has(said, R"("jog":"this page's key may not tell facts of hold")"));
+  EXPECT_EQ(said.find("\"stop\":"), std::string::npos) << said;
 }
 
 TEST_F(ConsoleTest, SaysOfATypedQuestionWhatIsWrongWithItAndWhere) {

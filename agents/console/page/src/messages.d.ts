@@ -26,6 +26,8 @@ export type Hello = {
   camera: Camera | null;
   cube: number;
   truth: boolean;
+  // What the page's key does not let it do, by the word that it would say ('goal', 'stop', 'jog', ...), and why.
+  mayNot: Record<string, string>;
   images: { path: string; lanes: number };
 };
 export type Arm = { arm: string; points: Point[]; grip: Point; approach: Point; closing: Point };

@@ -1,0 +1,71 @@
+#include "agents/console/page_rights.hpp"
+
+#include <fmt/format.h>
+#include <optional>
+#include <string_view>
+
+#include "blackboard/boards_own.hpp"
+#include "blackboard/wire/keys.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+// The relations that a word of the page tells and reads by the page's own session.
+struct Needs {
+  std::string_view word;
+  std::vector<std::string_view> tell;
+  std::vector<std::string_view> read = {};
+};
+
+// Whoever asks an agent withdraws the request, and takes the reply away.
+const std::vector<Needs>& needs_of_words() {
+  static const std::vector<Needs> needs = {{"request", {"request", "reply"}, {"agent", "reply"}},
+                                           {"goal", {"request", "reply"}, {"agent", "reply"}},
+                                           {"stop", {"stop"}},
+                                           {"clear-stops", {"stop", "commander"}},
+                                           {"command", {"commander"}},
+                                           {"take-over", {"commander"}},
+                                           {"let-go", {"commander"}},
+                                           {"ask-for", {"commander-wanted"}},
+                                           {"ask-no-more", {"commander-wanted"}},
+                                           {"jog", {"hold", "request", "reply"}, {"agent", "reply"}}};
+  return needs;
+}
+
+std::optional<std::string_view> first_not_in(const std::vector<std::string>& listed,
+                                             const std::vector<std::string_view>& needed) {
+  for (const std::string_view relation : needed) {
+    if (!wire::permits(listed, relation)) return relation;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> PageRights::refused() const {
+  std::map<std::string, std::string> refused;
+  const auto refuse = [&](std::string_view word, std::string_view verb, std::optional<std::string_view> relation) {
+    if (relation) refused.emplace(word, fmt::format("this page's key may not {} facts of {}", verb, *relation));
+  };
+  for (const Needs& needs : needs_of_words()) {
+    refuse(needs.word, "tell", first_not_in(tell_, needs.tell));
+    refuse(needs.word, "read", first_not_in(read_, needs.read));
+  }
+  return refused;
+}
+
+Task<PageRights> rights_of(Board& board) {
+  const Datum pattern = list(Datum::symbol(own_permission), "?verb"_sym, "?relation"_sym);
+  const Result<std::vector<Fact>> listed = co_await board.facts(pattern);
+  if (!listed) co_return PageRights({"*"}, {"*"});
+  std::vector<std::string> tell;
+  std::vector<std::string> read;
+  for (const Fact& fact : *listed) {
+    if (fact.datum[1].is_symbol("tell")) tell.emplace_back(fact.datum[2].text());
+    if (fact.datum[1].is_symbol("read")) read.emplace_back(fact.datum[2].text());
+  }
+  co_return PageRights(std::move(tell), std::move(read));
+}
+
+}  // namespace pizarra::console

@@ -1,0 +1,34 @@
+#pragma once
+
+// What a page may not do with the key that it has: so that it shows a button disabled, and says why. The board holds it
+// to that, whatever the page shows.
+//
+//   const PageRights rights = co_await rights_of(board);         // asks the board once (own-permission)
+//   rights.refused();       {{"goal", "this page's key may not tell facts of request"}, ...}, by the page's words
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "blackboard/board.hpp"
+
+namespace pizarra::console {
+
+class PageRights {
+ public:
+  // As keys list them.
+  PageRights(std::vector<std::string> tell, std::vector<std::string> read)
+      : tell_(std::move(tell)), read_(std::move(read)) {}
+
+  // Of the words that a page says (session.hpp), those that need more than it may, and why.
+  std::map<std::string, std::string> refused() const;
+
+ private:
+  std::vector<std::string> tell_;
+  std::vector<std::string> read_;
+};
+
+// Everything, where the board does not know this question: it refuses by itself what it must.
+Task<PageRights> rights_of(Board& board);
+
+}  // namespace pizarra::console
