@@ -3,6 +3,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "tests/bench/stopping.hpp"
+
 namespace pizarra::bench {
 
 int bench_main(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
@@ -15,8 +17,11 @@ int bench_main(CLI::App& app, int argc, char** argv, const std::function<int()>&
   try {
     return run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), error.what());
-    return 1;
+    constexpr int of_signals = 128;
+    // Whoever stopped the bench may have stopped its processes as well: what failed then says nothing.
+    const std::string why = stopped_by() != 0 ? Stopped().what() : error.what();
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), why.c_str());
+    return stopped_by() != 0 ? of_signals + stopped_by() : 1;
   }
 }
 

@@ -9,7 +9,8 @@
 
 namespace pizarra::bench {
 
-// The exit status: that of `run`, 2 for wrong arguments, 1 where it throws.
+// The exit status: that of `run`, 2 for wrong arguments, 1 where it throws, 130 or 143 where a signal had it throw
+// (stopping.hpp).
 int bench_main(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
 
 }  // namespace pizarra::bench

@@ -76,6 +76,16 @@ void Figures::say(const Figure& figure) {
   if (figure.value && reaches(figure.goal, *figure.value)) ++met_;
 }
 
+void Figures::must_be_none(const std::string& what, int found) {
+  if (found == 0) return;
+  ++wrong_;
+  if (style_ == Style::json) {
+    fmt::print(out_, "{{\"bench\":{},\"wrong\":{},\"found\":{}}}\n", json_string(bench_), json_string(what), found);
+  } else {
+    fmt::print(out_, "WRONG: {} {}\n", what, found);
+  }
+}
+
 int Figures::finish() {
   if (style_ == Style::json) {
     fmt::print(out_, "{{\"bench\":{},\"goals_met\":{},\"goals\":{},\"unmeasured\":{}}}\n", json_string(bench_), met_,
@@ -84,7 +94,7 @@ int Figures::finish() {
     if (unmeasured_ > 0) fmt::print(out_, "not measured: {}\n", unmeasured_);
     fmt::print(out_, "goals met {} of {}\n", met_, goals_);
   }
-  return unmeasured_ == 0 ? 0 : 1;
+  return unmeasured_ == 0 && wrong_ == 0 ? 0 : 1;
 }
 
 }  // namespace pizarra::bench

@@ -4,7 +4,9 @@
 //
 //   Figures figures("planner", Figures::Style::plain);
 //   figures.say({"blocks 10, optimal", 0.021, "s", at_most(0.11 / 3, "<= a third of M"), {{"M", 0.11}}});
-//   return figures.finish();      // "goals met 1 of 1"; status 0 when all figures were measured, short or not
+//   figures.must_be_none("acknowledged and lost", lost);
+//   return figures.finish();      // "goals met 1 of 1"; status 0 when all figures were measured, short or not, and
+//                                 // nothing was wrong
 //
 // A peer that is not installed has no value, `-`; a goal that needs it is `not_comparable()` and not counted.
 
@@ -49,6 +51,8 @@ class Figures {
 
   // Prints it at once: a bench takes long.
   void say(const Figure& figure);
+  // What must not be, whatever the figures: where it was found, the bench fails.
+  void must_be_none(const std::string& what, int found);
   // Prints the summary and answers the exit status.
   int finish();
 
@@ -59,6 +63,7 @@ class Figures {
   int goals_ = 0;
   int met_ = 0;
   int unmeasured_ = 0;
+  int wrong_ = 0;
 };
 
 }  // namespace pizarra::bench

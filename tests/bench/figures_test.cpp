@@ -52,6 +52,15 @@ TEST_F(BenchFigures, ThatCouldNotBeMeasuredFailTheBench) {
   EXPECT_TRUE(printed().ends_with("not measured: 1\ngoals met 0 of 1\n"));
 }
 
+TEST_F(BenchFigures, DoNotHideWhatWentWrongWhileTheyWereMeasured) {
+  Figures figures("cluster", Figures::Style::plain, out_);
+  figures.say({"first tell", 0.2, "s", at_most(1)});
+  figures.must_be_none("done twice", 0);
+  figures.must_be_none("acknowledged and lost", 2);
+  EXPECT_EQ(figures.finish(), 1);
+  EXPECT_TRUE(printed().ends_with("WRONG: acknowledged and lost 2\ngoals met 1 of 1\n"));
+}
+
 TEST_F(BenchFigures, AreOneJsonObjectALineForPrograms) {
   Figures figures("planner", Figures::Style::json, out_);
   figures.say({"blocks \"4\"", 0.25, "s", at_most(1), {{"m", {}}}});

@@ -43,17 +43,19 @@ std::string Network::unavailable() {
   return allowed ? "" : "network namespaces are not allowed here";
 }
 
-Network::Network(const std::string& name, const std::vector<std::string>& hosts, Wires wires)
-    : wires_(wires), prefix_(fmt::format("pz{}-{}", getpid(), name)) {
+Network::Network(const std::string& name, Wires wires)
+    : wires_(wires), prefix_(fmt::format("pz{}-{}", getpid(), name)) {}
+
+// Where it fails midway, the destructor takes away what there is: Ctrl-C may have ended a program `ip`.
+Network::Network(const std::string& name, const std::vector<std::string>& hosts, Wires wires) : Network(name, wires) {
   int number = 0;
   std::filesystem::create_directories(shared_folder());
   for (const std::string& host : hosts) {
-    Host made{fmt::format("{}-{}", prefix_, host), fmt::format("10.83.0.{}", ++number),
-              scratch_folder() + prefix_ + "/" + host + "/"};
+    const Host& made = hosts_[host] = {fmt::format("{}-{}", prefix_, host), fmt::format("10.83.0.{}", ++number),
+                                       scratch_folder() + prefix_ + "/" + host + "/"};
     std::filesystem::create_directories(made.folder + "tmp");
     must("ip netns add " + made.name_space);
     must(fmt::format("ip -n {} link set lo up", made.name_space));
-    hosts_.emplace(host, std::move(made));
   }
   if (wires_ == Wires::veth) {
     lay_wires();

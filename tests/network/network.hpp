@@ -51,6 +51,8 @@ class Network {
   void kill_all_on(const std::string& host) const;
 
  private:
+  // Without hosts.
+  Network(const std::string& name, Wires wires);
   struct Host {
     std::string name_space;
     std::string address;

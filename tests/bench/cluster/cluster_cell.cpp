@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "tests/bench/cluster/awaited.hpp"
 #include "tests/network/connection.hpp"
 
 namespace pizarra::bench {
@@ -18,6 +19,7 @@ constexpr int board_port = 7943;
 
 constexpr int client_port = 2379;
 constexpr int patience_ms = 150;
+constexpr std::chrono::seconds until_one_leads(10);
 
 // What a member says of itself, as JSON; empty where it says nothing.
 std::string status_of_member(const std::string& address) {
@@ -151,6 +153,14 @@ std::size_t ClusterCell::leading_member() const {
     if (!leader.empty() && leader == number_in(status, "member_id")) return number;
   }
   return members;
+}
+
+std::size_t ClusterCell::await_leading_board() const {
+  return awaited([this] { return leading_board(); }, most_boards, "no board leads", until_one_leads);
+}
+
+std::size_t ClusterCell::await_leading_member() const {
+  return awaited([this] { return leading_member(); }, members, "no member of etcd leads", until_one_leads);
 }
 
 }  // namespace pizarra::bench

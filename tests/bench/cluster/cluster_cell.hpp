@@ -5,7 +5,7 @@
 //
 //   ClusterCell cell(network::Network::Wires::veth);       // throws where it cannot be had
 //   cell.boards()                            // "tcp://10.83.0.1:7943,tcp://10.83.0.2:7943"
-//   cell.kill_board(cell.leading_board());
+//   cell.kill_board(cell.await_leading_board());
 //   cell.start_board(0);
 //   cell.network().link(cell.host(2), "in cut");           // where its wires are forwarded
 
@@ -53,6 +53,9 @@ class ClusterCell {
   // members where none does.
   std::size_t leading_board() const;
   std::size_t leading_member() const;
+  // The same, where there should be one: throws where there is none for 10 s.
+  std::size_t await_leading_board() const;
+  std::size_t await_leading_member() const;
 
  private:
   std::string complaints_of(std::size_t board) const;

@@ -13,6 +13,7 @@
 #include "tests/bench/cluster/tells.hpp"
 #include "tests/bench/figures.hpp"
 #include "tests/bench/measure.hpp"
+#include "tests/bench/stopping.hpp"
 
 namespace pizarra::bench {
 namespace {
@@ -37,7 +38,7 @@ TellTimes own_transactions(const cluster::LogAddress& log, int clients, int each
       const std::string base = fmt::format("bench/{}/", client);
       std::string head = "0";
       (void)etcd->transact({.compares = {}, .puts = {{base + "epoch", "1"}, {base + "head", head}}}, 5s);
-      for (int i = 1; i <= each; ++i) {
+      for (int i = 1; i <= each && stopped_by() == 0; ++i) {
         cluster::KeyValues::Transaction transaction{
             .compares = {}, .puts = {{fmt::format("{}{:020}", base, i), std::string(entry_bytes, 'x')}}};
         const std::string next = std::to_string(i);
@@ -52,6 +53,7 @@ TellTimes own_transactions(const cluster::LogAddress& log, int clients, int each
     });
   }
   for (std::thread& thread : threads) thread.join();
+  throw_if_stopped();
   const double took_s = ms_since(begun) / 1000;
   TellTimes measured;
   for (const std::vector<double>& some : ms) measured.ms.insert(measured.ms.end(), some.begin(), some.end());
@@ -63,7 +65,7 @@ void say_rates(Figures& figures, RealExecutor& executor, const ClusterCell& cell
   cluster::LogAddress log = cluster::LogAddress::from(cell.log(), "", true).value();
   const auto board = board_for_tells(executor, cell);
   // Of all members, the leading board asks that of its host: so does the peer.
-  log.members = {log.members[cell.leading_board()]};
+  log.members = {log.members[cell.await_leading_board()]};
   const TellTimes put = own_transactions(log, 1, 200, false);
   const TellTimes serial = own_transactions(log, 1, 300, true);
   const TellTimes one = tells(executor, *board, 1, 300);
@@ -107,6 +109,7 @@ void say_takeovers(Figures& figures, Takeovers& takeovers, const std::string& wh
   figures.say({what + ": first ask, worst", worst(waits.ask_s), "s", at_most(goal_worst), {}, note});
   figures.say({what + ": an agent is there again, p50", percentile(waits.present_s, 0.5), "s", {}, {}, note});
   figures.say({what + ": an agent is there again, worst", worst(waits.present_s), "s", {}, {}, note});
+  figures.must_be_none(what + ": acknowledged and lost", waits.lost);
 }
 
 int run(const Choices& choices) {
@@ -117,6 +120,7 @@ int run(const Choices& choices) {
   ClusterCell cell(network::Network::Wires::veth);
   cell.enter(2);
   RealExecutor executor;
+  throw_when_stopped(executor);
   Figures figures("cluster", choices.json ? Figures::Style::json : Figures::Style::plain);
   Takeovers takeovers(executor, cell);
   say_rates(figures, executor, cell, choices.tells);
@@ -124,20 +128,20 @@ int run(const Choices& choices) {
   if (choices.entries > 0) say_recovery(figures, cell, choices.entries);
   if (choices.rounds == 0) return figures.finish();
   say_takeovers(
-      figures, takeovers, "the leading board killed", [&] { cell.kill_board(cell.leading_board()); }, choices.rounds,
-      0.5, 1);
+      figures, takeovers, "the leading board killed", [&] { cell.kill_board(cell.await_leading_board()); },
+      choices.rounds, 0.5, 1);
   say_takeovers(
-      figures, takeovers, "its host killed", [&] { cell.kill_host(cell.leading_board()); }, choices.rounds, 1.5, 3);
-  const auto kill_member = [&] {
-    const std::size_t leads = cell.leading_member();
-    if (leads < ClusterCell::members) cell.kill_member(leads);
-  };
-  say_takeovers(figures, takeovers, "etcd's leader killed", kill_member, choices.rounds, 1.5, 3);
+      figures, takeovers, "its host killed", [&] { cell.kill_host(cell.await_leading_board()); }, choices.rounds, 1.5,
+      3);
+  say_takeovers(
+      figures, takeovers, "etcd's leader killed", [&] { cell.kill_member(cell.await_leading_member()); },
+      choices.rounds, 1.5, 3);
   say_takeovers(
       figures, takeovers, "etcd's leader and the leading board killed",
       [&] {
-        kill_member();
-        cell.kill_board(cell.leading_board());
+        const std::size_t board = cell.await_leading_board();
+        cell.kill_member(cell.await_leading_member());
+        cell.kill_board(board);
       },
       choices.rounds, 1.5, 3);
   return figures.finish();
@@ -159,6 +163,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 100'000'000))
       ->capture_default_str();
   app.add_flag("--json", choices.json, "one JSON object a line");
-  app.footer("As root; elsewhere it says why it is skipped. Status 0 when every figure was measured, short or not.");
+  app.footer(
+      "As root; elsewhere it says why it is skipped. Status 0 when every figure was measured, short or not, and no\n"
+      "acknowledged fact was lost; 1 otherwise; 2 for wrong arguments; 130 or 143 when it was stopped by SIGINT or\n"
+      "SIGTERM.");
+  // So that the hosts are taken down.
+  pizarra::bench::stop_in_order();
   return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run(choices); });
 }

@@ -7,6 +7,7 @@
 #include "blackboard/journal/journal.hpp"
 #include "lisp/reader.hpp"
 #include "tests/bench/measure.hpp"
+#include "tests/bench/stopping.hpp"
 
 namespace pizarra::bench {
 
@@ -47,10 +48,11 @@ class Entries {
 void write_log(cluster::KeyValues& etcd, const cluster::LogKeys& keys, std::uint64_t count) {
   Entries entries(keys);
   while (entries.number() < count) {
+    throw_if_stopped();
     cluster::KeyValues::Transaction some;
     while (some.puts.size() < at_once && entries.number() < count) some.puts.push_back(entries.next());
     some.puts.push_back({keys.head(), std::to_string(entries.number())});
-    while (!etcd.transact(some, std::chrono::seconds(5))) continue;
+    while (!etcd.transact(some, std::chrono::seconds(5))) throw_if_stopped();
   }
 }
 
@@ -59,7 +61,10 @@ template <class Ask>
 auto until_it_answers(Ask ask) {
   constexpr int most_times = 10;
   auto answer = ask();
-  for (int times = 1; !answer && times < most_times; ++times) answer = ask();
+  for (int times = 1; !answer && times < most_times; ++times) {
+    throw_if_stopped();
+    answer = ask();
+  }
   return answer;
 }
 

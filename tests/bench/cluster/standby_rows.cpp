@@ -6,6 +6,7 @@
 
 #include "tests/bench/cluster/tells.hpp"
 #include "tests/bench/measure.hpp"
+#include "tests/bench/stopping.hpp"
 
 namespace pizarra::bench {
 
@@ -25,7 +26,7 @@ struct Cost {
 
 std::vector<std::size_t> standbys_of(const ClusterCell& cell) {
   std::vector<std::size_t> others;
-  const std::size_t leads = cell.leading_board();
+  const std::size_t leads = cell.await_leading_board();
   for (std::size_t number = 0; number < ClusterCell::members; ++number) {
     if (number != leads) others.push_back(number);
   }
@@ -47,6 +48,7 @@ void run_standbys(ClusterCell& cell, const std::vector<std::size_t>& others, std
     if (i >= wanted && runs) cell.kill_board(others[i]);
   }
   std::this_thread::sleep_for(until_it_follows);
+  throw_if_stopped();
 }
 
 void measure(RealExecutor& executor, client::RemoteBoard& board, const ClusterCell& cell, const Child* standby,

@@ -1,7 +1,5 @@
 #include "tests/bench/cluster/takeovers.hpp"
 
-#include <stdexcept>
-
 #include "lisp/reader.hpp"
 #include "tests/run_task.hpp"
 
@@ -83,8 +81,9 @@ Waits Takeovers::of(const std::function<void()>& kill, int rounds) {
   }
   wait_until_whole();
   for (const std::int64_t mark : acknowledged_) {
-    const Result<std::vector<Fact>> facts = pizarra::run(executor_, asker_->facts(list("mark"_sym, mark)));
-    if (!facts || facts->size() != 1) ++waits.lost;
+    Result<std::vector<Fact>> facts = fail("unavailable", "not asked yet");
+    while (!facts) facts = pizarra::run(executor_, asker_->facts(list("mark"_sym, mark)));
+    if (facts->size() != 1) ++waits.lost;
   }
   return waits;
 }
@@ -97,7 +96,6 @@ void Takeovers::wait_until_whole() {
   double told = 0;
   const Job telling = executor_.spawn(until_told(executor_.now(), &told));
   executor_.run_until([&] { return told > 0; });
-  if (cell_.leading_board() == ClusterCell::most_boards) throw std::runtime_error("no board leads");
 }
 
 }  // namespace pizarra::bench

@@ -4,7 +4,7 @@
 // is answered, and until an agent that was there is there again.
 //
 //   Takeovers takeovers(executor, cell);
-//   const Waits waits = takeovers.of([&] { cell.kill_board(cell.leading_board()); }, 100);
+//   const Waits waits = takeovers.of([&] { cell.kill_board(cell.await_leading_board()); }, 100);
 
 #include <functional>
 #include <vector>

@@ -2,27 +2,25 @@
 // It then proves that what is acknowledged is kept, that nothing is done twice, and that no watcher misses a change
 // without being told so.
 
-#include <CLI/CLI.hpp>
-#include <csignal>
 #include <fmt/format.h>
 
 #include "programs/command_line/command_tools.hpp"
+#include "tests/bench/bench_main.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/crash/cluster_ordeal.hpp"
 #include "tests/bench/crash/lone_ordeal.hpp"
+#include "tests/bench/stopping.hpp"
 
 namespace pizarra::bench {
 namespace {
 
-volatile std::sig_atomic_t stopped_by = 0;
-
-bool is_stopped() { return stopped_by != 0; }
+bool is_stopped() { return stopped_by() != 0; }
 
 Result<Verdict> live_through(Ordeal& ordeal, int rounds) {
   for (int done = 0; done < rounds; ++done) ordeal.round();
   ordeal.settle();
   Result<Verdict> verdict = ordeal.judge();
-  if (is_stopped()) throw Stopped();
+  throw_if_stopped();
   return verdict;
 }
 
@@ -60,13 +58,6 @@ int run_cluster(int rounds, std::uint64_t seed) {
   return say(verdict, rounds);
 }
 
-// Whoever stops the bench may have stopped its processes as well: what was not acknowledged then says nothing.
-int say_stopped() {
-  fmt::print(stderr, "pizarra bench crash: stopped by a signal, without a verdict\n");
-  constexpr int of_signals = 128;
-  return of_signals + stopped_by;
-}
-
 }  // namespace
 }  // namespace pizarra::bench
 
@@ -90,20 +81,8 @@ int main(int argc, char** argv) {
       "answered\n"
       "could have come of one board that does one thing at a time; 1 otherwise; 2 for wrong arguments; 130 or\n"
       "143 when it was stopped by SIGINT or SIGTERM, which ends it without a verdict.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  for (const int stopping : {SIGINT, SIGTERM}) {
-    std::signal(stopping, [](int signal) { pizarra::bench::stopped_by = signal; });
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
+  pizarra::bench::stop_in_order();
+  return pizarra::bench::bench_main(app, argc, argv, [&] {
     return cluster ? pizarra::bench::run_cluster(rounds, seed) : pizarra::bench::run_alone(rounds, seed);
-  } catch (const std::exception& error) {
-    if (pizarra::bench::stopped_by != 0) return pizarra::bench::say_stopped();
-    fmt::print(stderr, "pizarra bench crash: {}\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -16,12 +16,9 @@
 #include "blackboard/time/random.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/crash/judge.hpp"
+#include "tests/bench/stopping.hpp"
 
 namespace pizarra::bench {
-
-struct Stopped : std::runtime_error {
-  Stopped() : std::runtime_error("stopped") {}
-};
 
 class Ordeal {
  public:

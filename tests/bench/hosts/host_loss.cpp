@@ -7,6 +7,7 @@
 
 #include "blackboard/wire/keys.hpp"
 #include "lisp/reader.hpp"
+#include "tests/bench/stopping.hpp"
 #include "tests/run_task.hpp"
 #include "tests/scratch.hpp"
 
@@ -96,7 +97,7 @@ void HostLoss::pass(Duration time) {
   bool over = false;
   executor_.call_at(executor_.now() + time, [&] { over = true; });
   executor_.run_until([&] { return over || is_stopped_(); });
-  if (is_stopped_()) throw std::runtime_error("stopped by a signal, without a verdict");
+  if (is_stopped_()) throw Stopped();
 }
 
 Duration HostLoss::between(int least_ms, int most_ms) {

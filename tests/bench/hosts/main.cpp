@@ -1,7 +1,6 @@
 // pizarra-bench-hosts: a whole cell on three hosts, whose boards take over from each other, while the host of the board
 // that leads loses its power in the middle of a goal.
 
-#include <csignal>
 #include <fmt/format.h>
 
 #include "programs/command_line/command_tools.hpp"
@@ -9,13 +8,12 @@
 #include "tests/bench/child.hpp"
 #include "tests/bench/hosts/host_loss.hpp"
 #include "tests/bench/measure.hpp"
+#include "tests/bench/stopping.hpp"
 
 namespace pizarra::bench {
 namespace {
 
-volatile std::sig_atomic_t stopped_by = 0;
-
-bool is_stopped() { return stopped_by != 0; }
+bool is_stopped() { return stopped_by() != 0; }
 
 std::string why_unavailable() {
   return find_program("etcd") ? network::Network::unavailable() : "etcd is not installed: etcd-server";
@@ -61,10 +59,8 @@ int main(int argc, char** argv) {
   app.footer(
       "As root; elsewhere it says why it is skipped. Status 0 when every goal was reached, as the world shows, or\n"
       "refused because in the world a cube of it is gone, no acknowledged durable fact was lost, and no operation was\n"
-      "done twice; 1 otherwise, also when it was stopped; 2 for wrong arguments.");
+      "done twice; 1 otherwise; 2 for wrong arguments; 130 or 143 when it was stopped by SIGINT or SIGTERM.");
   // So that the hosts are taken down.
-  for (const int stopping : {SIGINT, SIGTERM}) {
-    std::signal(stopping, [](int signal) { pizarra::bench::stopped_by = signal; });
-  }
+  pizarra::bench::stop_in_order();
   return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run_all(rounds, seed); });
 }
