@@ -45,11 +45,11 @@ Result<std::shared_ptr<KeyValues>> Lead::connect() {
   return connected;
 }
 
-bool Lead::may_answer() const { return !ended_ && !leaves_ && term_.may_answer(executor_.now(), counters().revision); }
+bool Lead::may_answer() const { return !ended_ && !leaves_ && term_.may_answer(needs_.uptime(), counters().revision); }
 
 std::optional<Duration> Lead::age() const {
   if (ended_ || leaves_ || !term_.sent()) return std::nullopt;
-  return executor_.now() - *term_.sent();
+  return needs_.uptime() - *term_.sent();
 }
 
 void Lead::end(const Failure& failure) {
@@ -61,15 +61,16 @@ Task<void> Lead::confirm() {
   const Result<std::shared_ptr<KeyValues>> store = connect();
   if (!store) co_return;
   while (!leaves_) {
-    const Time sent = executor_.now();
+    const Duration sent = needs_.uptime();
+    const Time now = executor_.now();
     const auto up_to = std::make_shared<Result<Revision>>(Revision{0});
-    Work work = [store = *store, leadership = leadership_, up_to, sent, used = counters()](auto&&) {
-      *up_to = leadership->confirm(*store, sent, used.revision, used.fact);
+    Work work = [store = *store, leadership = leadership_, up_to, now, used = counters()](auto&&) {
+      *up_to = leadership->confirm(*store, now, used.revision, used.fact);
     };
     co_await executor_.offload(std::move(work), Duration::zero());
     heard(*up_to, sent);
     if (ended_) co_return;
-    co_await sleep(executor_, std::max(sent + confirms_every - executor_.now(), Duration(1000)));
+    co_await sleep(executor_, std::max(now + confirms_every - executor_.now(), Duration(1000)));
   }
   // Whoever stands by need not wait.
   Work resign = [store = *store, leadership = leadership_, now = executor_.now()](auto&&) {
@@ -78,7 +79,7 @@ Task<void> Lead::confirm() {
   co_await executor_.offload(std::move(resign), Duration::zero());
 }
 
-void Lead::heard(const Result<Revision>& up_to, Time sent) {
+void Lead::heard(const Result<Revision>& up_to, Duration sent) {
   if (up_to) term_.confirmed(sent, *up_to);
   if (!up_to && !passes(up_to.error())) return end(up_to.error());
   needs_.on_log(up_to ? Result<void>() : fail(up_to));

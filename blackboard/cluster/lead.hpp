@@ -37,6 +37,7 @@ class Lead {
     // One for each of those who wait for answers at the same time.
     std::function<Result<std::shared_ptr<KeyValues>>()> connect;
     std::function<std::uint64_t()> nonce;
+    std::function<Duration()> uptime;  // uptime.hpp
     OnAttempt on_log;
     OnAttempt on_upkeep;
     std::function<void()> on_end;
@@ -75,7 +76,7 @@ class Lead {
   const std::optional<Failure>& ended() const { return ended_; }
 
  private:
-  void heard(const Result<Revision>& up_to, Time sent);
+  void heard(const Result<Revision>& up_to, Duration sent);
   Result<std::shared_ptr<KeyValues>> connect();
 
   Executor& executor_;

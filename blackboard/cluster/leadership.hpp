@@ -4,15 +4,16 @@
 //
 //   Result<std::optional<Leadership>> won = Leadership::campaign(key_values, keys, copy.alive(), "board-pc", nonce);
 //   Term term;
-//   const Time sent = executor.now();                                   // every confirms_every
+//   const Duration sent = uptime();                                     // every confirms_every
 //   Result<Revision> up_to = won->confirm(key_values, now, revision, fact);
 //   if (up_to) term.confirmed(sent, *up_to);
-//   if (term.may_answer(executor.now(), revision)) ...                  // before each reply
+//   if (term.may_answer(uptime(), revision)) ...                        // before each reply
 //
 // A board leads by its epoch: a key that every transaction of its log compares. Taking the lead replaces the epoch
 // where the leader has not confirmed it since it was seen. The old one's appends fail from then on; its answers end by
 // themselves `answers_for` after the last confirmation that went through was sent, and the new one serves
-// `serves_after` it saw that one. The clocks of both only need to run at about the same speed.
+// `serves_after` it saw that one. The clocks of both only need to run at about the same speed, and the leader's also
+// while its machine is suspended (uptime.hpp).
 
 #include <optional>
 
@@ -29,20 +30,20 @@ inline constexpr Duration suspects_after = 220ms;
 // Behind every time of an answer by the leader that said this last.
 Time time_behind(const Alive& said);
 
-// What a leader knows of how long it leads.
+// What a leader knows of how long it leads, in its machine's uptime.
 class Term {
  public:
-  void confirmed(Time sent, Revision up_to) {
+  void confirmed(Duration sent, Revision up_to) {
     sent_ = sent;
     up_to_ = up_to;
   }
-  bool may_answer(Time now, Revision revision) const {
+  bool may_answer(Duration now, Revision revision) const {
     return sent_ && now < *sent_ + answers_for && revision <= up_to_;
   }
-  const std::optional<Time>& sent() const { return sent_; }
+  const std::optional<Duration>& sent() const { return sent_; }
 
  private:
-  std::optional<Time> sent_;
+  std::optional<Duration> sent_;
   Revision up_to_ = 0;
 };
 

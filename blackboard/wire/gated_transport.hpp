@@ -3,7 +3,7 @@
 // A transport whose sockets are deaf and dumb while its gate is closed: of a board that must not answer, because
 // another may lead by now.
 //
-//   GatedTransport gated(zeromq(), [&] { return term.may_answer(executor.now(), revision); });
+//   GatedTransport gated(zeromq(), [&] { return term.may_answer(uptime(), revision); });
 //   BoardServer::open(executor, board, {.transport = &gated});
 //
 // The gate is asked before each frame that comes or goes. Clients repeat what was dropped. A frame that comes while the

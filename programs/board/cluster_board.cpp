@@ -13,6 +13,7 @@
 #include "blackboard/server/sessions.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "blackboard/time/uptime.hpp"
 #include "blackboard/wire/gated_transport.hpp"
 #include "programs/board/exits.hpp"
 
@@ -166,6 +167,7 @@ class Leading {
 cluster::Lead::Needs Leading::needs() {
   return {.connect = [this] { return connect(choices_.log); },
           .nonce = server::Sessions::random_number,
+          .uptime = uptime,
           .on_log = [this](const Result<void>& attempt) { report(troubles_, attempt, executor_.now()); },
           .on_upkeep = [this](const Result<void>& attempt) { report(upkeep_troubles_, attempt, executor_.now()); },
           .on_end = [this] { executor_.stop(); }};

@@ -87,6 +87,7 @@ class ModelBoard {
   Lead::Needs needs() {
     return {.connect = [this] { return std::shared_ptr<KeyValues>(client_); },
             .nonce = [this] { return etcd_.random(); },
+            .uptime = [this] { return executor_.now().time_since_epoch(); },
             .on_log = on_attempt_,
             .on_upkeep = on_attempt_,
             .on_end = [] {}};
