@@ -31,11 +31,18 @@ double share_taken(const KeyValues::Space& space) {
 
 std::string file_in(const std::string& folder, const char* name) { return folder + "/" + name; }
 
+// A member that speaks TLS alone closes the connection of a client that does not, without a word.
+std::string why_no_answer(CURLcode code, bool encrypted) {
+  const std::string why = curl_easy_strerror(code);
+  if (encrypted || code != CURLE_GOT_NOTHING) return why;
+  return why + ": where it asks for TLS, name the folder of ca.crt, client.crt and client.key with --log-certificates";
+}
+
 }  // namespace
 
 class EtcdClient::Connection {
  public:
-  explicit Connection(const std::string& certificates) : curl_(curl_easy_init()) {
+  explicit Connection(const std::string& certificates) : curl_(curl_easy_init()), encrypted_(!certificates.empty()) {
     headers_ = curl_slist_append(nullptr, "Content-Type: application/json");
     // Without it curl asks first whether it may send a large body, and waits.
     headers_ = curl_slist_append(headers_, "Expect:");
@@ -46,7 +53,7 @@ class EtcdClient::Connection {
     curl_easy_setopt(curl_, CURLOPT_TCP_NODELAY, 1L);
     curl_easy_setopt(curl_, CURLOPT_PROXY, "");
     curl_easy_setopt(curl_, CURLOPT_WRITEFUNCTION, take_answer);
-    if (certificates.empty()) return;
+    if (!encrypted_) return;
     curl_easy_setopt(curl_, CURLOPT_CAINFO, file_in(certificates, "ca.crt").c_str());
     curl_easy_setopt(curl_, CURLOPT_SSLCERT, file_in(certificates, "client.crt").c_str());
     curl_easy_setopt(curl_, CURLOPT_SSLKEY, file_in(certificates, "client.key").c_str());
@@ -71,7 +78,7 @@ class EtcdClient::Connection {
     curl_easy_setopt(curl_, CURLOPT_TIMEOUT_MS, static_cast<long>(wait / 1ms));
     curl_easy_setopt(curl_, CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(std::max<Duration>(wait / 2, 1ms) / 1ms));
     const CURLcode code = curl_easy_perform(curl_);
-    if (code != CURLE_OK) return fail("unavailable", curl_easy_strerror(code));
+    if (code != CURLE_OK) return fail("unavailable", why_no_answer(code, encrypted_));
     long status = 0;
     curl_easy_getinfo(curl_, CURLINFO_RESPONSE_CODE, &status);
     return status;
@@ -79,6 +86,7 @@ class EtcdClient::Connection {
 
  private:
   CURL* const curl_;
+  const bool encrypted_;
   curl_slist* headers_ = nullptr;
 };
 

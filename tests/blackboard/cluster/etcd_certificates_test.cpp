@@ -53,6 +53,13 @@ TEST_F(EtcdWithCertificates, AnswersAClientThatItKnowsAndNobodyElse) {
   EXPECT_EQ(get(*client(own_), "a", 5s).value(), "1");
 }
 
+TEST_F(EtcdWithCertificates, AsksAClientWithoutOneForTheFolderOfCertificates) {
+  ASSERT_TRUE(put(*client(own_), std::chrono::seconds(60)).has_value());
+  const Result<KeyValues::Reply> bare = client("")->transact({.compares = {}, .puts = {{"a", "2"}}}, 5s);
+  ASSERT_FALSE(bare.has_value());
+  EXPECT_TRUE(bare.error().sentence.contains("--log-certificates")) << bare.error().sentence;
+}
+
 TEST_F(EtcdWithCertificates, IsRefusedWhereAFileIsMissing) {
   std::filesystem::remove(own_ + "/client.key");
   const auto refused = EtcdClient::open(LogAddress::from(etcd_->address("cell"), own_, false).value());
