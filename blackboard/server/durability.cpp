@@ -21,6 +21,13 @@ bool step_is_durable(const store::Store& store, const Datum& step) {
   return held != nullptr && is_durable(store, held->datum);
 }
 
+// Whether a query has a durable relation in any of its clauses.
+bool asks_durable(const store::Store& store, const Datum& query) {
+  const bool is_made_of_others = query.is_form("and") || query.is_form("not") || query.is_form("query");
+  if (!is_made_of_others) return is_durable(store, query);
+  return std::ranges::any_of(query.items(), [&](const Datum& part) { return asks_durable(store, part); });
+}
+
 bool declares_durable(const Datum& relation) {
   return std::ranges::any_of(relation.items(), [](const Datum& part) { return part.is_form("durable"); });
 }
@@ -74,6 +81,15 @@ bool Durability::concerns_durable(const store::Store& store, const Datum& body) 
   if (body.is_form("declare")) return std::ranges::any_of(body.items(), declares_durable);
   if (!body.is_form("transact") || body.size() < 3) return false;
   return std::ranges::any_of(body[2].items(), [&](const Datum& step) { return step_is_durable(store, step); });
+}
+
+Durability::Position Durability::awaited(const store::Store& store, const Datum& body, bool durable) const {
+  if (has_all()) return 0;
+  if (durable || of_all_) return position();
+  // What cannot be written now is shown all the same.
+  const bool is_under_way = last_change_ > journal_->kept() && !journal_->stuck();
+  const bool shows_change = is_under_way && body.is_form("ask") && body.size() > 1;
+  return shows_change && asks_durable(store, body[1]) ? last_change_ : 0;
 }
 
 Result<void> Durability::check_room(const Datum& body, bool durable) const {

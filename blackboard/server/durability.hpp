@@ -1,8 +1,10 @@
 #pragma once
 
-// A served board's duty to clients whose changes must last: it answers them only when the disk has what they were told.
+// A served board's duty to clients whose changes must last: it answers them only when the disk has what they were told,
+// and it answers a question about durable facts only when the disk has those that it tells of.
 //
-//   if (durability.concerns_durable(store, body)) durability.hold(session, request, {reply, durability.position()});
+//   const Durability::Position awaited = durability.awaited(store, body, durable);
+//   if (awaited > 0) durability.hold(session, request, {reply, awaited});
 //
 // Held replies are given to `send` in order, when the journal has all that came before them. Nothing is begun that the
 // journal has no space for; should it not be written even so, those whose changes stand already are answered with the
@@ -20,11 +22,12 @@ namespace pizarra::server {
 class Durability {
  public:
   using Send = std::function<void(wire::SessionId session, const std::string& reply)>;
+  using Position = journal::JournalWriter::Position;
 
   struct Reply {
     std::string text;
-    journal::JournalWriter::Position after = 0;  // not to be given before this is in the journal
-    bool stands = false;                         // whether it tells of a change, which is on the board already
+    Position after = 0;   // not to be given before this is in the journal
+    bool stands = false;  // whether it tells of a change, which is on the board already
   };
 
   // Without a journal nothing is durable.
@@ -42,11 +45,14 @@ class Durability {
   Result<void> check_room(const Datum& body, bool durable) const;
   // The same with what its retractions take away, each fact of which the journal names.
   Result<void> check_room(const store::Store& store, const Datum& body, const Transaction& transaction) const;
-  journal::JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
+  Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
   // Whether the journal has all that happened.
   bool has_all() const { return journal_ == nullptr || journal_->position() <= journal_->kept(); }
-  // Whether an answer given now must wait.
-  bool must_hold(bool durable) const { return durable || (of_all_ && !has_all()); }
+  // What the journal must have before the request is answered; 0 where the answer need not wait.
+  // `durable`: what concerns_durable() says of it.
+  Position awaited(const store::Store& store, const Datum& body, bool durable) const;
+  // After a change of what is durable.
+  void changed() { last_change_ = position(); }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
   void answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const;
@@ -67,6 +73,7 @@ class Durability {
   journal::JournalWriter* const journal_;
   const Send send_;
   const bool of_all_;
+  Position last_change_ = 0;  // of what is durable
   std::deque<Held> held_;
 };
 

@@ -129,31 +129,33 @@ bool Requests::answer(wire::SessionId id, Session& session, wire::RequestId numb
     refuse_undone(session, number, body, room.error());
     return true;
   }
-  const journal::JournalWriter::Position before = durability_.position();
+  const Durability::Position before = durability_.position();
   const std::optional<Result<Datum>> performed = perform_in_turn(id, session, waiting);
   if (!performed) return false;
   const Result<Datum>& result = *performed;
   if (!result && is_refusal(result.error())) refusals_.note(session.client(), result.error());
   const Datum said = result_to_datum(result);
   std::string text = reply_text(number, said);
-  const bool held = durability_.must_hold(durable);
-  const bool stands = result && durable && durability_.position() > before;
+  const bool changed = durable && durability_.position() > before;
+  if (changed) durability_.changed();
+  const Durability::Position awaited = durability_.awaited(board_.store(), body, durable);
+  const bool stands = result && changed;
   if (must_be_done_once(body)) {
-    session.done.add(number, {text, held ? durability_.position() : 0, stands});
-    if (durable && durability_.position() > before) {
+    session.done.add(number, {text, awaited, stands});
+    if (changed) {
       const std::string key = session.key ? session.key->key : "";
       durability_.remember({id, session.teller, number, said, key});
     }
   }
-  const bool goes_with_others = outbox_.is_receiving() && body.is_form("transact") && !held && !session.holds;
+  const bool goes_with_others = outbox_.is_receiving() && body.is_form("transact") && awaited == 0 && !session.holds;
   if (goes_with_others) {
     outbox_.owe(session.peer, text);
     return true;
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) outbox_.flush_all();
-  if (held) {
-    durability_.hold(id, number, {std::move(text), durability_.position(), stands});
+  if (awaited > 0) {
+    durability_.hold(id, number, {std::move(text), awaited, stands});
   } else {
     outbox_.reply(session, text);
   }
