@@ -6,6 +6,13 @@
 
 namespace pizarra::server {
 
+namespace {
+
+// More revisions and facts than may wait to be written: a crash loses those, and clients may know their numbers.
+constexpr std::uint64_t may_be_lost = std::uint64_t{1} << 22;
+
+}  // namespace
+
 Result<void> KeptBoard::begin(const std::shared_ptr<journal::JournalFile>& file) {
   // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
   auto store = std::make_unique<store::Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
@@ -36,6 +43,8 @@ Result<void> KeptBoard::recover(const std::shared_ptr<journal::JournalFile>& fil
   Result<std::vector<journal::RememberedReply>> remembered = file->recover(store);
   if (!remembered) return fail(remembered);
   remembered_ = std::move(*remembered);
+  const bool has_lived = store.revision() > 0;
+  if (has_lived) store.restore_counters(store.revision() + may_be_lost, store.next_fact() + may_be_lost);
   journal_ = std::make_unique<journal::JournalWriter>(executor_, file);
   journal_->on_failure = on_journal_;
   if (on_journal_ && journal_->failure()) on_journal_(journal_->failure());

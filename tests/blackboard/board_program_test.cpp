@@ -123,6 +123,29 @@ TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {
   EXPECT_EQ(program.stop(SIGTERM), 0);
 }
 
+TEST_F(BoardProgram, GivesNoRevisionAndNoFactNumberOutAgainThatWasLostInACrash) {
+  Program first({"--listen", address_, "--journal", journal_});
+  first.line();
+  const auto alice = view("alice");
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  ASSERT_EQ(symbol_of(run(alice->tell(read("(goal 1)")))), "ok");
+  for (int n = 0; n < 20; ++n) ASSERT_EQ(symbol_of(run(alice->tell(list("seen"_sym, n)))), "ok");
+  const Revision last = *run(alice->tell(read("(seen 20)")));
+  const FactId newest = run(alice->facts(read("(seen 20)")))->front().id;
+  EXPECT_EQ(first.stop(SIGKILL), -SIGKILL);
+  Program second({"--listen", address_, "--journal", journal_});
+  second.line();
+  const Result<Revision> told = run(alice->tell(read("(goal 2)")));
+  ASSERT_EQ(symbol_of(told), "ok");
+  EXPECT_GT(*told, last);
+  EXPECT_GT(run(alice->facts(read("(goal 2)")))->front().id, newest);
+  Transaction stale;
+  stale.preconditions.emplace_back(Transaction::Unchanged{read("(goal ?n)"), last});
+  stale.tell(read("(goal 3)"));
+  EXPECT_EQ(symbol_of(run(alice->transact(stale))), "precondition-failed") << "goal 2 came since";
+  EXPECT_EQ(second.stop(SIGTERM), 0);
+}
+
 // The client's side of the wire, word by word, over a connection of its own.
 Datum say(const std::string& address, const std::vector<std::string>& words) {
   zmq::context_t context(1);
