@@ -68,7 +68,9 @@ void Judge::judge_registers(const store::Store& end, Verdict& verdict) const {
     // Everybody has gone, and the journal is asked.
     history.push_back({.value = last.contains(key) ? last.at(key) : 0, .called = latest + 1, .answered = latest + 2});
     verdict.operations += operations.size();
-    verdict.not_linearizable += is_linearizable(history) ? 0 : 1;
+    if (is_linearizable(history)) continue;
+    ++verdict.not_linearizable;
+    verdict.unexplained += "register " + std::to_string(key) + ":\n" + describe(history);
   }
 }
 

@@ -20,6 +20,7 @@ struct Verdict {
   std::size_t gaps = 0;                // in what a watcher was told, without a resynchronisation
   std::size_t not_linearizable = 0;    // registers
   std::size_t operations = 0;          // on registers
+  std::string unexplained = {};        // the registers that are not linearizable, with what was done to each
 };
 
 class Judge {

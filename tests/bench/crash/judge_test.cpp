@@ -78,8 +78,11 @@ TEST_F(JudgeOfTheOrdeal, FindsAnUpdateThatWentOverAnotherAndOneThatIsGoneInTheEn
   const Operation fine{.value = 5, .called = 50, .answered = 60};
   judge_.hear({Said::answered, 7, 6, fine});
   EXPECT_EQ(verdict().not_linearizable, 0u);
-  put(5, 8, 70, 80);
+  put(5, 8, 1'000'070, 2'000'000);
   EXPECT_EQ(verdict().not_linearizable, 1u);
+  const std::string unexplained = verdict().unexplained;
+  EXPECT_TRUE(unexplained.starts_with("register 7:\n  at 0.000: put 5 for 0, answered at 0.000\n")) << unexplained;
+  EXPECT_NE(unexplained.find("  at 1.000: put 8 for 5, answered at 2.000\n"), std::string::npos) << unexplained;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tests/bench/crash/linearizable.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <list>
 #include <optional>
 #include <set>
@@ -120,5 +121,22 @@ class Search {
 }  // namespace
 
 bool is_linearizable(const std::vector<Operation>& history) { return Search(history).run(); }
+
+std::string describe(std::vector<Operation> history) {
+  using Outcome = Operation::Outcome;
+  std::ranges::sort(history, {}, &Operation::called);
+  std::string lines;
+  for (const Operation& operation : history) {
+    const auto ms = [&](std::int64_t when) { return 1e-6 * static_cast<double>(when - history.front().called); };
+    const bool reads = operation.kind == Operation::Kind::read;
+    const std::string what = reads ? fmt::format("read {}", operation.value)
+                                   : fmt::format("put {} for {}", operation.value, operation.expected);
+    const bool never = operation.answered == Operation::never;
+    const std::string end = never ? "never answered" : fmt::format("answered at {:.3f}", ms(operation.answered));
+    const char* refused = operation.outcome == Outcome::refused ? ", refused" : "";
+    lines += fmt::format("  at {:.3f}: {}, {}{}\n", ms(operation.called), what, end, refused);
+  }
+  return lines;
+}
 
 }  // namespace pizarra::bench

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace pizarra::bench {
@@ -31,5 +32,7 @@ struct Operation {
 };
 
 bool is_linearizable(const std::vector<Operation>& history);
+// A line an operation, in the order of the calls, with milliseconds since the first.
+std::string describe(std::vector<Operation> history);
 
 }  // namespace pizarra::bench

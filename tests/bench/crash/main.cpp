@@ -29,6 +29,7 @@ int say(const Result<Verdict>& verdict, int rounds) {
     fmt::print(stderr, "pizarra bench crash: {}\n", describe(verdict.error()));
     return 1;
   }
+  fmt::print(stderr, "{}", verdict->unexplained);
   fmt::print("rounds {}, acknowledged {}, lost {}, duplicated effects {}, gaps unnoticed {}, not linearizable {}\n",
              rounds, verdict->acknowledged, verdict->lost, verdict->duplicated_effects, verdict->gaps,
              verdict->not_linearizable);
