@@ -3,6 +3,7 @@
 // lead as in their program (lead.hpp). PIZARRA_SEEDS says how many days.
 
 #include <cstdlib>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <memory>
 #include <set>
@@ -17,9 +18,12 @@ namespace {
 
 const LogKeys cell_keys("cell");
 
-// What clients asked for: request N tells (mark N); one that is not answered is asked for again, by the same number.
+// What clients asked for: request N tells (mark N DOING); one that is not answered is asked for again, by the same
+// number. DOING is another one whenever a board does it, so that one that was done twice has two facts.
 struct Clients {
   std::uint64_t next = 1;
+  std::int64_t next_doing = 1;
+  bool boards_forget_replies = false;  // a fault that is planted: what was answered before is done again
   std::set<std::uint64_t> open;
   std::set<std::uint64_t> acknowledged;
   Revision seen = 0;  // the highest revision of any answer
@@ -118,10 +122,12 @@ class ModelBoard {
     Lead::Begun begun = lead_->begin("etcd://model").value();
     log_ = std::move(begun.log);
     store_ = std::move(begun.store);
-    for (const journal::RememberedReply& reply : begun.replies) replies_.insert(reply.request);
+    if (!clients_.boards_forget_replies) {
+      for (const journal::RememberedReply& reply : begun.replies) replies_.insert(reply.request);
+    }
     lead_->counters = [this] { return Lead::Counters{store_->revision(), store_->next_fact()}; };
     (void)store_->declare(
-        {relation_from_datum(read_one("(relation mark ((n integer)) (key n) (durable))").value()).value()});
+        {relation_from_datum(read_one("(relation mark ((n integer) (doing integer)) (durable))").value()).value()});
     pending_.emplace();
     pending_->lines =
         journal::journal_line(0, executor_.now(), "board", {store_->tables().at("mark").relation()}) + '\n';
@@ -150,7 +156,7 @@ class ModelBoard {
     pending_.emplace();
     requests_ = {request};
     Transaction telling;
-    telling.tell(list("mark"_sym, static_cast<std::int64_t>(request)));
+    telling.tell(list("mark"_sym, static_cast<std::int64_t>(request), clients_.next_doing++));
     (void)store_->transact("client", telling, executor_.now());
     journal::ReplyLines().add(pending_->replies, {7, "client", request, "ok"_sym, ""});
     return true;
@@ -177,9 +183,10 @@ class ModelBoard {
   void answer() {
     if (pending_ || !lead_->may_answer()) return;
     for (const std::uint64_t request : clients_.acknowledged) {
-      const Query query = query_for(list("mark"_sym, static_cast<std::int64_t>(request)));
-      if (store_->ask(query)->answers.size() == 1) continue;
-      clients_.faults.push_back(name_ + " does not know " + std::to_string(request));
+      const Query query = query_for(list("mark"_sym, static_cast<std::int64_t>(request), "?"_sym));
+      const std::size_t known = store_->ask(query)->answers.size();
+      if (known == 1) continue;
+      clients_.faults.push_back(fmt::format("{} knows {} {} times", name_, request, known));
     }
     heard(store_->revision());
   }
@@ -239,13 +246,34 @@ void have_a_bad_moment(EtcdModel& etcd, const Boards& boards) {
   if (etcd.happens(0.02)) board.take_a_snapshot();
 }
 
-std::size_t live_through(std::uint64_t seed) {
+// Of what clients asked for and of the log at the end.
+std::vector<std::string> faults_in(const std::multiset<std::int64_t>& marks,
+                                   const std::set<std::uint64_t>& acknowledged) {
+  std::vector<std::string> faults;
+  for (const std::uint64_t request : acknowledged) {
+    if (marks.contains(static_cast<std::int64_t>(request))) continue;
+    faults.push_back(fmt::format("{} was acknowledged and is not there", request));
+  }
+  for (auto mark = marks.begin(); mark != marks.end(); mark = marks.upper_bound(*mark)) {
+    const std::size_t times = marks.count(*mark);
+    if (times > 1) faults.push_back(fmt::format("{} was done {} times", *mark, times));
+  }
+  return faults;
+}
+
+struct BadDay {
+  std::size_t acknowledged = 0;
+  std::vector<std::string> faults;
+};
+
+BadDay live_through(std::uint64_t seed, bool boards_forget_replies = false) {
   EtcdModel etcd(seed);
   // So little on some days that snapshots are taken all the time, and it is full now and then.
   if (etcd.happens(0.3)) etcd.space.most = 400'000;
   ModelExecutor executor(etcd);
   executor.run_for(1s);
   Clients clients;
+  clients.boards_forget_replies = boards_forget_replies;
   Boards boards;
   for (const char* name : {"a", "b", "c"}) {
     boards.push_back(std::make_unique<ModelBoard>(executor, etcd, clients, name));
@@ -256,23 +284,37 @@ std::size_t live_through(std::uint64_t seed) {
   }
   boards.clear();
   etcd.trouble = 0;
-  const std::multiset<std::int64_t> marks = marks_of(etcd);
-  for (const std::uint64_t request : clients.acknowledged) {
-    if (marks.count(static_cast<std::int64_t>(request)) == 1) continue;
-    clients.faults.push_back(std::to_string(request) + " was acknowledged and is not there");
-  }
-  for (const std::string& fault : clients.faults) ADD_FAILURE() << "seed " << seed << ": " << fault;
-  return clients.acknowledged.size();
+  BadDay day{clients.acknowledged.size(), std::move(clients.faults)};
+  for (std::string& fault : faults_in(marks_of(etcd), clients.acknowledged)) day.faults.push_back(std::move(fault));
+  return day;
 }
 
 TEST(Takeover, LosesNothingAcknowledgedAndAnswersNothingOldOnBadDaysOfEtcd) {
   const char* asked = std::getenv("PIZARRA_SEEDS");
   const std::uint64_t seeds = asked == nullptr ? 3000 : std::stoull(asked);
   std::size_t acknowledged = 0;
-  for (std::uint64_t seed = 1; seed <= seeds && !testing::Test::HasFailure(); ++seed)
-    acknowledged += live_through(seed);
+  for (std::uint64_t seed = 1; seed <= seeds && !testing::Test::HasFailure(); ++seed) {
+    const BadDay day = live_through(seed);
+    acknowledged += day.acknowledged;
+    for (const std::string& fault : day.faults) ADD_FAILURE() << "seed " << seed << ": " << fault;
+  }
   EXPECT_GT(acknowledged, 5 * seeds);
   RecordProperty("acknowledged", static_cast<int>(acknowledged));
+}
+
+TEST(TakeoverJudge, FindsWhatWasDoneTwiceAndWhatIsMissing) {
+  EXPECT_EQ(
+      faults_in({1, 2, 2, 4, 4, 4}, {1, 2, 3}),
+      (std::vector<std::string>{"3 was acknowledged and is not there", "2 was done 2 times", "4 was done 3 times"}));
+  EXPECT_TRUE(faults_in({1, 2, 4}, {1, 2}).empty()) << "4 was not answered and may be there";
+}
+
+TEST(TakeoverJudge, FindsThatBoardsDoAgainWhatTheLogRemembersToBeAnswered) {
+  bool found = false;
+  for (std::uint64_t seed = 1; seed <= 200 && !found; ++seed) {
+    for (const std::string& fault : live_through(seed, true).faults) found |= fault.contains(" was done 2 times");
+  }
+  EXPECT_TRUE(found);
 }
 
 // The time at which a board's time begins that takes the lead from one whose clock is an hour ahead.
