@@ -3,7 +3,8 @@
 //   const activity = new Activity(connection);
 //   activity.shownIn(panel, (sample, why) => ...);        // null and why, where it cannot be had
 
-/** @import { Connection, ShowActivity } from './connection.js' */
+/** @import { Connection } from './connection.js' */
+/** @import { ShowActivity } from './feeds.js' */
 
 export class Activity {
   #connection;

@@ -96,14 +96,16 @@ export type Method = {
 
 type Refused = { error: Failure; said?: string };
 export type Reply = { values: any[] } | Refused;
+export type Fed =
+  | { truth: string | null; said?: string }
+  | { activity: Activity | null; said?: string }
+  | { work: 'servo' | 'sightings'; changes: Lasting[] };
 export type Message =
   | { hello: Hello }
   | (Arm & { past?: number })
   | ({ watch: number; past?: number } & (Change | Refused))
   | ({ reply: number } & ({ values: string[] } | Refused))
-  | { truth: string | null; said?: string }
-  | { activity: Activity | null; said?: string }
-  | { work: 'servo' | 'sightings'; changes: Lasting[] }
+  | Fed
   | Pulse;
 
 export type Picture = { bitmap: ImageBitmap; number: number; captured: number; width: number; height: number };

@@ -5,7 +5,7 @@ import { element } from './dom.js';
 import { table } from './tables.js';
 
 /** @import { Activity } from './activity.js' */
-/** @import { ShowActivity } from './connection.js' */
+/** @import { ShowActivity } from './feeds.js' */
 /** @import { Activity as Sample, Spread } from './messages' */
 
 const shown = 60;
