@@ -114,15 +114,36 @@ await page.waitForFunction(() => document.getElementById('arm-chip').textContent
 const guest = await visit();
 await logIn(guest, guests);
 await guest.waitForSelector('body[data-state=live]');
-await guest.waitForFunction(() => document.getElementById('arm-chip').textContent.includes('anna/console'));
+await guest.waitForFunction(() => /arm: anna, page \d/.test(document.getElementById('arm-chip').textContent));
 expect(true, 'another sees whose hands have the arm');
+// What a key has no right to is off, and says why where everybody reads it.
+const off = async (tab, note, control, reason) => {
+  if (tab) await guest.click(tab);
+  await guest.waitForSelector(`${control}:disabled`);
+  const said = await text(guest, note);
+  expect(reason.test(said) && (await guest.isVisible(note)), `${control} is off: ${said}`);
+  expect((await guest.getAttribute(control, 'aria-describedby')) === note.slice(1), 'and points to its reason');
+};
+await off('', '#why-want', '#go', /Go.*may not tell.*request/);
+await off('#tab-story', '#why-not-asked', '#why', /may not tell.*request/);
+await off('#tab-eyes', '#why-eyes', '#training', /Training.*may not tell.*request/);
+await off('#tab-drive', '#why-take', '#take-arm', /may not tell.*commander/);
+await off('', '#why-take', '#ask-for-arm', /may not tell.*commander-wanted/);
+await off('', '#why-drive', '.jog[data-jog=up]', /Jogs.*may not tell/);
+await off('', '#why-drive', '#drive button:text-is("Monitor")', /Questions.*may not tell.*request/);
+await off('#tab-head', '#why-head', '#click-to-look', /may not tell.*request/);
+expect(await guest.isEnabled('#stop'), 'STOP is not');
+await guest.screenshot({ path: join(pictures, 'guest.png') });
+await expectAccessible(guest, scratch, 'a page that may do little');
+// Whatever a page shows, the board holds it to its key.
+await guest.evaluate(() => (document.getElementById('go').disabled = false));
 await guest.fill('#goal-text', '(on cross square)');
 await guest.press('#goal-text', 'Enter');
 await guest.waitForSelector('#goal-answer.bad');
 expect(/may not|permit/.test(await text(guest, '#goal-answer')), `the board holds a guest to its key: ${await text(guest, '#goal-answer')}`);
 await guest.keyboard.press('Escape');
 await page.waitForSelector('#stopped:not([hidden])');
-expect((await text(page, '#stopped-by')).includes('guest/console'), 'and who may only tell a stop stops the arm');
+expect(/^guest, page \d/.test(await text(page, '#stopped-by')), 'and who may only tell a stop stops the arm');
 
 const mute = await visit();
 await logIn(mute, mutes);

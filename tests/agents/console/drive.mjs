@@ -128,7 +128,7 @@ await done('Release control', '(release-control)', 'the service is stopped');
 await page.waitForFunction(() => /released control/.test(document.getElementById('service-light').textContent));
 const home = page.locator('#drive button:text-is("Home")');
 expect(await home.isDisabled(), 'nothing that moves is pressed then');
-expect(/released control/.test(await home.getAttribute('title')), 'and the button says why');
+expect(/Slides, poses and actions: you released control/.test(await text(page, '#why-drive')), 'and the page says why');
 await picture('released');
 await expectAccessible(page, scratch, 'an arm whose control is released');
 await done('Get control', '(get-control)', 'the service is started');

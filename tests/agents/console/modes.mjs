@@ -78,8 +78,9 @@ expect(true, 'with x, y and d of what is seen');
 await picture('tracking-several');
 for (const [of, what] of [[page, 'own'], [second, 'another page’s']]) {
   await of.waitForSelector('#training:disabled');
-  expect(/tracks, which excludes learning/.test(await of.getAttribute('#training', 'title')), `${what} tracking excludes learning`);
-  expect(/tracks, which excludes learning/.test(await row(of, 'cross', 'Forget').getAttribute('title')), 'and forgetting');
+  expect(/tracks?, which excludes learning/.test(await of.getAttribute('#training', 'title')), `${what} tracking excludes learning`);
+  expect(/Training, Add sample, Forget: .*tracks?, which excludes learning/.test(await text(of, '#why-eyes')), 'in words beside it');
+  expect(/tracks?, which excludes learning/.test(await row(of, 'cross', 'Forget').getAttribute('title')), 'and forgetting');
 }
 await isOff(second, 'End track');
 expect(/tracks, and ends it itself/.test(await why(second, 'End track')), 'another’s tracking is not ended here');

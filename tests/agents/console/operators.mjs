@@ -14,7 +14,7 @@ const other = await browser.newContext();
 const second = await openPage(other, await served.next(1));
 await second.waitForSelector('body[data-state=live]');
 await second.click('#tab-drive');
-await second.waitForFunction(() => /Take over from/.test(document.getElementById('take-arm').textContent));
+await second.waitForFunction(() => /Take over from page 1$/.test(document.getElementById('take-arm').textContent));
 const noted = (of, words) =>
   of.waitForFunction((said) => document.getElementById('hands-note').innerText.includes(said), words);
 await second.click('#ask-for-arm');
@@ -40,7 +40,7 @@ await second.waitForSelector(`${jogs('right')}:not(:disabled)`);
 await noted(page, 'has taken the arm over');
 await noted(second, 'You have taken the arm over from');
 expect(true, 'a taking over is told to both');
-await page.waitForFunction(() => /arm: console/.test(document.getElementById('arm-chip').textContent));
+await page.waitForFunction(() => /arm: page 2/.test(document.getElementById('arm-chip').textContent));
 expect(await page.isDisabled(jogs('right')), 'taking over is told to both');
 await page.bringToFront();
 await picture('taken-over');

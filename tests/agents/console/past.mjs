@@ -24,6 +24,14 @@ async function goTo(of, part) {
 await goTo(page, 0);
 await page.waitForFunction(() => /as it was at/.test(document.getElementById('moment-note').textContent));
 expect((await page.locator('.objects li').count()) === 0, 'then no objects were known');
+// Nothing is commanded by a page that shows what has gone by.
+for (const [tab, note, control] of [['eyes', 'eyes', '#training'], ['drive', 'drive', '.jog[data-jog=up]'], ['drive', 'drive', '#drive .slides input'], ['story', 'want', '#go'], ['story', 'want', '#cancel']]) {
+  await page.click(`#tab-${tab}`);
+  expect(await page.locator(control).first().isDisabled(), `${control} is off`);
+  expect(/You look at the past/.test(await text(page, `#why-${note}`)), 'with the reason');
+}
+expect((await page.isEnabled('#stop')) && (await page.isEnabled('#take-arm')), 'STOP is not');
+await page.click('#tab-eyes');
 const numbers = () =>
   page.$$eval('#images figcaption', (notes) => notes.map((note) => Number(note.textContent.match(/frame (\d+)/)?.[1])));
 const newest = await numbers();

@@ -2,6 +2,7 @@
 
 import { clipped, clock, element, failureText } from './dom.js';
 import { fact } from './live_answers.js';
+import { nameOf } from './names.js';
 import { read, text, write } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
@@ -45,7 +46,7 @@ export class CommandLog {
     for (const answer of added) {
       const { teller } = answer.facts[0];
       const [, , agent, operation] = fact(answer);
-      if (text(agent) === this.#agent() && teller !== this.#me()) this.#add(teller, write(operation));
+      if (text(agent) === this.#agent() && teller !== this.#me()) this.#add(nameOf(teller, this.#me()), write(operation));
     }
   }
 

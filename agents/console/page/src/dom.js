@@ -2,7 +2,8 @@
 
 /** Those of index.html that can do more than any element.
  * @typedef {{
- *   cancel: HTMLButtonElement, 'clear-stops': HTMLButtonElement, confirm: HTMLDialogElement, refused: HTMLDialogElement,
+ *   cancel: HTMLButtonElement, 'clear-stops': HTMLButtonElement, 'confirm-stop': HTMLButtonElement, go: HTMLButtonElement,
+ *   stop: HTMLButtonElement, confirm: HTMLDialogElement, refused: HTMLDialogElement,
  *   'goal-text': HTMLInputElement, token: HTMLInputElement, scene: HTMLCanvasElement }} Special
  * @typedef {Node | string | null | undefined} Child
  * @typedef {Record<string, string | number | boolean | null | undefined | ((event: any) => void)>} Attributes

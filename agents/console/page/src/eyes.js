@@ -4,34 +4,42 @@ import { arrange, clipped, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { showCalibration } from './calibration.js';
 import { LearnedObjects } from './learned_objects.js';
+import { nameOf } from './names.js';
+import { Reasons } from './reasons.js';
 import { sym, text } from './datum.js';
 import { Teaching } from './teach.js';
 import { templatePicture } from './template_picture.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { Images } from './images.js' */
+/** @import { Permission } from './permission.js' */
 /** @import { Roles } from './roles.js' */
 /** @import { Datum, Form } from './messages' */
 
 /** A client, and the mode that it holds.
  * @typedef {[client: string, mode: string]} Held */
 
-// Why a button is off; '' where it is not.
-/** @param {boolean} present @param {Held[]} held @param {string} me */
-function reasons(present, held, me) {
-  const none = 'no eyes are present';
-  if (!present) return { train: none, forget: none, track: none, end: none };
+// Why what buttons do is off; '' where it is not. `never`: why all of it is.
+/** @param {string} never @param {Held[]} held @param {string} me */
+function reasonsFor(never, held, me) {
+  if (never) return { connect: never, disconnect: never, find: never, train: never, forget: never, track: never, end: never };
   /** @param {string} mode */
   const by = (mode) => held.filter(([, holds]) => holds === mode).map(([client]) => client);
+  /** @param {string} client */
+  const named = (client) => nameOf(client, me);
   const trackers = by('tracking');
   const learners = by('learning');
-  const tracks = trackers.length ? `${trackers.join(', ')} tracks, which excludes learning: end that first` : '';
-  const learns = learners.length ? `${learners[0]} is learning` : '';
+  const tracks = trackers.length ? `${trackers.map(named).join(', ')} ${trackers.includes(me) ? 'track' : 'tracks'}, which excludes learning: end that first` : '';
+  const learns = learners.length ? `${named(learners[0])} ${learners[0] === me ? 'are' : 'is'} learning` : '';
+  const connected = by('connected').includes(me);
   return {
+    connect: connected ? 'you are connected' : '',
+    disconnect: connected ? '' : 'you are not connected',
+    find: '',
     train: tracks || (learners.includes(me) ? '' : learns),
     forget: tracks || learns,
     track: learns,
-    end: trackers.includes(me) ? '' : trackers.length ? `${trackers[0]} tracks, and ends it itself` : 'nothing is tracked',
+    end: trackers.includes(me) ? '' : trackers.length ? `${named(trackers[0])} tracks, and ends it itself` : 'nothing is tracked',
   };
 }
 
@@ -39,14 +47,8 @@ function reasons(present, held, me) {
 /** @param {Form} tracked */
 const stateOf = ([, , , state, , confidence]) => (text(state) === 'lost' ? 'lost' : `${text(state)}, ${(confidence * 100).toFixed(0)} %`);
 
-/** @param {HTMLButtonElement} control @param {string} reason */
-function set(control, reason) {
-  control.disabled = reason !== '';
-  control.title = reason;
-}
-
-/** @param {Connection} connection @param {Images} images @param {Roles} roles @param {() => string} me */
-export function showEyes(connection, images, roles, me) {
+/** @param {{ connection: Connection, permission: Permission, images: Images, roles: Roles }} around @param {() => string} me */
+export function showEyes({ connection, permission, images, roles }, me) {
   const panel = find('eyes');
   const answer = element('pre', { class: 'answer', id: 'eyes-answer', role: 'status', hidden: true });
   const mode = element('span', { id: 'eyes-mode', class: 'chip' }, 'no eyes');
@@ -92,11 +94,13 @@ export function showEyes(connection, images, roles, me) {
     why: whyFailed,
   });
   images.onPoint((point) => teaching.take(point));
+  const reasons = new Reasons('why-eyes');
   const list = element('ul', { class: 'objects', 'aria-label': 'Learned objects' });
   panel.append(
     showCalibration(connection),
     element('div', { class: 'row' }, mode, holders),
     element('div', { class: 'row' }, connect, disconnect, end),
+    reasons.note,
     teaching.panel,
     answer,
     tracking,
@@ -118,6 +122,7 @@ export function showEyes(connection, images, roles, me) {
     const of = JSON.stringify([samples, objects.alike(name)]);
     if (rows.get(name)?.of === of) return rows.get(name);
     const state = element('span', {});
+    const look = button('Find', sym('find'), name);
     const track = button('Track', sym('track'), name);
     const forget = button('Forget', sym('forget'), name);
     const more = element('button', { type: 'button', onclick: () => teaching.more(name) }, 'Add sample');
@@ -138,34 +143,33 @@ export function showEyes(connection, images, roles, me) {
         element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''} by ${clipped(by, 64)}; `, state),
         ...alike,
       ),
-      button('Find', sym('find'), name),
+      look,
       track,
       more,
       forget,
     );
-    rows.set(name, { of, item, state, more, track, forget });
+    rows.set(name, { of, item, state, look, more, track, forget });
     return rows.get(name);
   };
   const draw = () => {
-    const why = reasons(present, held, me());
-    const connected = held.some(([client, holds]) => client === me() && holds === 'connected');
-    set(connect, !present ? 'no eyes are present' : connected ? 'you are connected' : '');
-    set(disconnect, connected ? '' : 'you are not connected');
-    set(end, why.end);
-    set(teaching.training, why.train);
-    holders.textContent = held.map(([client, holds]) => `${client}: ${holds}`).join(', ');
+    holders.textContent = held.map(([client, holds]) => `${nameOf(client, me())}: ${holds}`).join(', ');
     const names = objects.names().slice(0, 64);
     for (const name of rows.keys()) if (!names.includes(name)) rows.delete(name);
     const shown = names.map(row);
-    for (const { more, track, forget } of shown) {
-      set(more, why.train);
-      set(track, why.track);
-      set(forget, why.forget);
-    }
+    const why = reasonsFor(permission.command('request') || (present ? '' : 'no eyes are present'), held, me());
+    reasons.set('Connect', [connect], why.connect);
+    reasons.set('Disconnect', [disconnect], why.disconnect);
+    reasons.set('End track', [end], why.end);
+    reasons.set('Training', [teaching.training], why.train);
+    reasons.set('Add sample', shown.map(({ more }) => more), why.train);
+    reasons.set('Find', shown.map(({ look }) => look), why.find);
+    reasons.set('Track', shown.map(({ track }) => track), why.track);
+    reasons.set('Forget', shown.map(({ forget }) => forget), why.forget);
     arrange(list, shown.map(({ item }) => item));
     showStates();
   };
   objects.onChange(draw);
+  permission.onChange(draw);
   roles.follow('eyes', '(vision-mode ?eyes ?mode ?connected)', ([told]) => {
     present = Boolean(told);
     eyes = told ? text(told[1]) : eyes;

@@ -3,13 +3,16 @@
 import { confirmed } from './confirm.js';
 import { find } from './dom.js';
 import { fact } from './live_answers.js';
+import { nameOf } from './names.js';
 import { text } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
+/** @import { Permission } from './permission.js' */
 /** @import { Form } from './messages' */
 
 export class Hands {
   #connection;
+  #permission;
   /** @type {((mine: boolean, holder: string) => void)[]} */
   #listeners = [];
   /** @type {Form[]} */
@@ -22,13 +25,13 @@ export class Hands {
   #taking = false;
   /** @type {{ from: string, to: string } | null} */
   change = null; // of hands, into this page's or out of them, until it is read
-  live = false; // what is said is heard
   me = '';
   robot = 'robot';
 
-  /** @param {Connection} connection */
-  constructor(connection) {
+  /** @param {Connection} connection @param {Permission} permission */
+  constructor(connection, permission) {
     this.#connection = connection;
+    this.#permission = permission;
     connection.followAlways('(commander ?robot ?client)', (answers) => {
       this.#holders = answers.map(fact);
       this.#note();
@@ -38,6 +41,7 @@ export class Hands {
       this.#wishes = answers.map(fact);
       this.changed();
     });
+    permission.onChange(() => this.changed());
   }
 
   get holder() {
@@ -45,17 +49,23 @@ export class Hands {
     return first ? text(first[2]) : '';
   }
   get mine() {
-    return this.live && this.me !== '' && this.holder === this.me;
+    return this.#permission.live && this.me !== '' && this.holder === this.me;
   }
-  // Why nothing moves the arm from here; '' where something may.
+  // Why this page may not take the arm, and why what needs it in hand is off; '' where it may.
+  get whyNotTaken() {
+    return this.#permission.line || this.#permission.right('command');
+  }
   get why() {
-    if (!this.live) return 'There is no live line to the console';
-    return this.mine ? '' : 'Take the arm in hand first';
+    return this.whyNotTaken || this.#permission.command('request') || (this.mine ? '' : 'Take the arm in hand first');
+  }
+  // In words.
+  get holderName() {
+    return nameOf(this.holder, this.me);
   }
   // Who asks for it, and whether this page does.
   get askers() {
     const here = this.#wishes.filter((wish) => text(wish[1]) === this.robot).map((wish) => text(wish[2]));
-    return here.filter((client) => client !== this.me);
+    return here.filter((client) => client !== this.me).map((client) => nameOf(client, this.me));
   }
   get asking() {
     return this.#wishes.some((wish) => text(wish[1]) === this.robot && text(wish[2]) === this.me);
@@ -69,17 +79,12 @@ export class Hands {
     this.#before = to;
     this.#had = to !== '' && to === this.me;
     if (from === to) return;
-    if (this.#had) this.change = from ? { from, to } : null;
-    else if (had && !this.#lettingGo) this.change = { from, to };
+    const change = { from: nameOf(from, this.me), to: nameOf(to, this.me) };
+    if (this.#had) this.change = from ? change : null;
+    else if (had && !this.#lettingGo) this.change = change;
     this.#lettingGo = false;
   }
 
-  /** @param {boolean} live */
-  setLive(live) {
-    if (this.live === live) return;
-    this.live = live;
-    this.changed();
-  }
   /** @param {(mine: boolean, holder: string) => void} listener */
   onChange(listener) {
     this.#listeners.push(listener);
@@ -88,7 +93,7 @@ export class Hands {
   changed() {
     const chip = find('arm-chip');
     chip.hidden = this.holder === '';
-    chip.textContent = this.mine ? 'arm: in your hands' : `arm: ${this.live ? this.holder : 'not known'}`;
+    chip.textContent = this.mine ? 'arm: in your hands' : `arm: ${this.#permission.live ? this.holderName : 'not known'}`;
     chip.className = this.mine ? 'chip good' : 'chip warn';
     for (const listener of this.#listeners) listener(this.mine, this.holder);
     this.#followWish();
@@ -96,7 +101,7 @@ export class Hands {
 
   // Who asked takes it as soon as it is free, and asks no more.
   async #followWish() {
-    if (!this.live || !this.asking || this.#taking || !(this.mine || this.holder === '')) return;
+    if (!this.#permission.live || !this.asking || this.#taking || !(this.mine || this.holder === '')) return;
     this.#taking = true;
     const verb = this.mine ? 'ask-no-more' : 'command';
     await this.#connection.hold(verb, this.robot).catch(() => {}); // another was quicker
@@ -108,7 +113,7 @@ export class Hands {
   async toggle() {
     if (this.mine) return this.#letGo();
     if (this.holder === '') return this.#connection.hold('command', this.robot);
-    const sure = await confirmed(`${this.holder} has the arm in hand. Take it over? Its motion ends.`);
+    const sure = await confirmed(`${this.holderName} has the arm in hand. Take it over? Its motion ends.`);
     return sure ? this.#connection.hold('take-over', this.robot) : undefined;
   }
   async #letGo() {

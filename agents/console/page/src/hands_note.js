@@ -2,6 +2,7 @@
 // over or was lost, both who took it and who lost it.
 
 import { element, failureText, find } from './dom.js';
+import { you } from './names.js';
 
 /** @import { Hands } from './hands.js' */
 
@@ -30,7 +31,7 @@ export function showHandsNote(hands) {
     const { change, mine } = hands;
     const [asker] = hands.askers;
     if (change && !change.to) return show('You no longer have the arm in hand.', 'OK', read);
-    if (change && change.to !== hands.me) return show(`${change.to} has taken the arm over.`, 'OK', read);
+    if (change && change.to !== you) return show(`${change.to} has taken the arm over.`, 'OK', read);
     if (mine && asker) return show(`${asker} asks for the arm.`, `Let ${asker} have it`, letGo);
     if (change && mine) return show(`You have taken the arm over from ${change.from}, who is told.`, 'OK', read);
     return show('', '', () => {});

@@ -4,11 +4,13 @@
 import { CommandLog } from './command_log.js';
 import { element, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { Reasons } from './reasons.js';
 import { settingSlide, springSlide } from './slides.js';
 import { text } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { Images } from './images.js' */
+/** @import { Permission } from './permission.js' */
 /** @import { Form, PointInImage } from './messages' */
 
 const axes = [
@@ -58,8 +60,8 @@ function offMiddle(model, at) {
   return { pan: degrees(at.x - cx), tilt: -degrees(at.y - cy) };
 }
 
-/** @param {Connection} connection @param {Images} images @param {() => string} me */
-export function showHead(connection, images, me) {
+/** @param {Connection} connection @param {Permission} permission @param {Images} images @param {() => string} me */
+export function showHead(connection, permission, images, me) {
   const panel = find('head');
   const log = new CommandLog(connection, () => 'pan-tilt', me, 'Commands that the head received, newest first');
   /** @param {string} form */
@@ -77,8 +79,10 @@ export function showHead(connection, images, me) {
   ];
   const clicks = element('input', { type: 'checkbox', id: 'click-to-look' });
   const controls = [...buttons, clicks, ...parts.flatMap((part) => part.controls)];
+  const reasons = new Reasons('why-head');
   panel.append(
     element('div', { class: 'row' }, light, where, ...buttons),
+    reasons.note,
     element('div', { class: 'slides' }, ...parts.flatMap((part) => part.rows)),
     ...parts.map((part) => part.form),
     element('label', { class: 'row' }, clicks, 'A click in the camera’s image turns the head there'),
@@ -105,18 +109,20 @@ export function showHead(connection, images, me) {
     const told = answers.length ? fact(answers[0]) : undefined;
     model = told && [...told];
   });
-  /** @param {Form} [told] */
-  const show = (told) => {
+  /** @type {Form | undefined} */
+  let told;
+  const show = () => {
     const state = told ? text(told[1]) : 'no head is present';
     light.textContent = told && text(told[2]) ? `${state}: ${text(told[2])}` : state;
     light.className = `chip ${state === 'ready' ? 'good' : 'bad'}`;
-    for (const control of controls) {
-      control.disabled = !told;
-      control.title = told ? '' : 'This cell has no head that turns, or its agent is away';
-    }
+    const absent = told ? '' : 'This cell has no head that turns, or its agent is away';
+    reasons.set('Whatever turns the head', controls, permission.command('request') || absent);
   };
-  show();
-  connection.follow('(pan-tilt ?state ?trouble)', (answers) => show(answers.length ? fact(answers[0]) : undefined));
+  permission.onChange(show);
+  connection.follow('(pan-tilt ?state ?trouble)', (answers) => {
+    told = answers.length ? fact(answers[0]) : undefined;
+    show();
+  });
   connection.follow('(head-speed ?pan ?tilt)', (answers) => {
     if (!answers.length) return;
     axes.forEach((axis, i) => parts[i].percent.put(fact(answers[0])[axis.index]));

@@ -42,7 +42,7 @@ class Jog {
     this.#connection = connection;
     this.#hands = hands;
     this.#log = log;
-    hands.onChange((mine) => mine || this.end());
+    hands.onChange(() => hands.why && this.end());
     window.addEventListener('blur', () => this.end());
     window.addEventListener('pagehide', () => this.end());
     document.addEventListener('visibilitychange', () => {
@@ -53,7 +53,7 @@ class Jog {
   // One that was just let go ends first.
   /** @param {string} direction @param {HTMLButtonElement} button */
   begin(direction, button) {
-    if (this.#press || !this.#hands.mine) return;
+    if (this.#press || this.#hands.why) return;
     const press = { button };
     this.#press = press;
     button.classList.add('held');
@@ -122,9 +122,6 @@ export function makeJog(connection, hands, log) {
     const line = rtt < 0 ? 'not measured yet' : `${rtt.toFixed(0)} ms there and back`;
     note.textContent = `Hold to move. Line: ${line}; silence of ${deadline.toFixed(0)} ms stops the arm, within 10 mm.`;
   };
-  hands.onChange(() => {
-    if (!hands.live) note.textContent = `${hands.why}: nothing moves.`;
-  });
   const pad = element('div', { class: 'jogs', role: 'group', 'aria-label': 'Jog: hold to move' }, ...buttons);
   return { parts: [pad, note], buttons };
 }

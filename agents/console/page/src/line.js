@@ -4,14 +4,14 @@
 import { clipped, find } from './dom.js';
 
 /** @import { State } from './connection.js' */
-/** @import { Hands } from './hands.js' */
+/** @import { Permission } from './permission.js' */
 
 /** @type {Record<State, string>} */
 const said = { connecting: 'connecting', live: 'live', silent: 'silent', lost: 'no connection', refused: 'no session' };
 const commanding = ['want', 'eyes', 'drive', 'head'];
 
-/** @param {Hands} hands */
-export function showLine(hands) {
+/** @param {Permission} permission */
+export function showLine(permission) {
   const chip = find('state');
   /** @param {State} state @param {string} why */
   return (state, why = '') => {
@@ -22,6 +22,6 @@ export function showLine(hands) {
     document.body.dataset.state = state;
     if (state !== 'connecting') find('line-note').hidden = live;
     for (const part of commanding) find(part).inert = !live;
-    hands.setLive(live);
+    permission.set({ live });
   };
 }

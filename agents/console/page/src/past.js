@@ -5,11 +5,12 @@ import { clock, element, failureText, find } from './dom.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { Images } from './images.js' */
+/** @import { Permission } from './permission.js' */
 /** @import { Answer } from './messages' */
 
 // Answers what goes to a moment that is named.
-/** @param {Connection} connection @param {Images} images */
-export function showPast(connection, images) {
+/** @param {Connection} connection @param {Permission} permission @param {Images} images */
+export function showPast(connection, permission, images) {
   const bar = find('past');
   const slider = element('input', {
     type: 'range',
@@ -29,6 +30,7 @@ export function showPast(connection, images) {
   /** @param {number | null} moment */
   const show = async (moment) => {
     document.body.classList.toggle('past', moment !== null);
+    permission.set({ past: moment !== null });
     now.disabled = moment === null;
     note.textContent = moment === null ? 'now' : `${clock(moment)} …`;
     images.showMoment(moment);

@@ -3,17 +3,20 @@
 import { confirmed } from './confirm.js';
 import { clipped, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
+import { nameOf } from './names.js';
+import { Reasons } from './reasons.js';
 import { text } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { Hands } from './hands.js' */
+/** @import { Permission } from './permission.js' */
 
 const longestStop = 1000; // milliseconds, until it is acknowledged
 const byKey = 'Escape, from anywhere';
 const otherwise = 'use the button at the cell';
 
-/** @param {Connection} connection @param {Hands} hands */
-export function showStop(connection, hands) {
+/** @param {Connection} connection @param {Permission} permission @param {Hands} hands */
+export function showStop(connection, permission, hands) {
   const note = find('stop-note');
   /** @param {string} sentence */
   const say = (sentence) => (note.textContent = sentence);
@@ -58,16 +61,22 @@ export function showStop(connection, hands) {
       say(failureText(failure));
     }
   });
-  hands.onChange((mine) => {
-    clear.disabled = !mine;
-    clear.title = mine ? '' : `${hands.why}: who clears a stop sets the arm free`;
+  const off = new Reasons('why-not-cleared');
+  clear.after(off.note);
+  const unable = new Reasons('why-no-stop');
+  note.after(unable.note);
+  hands.onChange(() => {
+    const why = permission.right('clear-stops') || hands.why;
+    off.set('Clear', [clear], why && `${why}. Who clears a stop sets the arm free`);
+    const never = permission.right('stop');
+    unable.set('STOP', [find('stop'), find('confirm-stop')], never && `${never}: ${otherwise}`);
   });
 
   connection.followAlways('(stop ?who ?reason)', (answers) => {
     find('stopped').hidden = answers.length === 0;
     if (answers.length > 0) warn('');
     else say(byKey);
-    const said = answers.map((answer) => `${text(fact(answer)[1])}: ${text(fact(answer)[2])}`);
+    const said = answers.map((answer) => `${nameOf(text(fact(answer)[1]), hands.me)}: ${text(fact(answer)[2])}`);
     find('stopped-by').textContent = clipped(said.join('; '));
   });
 }

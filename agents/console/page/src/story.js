@@ -8,12 +8,14 @@ import { goalHistory } from './goal_history.js';
 import { keptPicture } from './kept_picture.js';
 import { planChange, planIn } from './plan_change.js';
 import { provenanceButton, toldBy } from './provenance.js';
+import { Reasons } from './reasons.js';
 import { showWork } from './work.js';
 import { text, write } from './datum.js';
 import { keyOf } from './work_entries.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { Images } from './images.js' */
+/** @import { Permission } from './permission.js' */
 /** @import { WorkEntries } from './work_entries.js' */
 /** @import { Answer, Datum } from './messages' */
 
@@ -38,10 +40,10 @@ function detailOf(events, number, detail) {
   return element('pre', {}, clipped(write(detail), 4000));
 }
 
-/** @typedef {{ connection: Connection, images: Images, goTo: (moment: number) => void }} Around */
+/** @typedef {{ connection: Connection, permission: Permission, entries: WorkEntries, images: Images }} Around */
 
-/** @param {Around} around @param {Answer[]} events @param {Answer} answer */
-function entryOf({ connection, images, goTo }, events, answer) {
+/** @param {Around} around @param {(moment: number) => void} goTo @param {Answer[]} events @param {Answer} answer */
+function entryOf({ connection, images }, goTo, events, answer) {
   const [, number, kind, sentence, detail] = fact(answer);
   const told = answer.facts[0];
   const summary = element(
@@ -66,8 +68,9 @@ function entryOf({ connection, images, goTo }, events, answer) {
   );
 }
 
-/** @param {Connection} connection @param {WorkEntries} entries @param {Images} images @param {(moment: number) => void} goTo */
-export function showStory(connection, entries, images, goTo) {
+/** @param {Around} around @param {(moment: number) => void} goTo */
+export function showStory(around, goTo) {
+  const { connection, permission, entries } = around;
   const list = element('div', { class: 'timeline' });
   const why = element('pre', { class: 'answer', hidden: true });
   const ask = async () => {
@@ -82,10 +85,13 @@ export function showStory(connection, entries, images, goTo) {
   };
   const told = () => entries.until(connection.moment ?? Infinity);
   /** @param {Answer} answer */
-  const entry = (answer) => entryOf({ connection, images, goTo }, told(), answer);
+  const entry = (answer) => entryOf(around, goTo, told(), answer);
   const work = showWork(connection, entries, entry);
+  const question = element('button', { type: 'button', id: 'why', onclick: ask }, 'Why this, now?');
+  const reasons = new Reasons('why-not-asked');
+  permission.onChange(() => reasons.set('Why this', [question], permission.line || permission.right('request')));
   find('story').append(
-    element('div', { class: 'row' }, element('button', { type: 'button', id: 'why', onclick: ask }, 'Why this, now?')),
+    element('div', { class: 'row' }, question, reasons.note),
     why,
     work.panel,
     goalHistory(connection),

@@ -4,10 +4,12 @@ import { failureText, find } from './dom.js';
 import { completes } from './completion.js';
 import { fact } from './live_answers.js';
 import { nextWords } from './goal_words.js';
+import { Reasons } from './reasons.js';
 import { showTowers } from './towers.js';
 import { text } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
+/** @import { Permission } from './permission.js' */
 /** @import { Answer, Failure, Form } from './messages' */
 
 const carried = 'end-effector';
@@ -41,8 +43,8 @@ function predicatesIn(contracts) {
   return found;
 }
 
-/** @param {Connection} connection */
-export function showWant(connection) {
+/** @param {Connection} connection @param {Permission} permission */
+export function showWant(connection, permission) {
   const towers = showTowers();
   const answer = find('goal-answer');
   const goalText = find('goal-text');
@@ -80,15 +82,25 @@ export function showWant(connection) {
     }
   });
 
+  const reasons = new Reasons('why-want');
+  find('goal-form').append(reasons.note);
+  let pursued = false;
+  const gate = () => {
+    reasons.set('Go', [find('go')], permission.command('goal'));
+    reasons.set('Cancel', [find('cancel')], permission.command('request') || (pursued ? '' : 'no goal is running'));
+  };
+  permission.onChange(gate);
+
   connection.follow('(goal-state ?n ?state ?detail)', (answers) => {
     const newest = answers.map(fact).toSorted((a, b) => b[1] - a[1])[0];
     const chip = find('goal-chip');
     chip.hidden = !newest;
+    const state = newest ? text(newest[2]) : '';
+    pursued = state === 'running';
+    gate();
     if (!newest) return;
-    const state = text(newest[2]);
     chip.textContent = `goal ${newest[1]}: ${state}`;
     chip.className = `chip ${state === 'reached' ? 'good' : state === 'running' ? 'busy' : 'warn'}`;
-    find('cancel').disabled = state !== 'running';
   });
 
   // What may be typed: the domain's predicates, of what has been learned and of what else they were seen to hold.
