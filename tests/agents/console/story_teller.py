@@ -22,6 +22,7 @@ RELATIONS = POSTS[:-1] + [
     "(relation goal ((n integer) (facts list)) (key n) (durable))",
     "(relation goal-state ((n integer) (state symbol) (detail list)) (key n) (durable))",
     "(relation plan ((n integer) (operations list)) (key) (durable))",
+    "(relation plan-needs ((n integer) (needs list)) (key) (durable))",
     "(relation operation ((index integer) (operation list) (state symbol)) (key) (durable))",
     "(relation servo ((state integer) (object symbol) (x number) (y number) (d number)) (key))",
     "(relation tracked ((eyes symbol) (name string) (state symbol) (frame integer) (confidence number)) (key eyes name))",
@@ -37,11 +38,18 @@ PURSUES = (
 KEPT = 200
 BEFORE = "(PICK-UP triangle) (STACK triangle square) (PICK-UP circle) (STACK circle triangle)"
 AFTER = "(UNSTACK cross triangle) (PUT-DOWN cross) (PICK-UP circle) (STACK circle triangle)"
+NEEDS = (
+    "((clear triangle) (arm-empty))",
+    "((holding triangle) (clear square))",
+    "((on triangle square) (arm-empty))",
+    "((holding circle) (not (clear circle)))",
+    "((on circle triangle) (on triangle square))",
+)
 STORY = [
     "goal 'goal 1' ()",
     f"plan 'plan' (plan 1 ({BEFORE}))",
-    "operation 'operation 1' (PICK-UP triangle)",
-    "operation 'operation 2' (STACK triangle square)",
+    "operation 'operation 1: (PICK-UP triangle)' (PICK-UP triangle)",
+    "operation 'operation 2: (STACK triangle square)' (STACK triangle square)",
     "difference 'somebody put the cross on the triangle' ((clear triangle))",
     f"plan 'new plan' (plan 1 ({AFTER}))",
 ]
@@ -64,9 +72,12 @@ def tell_all(board):
         return number_of(fact)
 
     told(f"(contract teller (contract teller (posts {' '.join(POSTS)})))")
+    told("(goal 1 ((on circle triangle) (on triangle square)))")
+    told(f"(plan-needs 1 ({' '.join(NEEDS)}))")
+    told("(believed (holding triangle))")
     for number, event in enumerate(STORY, 1):
         told(f"(event {number} {event})".replace("'", '"'))
-    told("(goal 1 ((on circle triangle) (on triangle square)))")
+    board.retract("(believed (holding triangle))")
     told("(goal-state 1 running ())")
     told("(goal 2 ((on circle trianglo)))")
     told('(goal-state 2 refused (fail unknown-object "there is no trianglo" trianglo))')

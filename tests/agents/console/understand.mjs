@@ -10,7 +10,7 @@ const browser = await launch(scratch);
 const folder = ownFolder();
 const pictures = join(scratch, 'console-screenshots');
 mkdirSync(pictures, { recursive: true });
-const told = storyBoard(board, folder);
+const told = storyBoard(board, folder, '--journal', join(folder, 'journal'));
 told.tell();
 const served = start([cell, 'console', '--board', told.at], folder);
 const page = await openPage(browser, await served.line);
@@ -30,6 +30,25 @@ expect(
 );
 await entry(2).locator('summary').click();
 expect((await entry(2).locator('table').count()) === 0, "a goal's first plan has none before it");
+
+// What an operation was ordered by, what was expected, and what was believed then.
+await entry(4).locator('summary').click();
+await entry(4).locator('.why').waitFor();
+const why = (await entry(4).locator('.why').innerText()).replace(/\s+/g, ' ');
+for (const words of [
+  'Ordered by goal 1: (on circle triangle) (on triangle square)',
+  'Step 2 of 4',
+  'Expected before (holding triangle) holds (clear square) does not hold',
+  'Expected after (on triangle square) (arm-empty)',
+  'Believed then (holding triangle)',
+])
+  expect(why.includes(words), `an operation's entry says by what it was ordered: ${words} in ${why}`);
+expect((await entry(4).locator('.ordered [aria-current=step]').innerText()) === '(STACK triangle square)', 'and marks its step in the plan');
+// A difference shows what the operation in hand expected.
+await entry(5).locator('summary').click();
+await entry(5).locator('.why .lacks').waitFor();
+expect(/Step 2 of 4/.test((await entry(5).locator('.why').innerText()).replace(/\s+/g, ' ')), 'so does a difference');
+await page.locator('#story').evaluate((panel) => panel.scrollTo(0, 0));
 
 await page.click('.goals summary');
 const goals = (await page.locator('#goals tbody tr').allInnerTexts()).map((row) => row.replace(/\s+/g, ' '));

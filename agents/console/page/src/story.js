@@ -3,6 +3,7 @@
 // what it does.
 
 import { arrange, clipped, clock, eachFrame, element, failureText, find } from './dom.js';
+import { entryWhy } from './entry_why.js';
 import { fact } from './live_answers.js';
 import { goalHistory } from './goal_history.js';
 import { keptPicture } from './kept_picture.js';
@@ -54,8 +55,13 @@ function entryOf({ connection, images }, goTo, events, answer) {
     element('span', {}, clipped(text(sentence))),
   );
   const seen = element('div', {});
+  const why = element('div', {});
   /** @param {Event & { target: HTMLDetailsElement }} event */
-  const open = (event) => event.target.open && seen.replaceChildren(keptPicture(connection, images.telling(), told.when));
+  const open = async ({ target }) => {
+    if (!target.open) return;
+    seen.replaceChildren(keptPicture(connection, images.telling(), told.when));
+    why.replaceChildren(await entryWhy(connection, events, answer));
+  };
   return element(
     'details',
     { 'data-number': number, ontoggle: open },
@@ -63,6 +69,7 @@ function entryOf({ connection, images }, goTo, events, answer) {
     element('p', { class: 'quiet' }, toldBy(answer.ids[0], told)),
     element('button', { type: 'button', class: 'small', onclick: () => goTo(told.when) }, 'Show all as it was then'),
     seen,
+    why,
     provenanceButton(connection, answer.ids[0], told),
     detailOf(events, number, detail),
   );
