@@ -1,13 +1,16 @@
-// The visual servo's errors, live: the last twenty seconds.
+// The visual servo's errors: the last twenty seconds of an approach. Once it is over the curve stays for a look, and the
+// note says since when nothing is served.
 
 import uPlot from 'uplot';
-import { eachFrame, find } from './dom.js';
+import { clock, eachFrame, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
+/** @import { Form } from './messages' */
 
 const seconds = 20;
+const serving = ['align', 'lower']; // steps of an operation
 const states = ['up', 'align x', 'align depth', 'approach', 'fine'];
 
 /** @param {Connection} connection */
@@ -31,7 +34,7 @@ export function showServo(connection) {
       height: 118,
       legend: { show: true, live: false },
       cursor: { show: false },
-      scales: { x: { time: false } },
+      scales: { x: { time: false, range: [-seconds, 0] } },
       axes: [
         { ...axis, size: 22, values: (_, at) => at.map((v) => `${v} s`) },
         { ...axis, size: 38 },
@@ -43,23 +46,39 @@ export function showServo(connection) {
   );
   new ResizeObserver(() => plot.setSize({ width: Math.max(box.clientWidth, 120), height: 118 })).observe(box);
 
+  const clear = () => {
+    for (const series of [times, ...errors]) series.length = 0;
+  };
   const draw = eachFrame(() => {
     const now = times[times.length - 1];
     plot.setData([times.map((time) => Math.round((time - now) * 100) / 100), ...errors]);
+    box.classList.toggle('empty', times.length === 0);
   });
-  connection.follow('(servo ?state ?object ?x ?y ?d)', (answers) => {
-    if (answers.length === 0) {
-      find('servo-note').textContent = 'at rest';
-      return;
-    }
-    const [, state, object, ...now] = fact(answers[0]);
-    find('servo-note').textContent = `${states[state] ?? state}: ${text(object)}`;
-    times.push(answers[0].facts[0].when / 1e6);
-    now.forEach((error, i) => errors[i].push(error));
-    while (times[0] < times[times.length - 1] - seconds) {
-      times.shift();
-      for (const series of errors) series.shift();
-    }
+  let serves = false;
+  /** @type {Form | undefined} */
+  let told;
+  const say = () => {
+    const [, state, object] = told ?? [];
+    const since = times.length ? ` since ${clock(times[times.length - 1] * 1e6)}` : '';
+    find('servo-note').textContent = serves && told ? `${states[state] ?? state}: ${text(object)}` : `nothing is served${since}`;
+    box.classList.toggle('ended', !serves);
     draw();
+  };
+  // The fact of the servo stays when an approach is over: the steps that serve say whether one goes on.
+  connection.follow('(micro-task ?i ?step ?state)', ([answer]) => {
+    const [, , step, state] = answer ? fact(answer) : [];
+    serves = text(state) === 'running' && serving.includes(text(step[0]));
+    say();
+  });
+  connection.follow('(servo ?state ?object ?x ?y ?d)', ([answer]) => {
+    told = answer && fact(answer);
+    if (!answer || !told) return clear(), say();
+    const when = answer.facts[0].when / 1e6;
+    // Of a moment before.
+    if (when < times[times.length - 1]) clear();
+    times.push(when);
+    told.slice(3).forEach((/** @type {number} */ error, /** @type {number} */ i) => errors[i].push(error));
+    while (times[0] < when - seconds) for (const series of [times, ...errors]) series.shift();
+    say();
   });
 }
