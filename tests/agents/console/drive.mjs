@@ -69,10 +69,16 @@ const [percent] = await shown(slideOf('Speed'));
 await page.mouse.up();
 expect((await driving.answered(`(speed ${percent})`)).answer === 'true', 'SPEED');
 expect((await shown(slideOf('Speed')))[0] === percent, `the speed's slide stays at ${percent} %`);
-await hold(slideOf('Gripper'), 0.3);
-const [opening] = await shown(slideOf('Gripper'));
+await hold(slideOf('Gripper opening'), 0.3);
+const [opening] = await shown(slideOf('Gripper opening'));
 await page.mouse.up();
 expect((await driving.answered(`(gripper ${opening})`)).answer === 'true', `the gripper opens ${opening} mm`);
+await page.waitForFunction((mm) => new RegExp(`gripper\\s*${mm} mm`).test(document.getElementById('readings').innerText), opening);
+await hold(slideOf('Gripper close / open'), 0.7);
+const [more] = await shown(slideOf('Gripper close / open'));
+await page.mouse.up();
+expect(more > 0 && (await shown(slideOf('Gripper close / open')))[0] === 0, 'the gripper has a spring slide, too');
+expect((await driving.answered(`(gripper ${opening + more})`)).answer === 'true', `which opens it by ${more} mm more`);
 
 await page.fill('#variable', 'p1');
 await done('Save', '(learn p1)', 'SAVE');

@@ -25,15 +25,24 @@ const motions = [
   { label: 'Tool down / up', unit: '°', most: 45, form: pair('turn-ef', 'up', 'down') },
   { label: 'Wrist left / right', unit: '°', most: 90, form: pair('turn-wrist', 'right', 'left') },
 ];
+// By so much more or less than it is open now.
+/** @param {() => number} opening @returns {Spring} */
+const gripperStep = (opening) => ({
+  label: 'Gripper close / open',
+  unit: 'mm',
+  most: 60,
+  form: (v) => `(gripper ${Math.max(0, Math.round(opening() + v))})`,
+});
 /** @type {Setting} */
-const gripper = { label: 'Gripper', unit: 'mm', least: 0, most: 100, value: 80, form: (v) => `(gripper ${v})` };
+const gripper = { label: 'Gripper opening', unit: 'mm', least: 0, most: 100, value: 80, form: (v) => `(gripper ${v})` };
 /** @type {Setting} */
 const speed = { label: 'Speed', unit: '%', least: 1, most: 100, value: 50, form: (v) => `(speed ${v})` };
 
 // `moving`: those that move something.
 /** @param {Connection} connection @param {Hands} hands @param {(form: string) => void} send */
 export function armSlides(connection, hands, send) {
-  const springs = motions.map((slide) => springSlide(slide, send));
+  let measured = gripper.value;
+  const springs = [...motions, gripperStep(() => measured)].map((slide) => springSlide(slide, send));
   const opening = settingSlide(gripper, send);
   const percent = settingSlide(speed, send);
   /** @param {string} query @param {(value: number) => void} put */
@@ -43,7 +52,10 @@ export function armSlides(connection, hands, send) {
       if (told) put(told[2]);
     });
   follow('(robot-speed ?robot ?percent)', percent.put);
-  follow('(gripper ?robot ?opening)', (value) => opening.put(Math.round(value)));
+  follow('(gripper ?robot ?opening)', (value) => {
+    measured = value;
+    opening.put(Math.round(value));
+  });
   return {
     rows: [...springs, opening, percent].map((slide) => slide.row),
     moving: [...springs, opening].map((slide) => slide.input),
