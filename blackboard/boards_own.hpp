@@ -1,7 +1,8 @@
 #pragma once
 
 // Relations of the board itself: those that it alone tells (`board-refusal`, `board-leads`), and those that it makes up
-// when it is asked: the statistics (memory/statistics.hpp), and what a client may do (memory/own_permissions.hpp).
+// when it is asked: the statistics (memory/statistics.hpp), what a client may do (memory/own_permissions.hpp), and why
+// a fact stands (store/provenance.hpp).
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,11 @@ namespace pizarra {
 inline constexpr std::string_view board_teller = "board";
 
 inline constexpr std::string_view own_permission = "own-permission";
+inline constexpr std::string_view provenance = "provenance";
 
 inline bool is_made_up(std::string_view relation) {
-  constexpr std::array<std::string_view, 6> names = {"relation-stats", "reader-stats", "journey-stats",
-                                                     "watcher-stats",  "client-stats", own_permission};
+  constexpr std::array<std::string_view, 7> names = {"relation-stats", "reader-stats", "journey-stats", "watcher-stats",
+                                                     "client-stats",   own_permission, provenance};
   return std::ranges::find(names, relation) != names.end();
 }
 

@@ -1,6 +1,7 @@
 #include "agents/runtime/declared.hpp"
 
 #include "agents/runtime/contract.hpp"
+#include "blackboard/boards_own.hpp"
 
 namespace pizarra::runtime {
 
@@ -28,6 +29,7 @@ Task<Result<void>> until_declared(Board& board, std::string relation) {
 }  // namespace
 
 Task<Result<bool>> is_declared(Board& board, std::string relation) {
+  if (is_made_up(relation)) co_return true;
   const Datum any = "?"_sym;
   Datum counts = list("relation-stats"_sym, Datum::symbol(relation), any, any, any, any, any, any);
   const Result<std::vector<Fact>> found = co_await board.facts(std::move(counts));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "blackboard/boards_own.hpp"
+#include "blackboard/store/provenance.hpp"
+
 namespace pizarra::journal {
 
 namespace {
@@ -26,6 +29,10 @@ Result<Answers> answer_from(const Log& log, Query query) {
   const Result<void> has = check_has(read->lacks, store, query);
   if (!has) return fail(has);
   query.at.reset();
+  std::size_t examined = 0;
+  if (store::asks_for(query, provenance)) {
+    return store::provenance_of(query, store, {read->to.revision, read->to.when}, examined);
+  }
   Result<Answers> answers = store.ask(query);
   if (!answers) return fail(failure_at(store.revision(), std::move(answers.error())));
   return answers;

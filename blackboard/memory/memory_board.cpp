@@ -6,6 +6,7 @@
 #include "blackboard/boards_own.hpp"
 #include "blackboard/journal/journal.hpp"
 #include "blackboard/memory/own_permissions.hpp"
+#include "blackboard/store/provenance.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/teller.hpp"
@@ -161,6 +162,7 @@ Result<Answers> MemoryBoard::ask(const Query& query, std::size_t& examined, std:
   const store::AskedAt asked{store_->revision(), now};
   // Whoever asks here, and not through a server's keys, may do everything.
   if (store::asks_for(query, own_permission)) return own_permissions(every_permission(), query, asked, examined);
+  if (store::asks_for(query, provenance)) return store::provenance_of(query, *store_, asked, examined);
   const bool about_the_board = Statistics::is_about(query);
   Result<Answers> answers =
       about_the_board ? statistics_.ask(query, *store_, *watches_, now, examined) : store_->ask(query, examined);

@@ -134,7 +134,7 @@ Result<void> KeyRights::ask(Key key, const Query& query) const {
   if (key == nullptr) return {};
   for (const Query::Clause& clause : query.clauses) {
     if (clause.kind == Query::Clause::Kind::compare || wire::permits(key->may.read, clause.form.head())) continue;
-    if (clause.form.head() == own_permission) continue;
+    if (clause.form.head() == own_permission || clause.form.head() == provenance) continue;
     return may_not_with_facts(*key, "read", clause.form);
   }
   return {};

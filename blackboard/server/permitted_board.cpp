@@ -1,5 +1,7 @@
 #include "blackboard/server/permitted_board.hpp"
 
+#include <algorithm>
+
 #include "blackboard/boards_own.hpp"
 #include "blackboard/memory/own_permissions.hpp"
 #include "blackboard/store/query_tables.hpp"
@@ -112,9 +114,22 @@ Result<Datum> PermittedBoard::ask(const Client& client, const Datum& body, std::
 
 Result<Answers> PermittedBoard::answers_for(const Client& client, const Query& query, std::size_t& examined) {
   const bool of_its_key = client.key != nullptr && store::asks_for(query, own_permission);
-  if (!of_its_key) return board_.ask(query, examined, client.teller);
+  if (!of_its_key) {
+    Result<Answers> answers = board_.ask(query, examined, client.teller);
+    if (answers) leave_out_unreadable(client, *answers);
+    return answers;
+  }
   const store::AskedAt asked{board_.store().revision(), board_.executor().now()};
   return memory::own_permissions(listed_in(client.key->may), query, asked, examined);
+}
+
+void PermittedBoard::leave_out_unreadable(const Client& client, Answers& answers) {
+  if (client.key == nullptr) return;
+  std::erase_if(answers.answers, [&](const Answer& answer) {
+    return std::ranges::any_of(answer.facts, [&](const Fact& fact) {
+      return fact.datum.is_form(provenance) && !wire::permits(client.key->may.read, fact.datum[3].head());
+    });
+  });
 }
 
 // One that leads answers as it does any question, when the log has what came before.

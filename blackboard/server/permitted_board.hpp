@@ -37,6 +37,8 @@ class PermittedBoard {
   Result<Datum> recall(const Client& client, const Datum& body, Duration age, std::size_t& examined);
   // The query of `(ask QUERY)` and its like.
   Result<Query> query_of(const Client& client, const Datum& body) const;
+  // Takes from the answers what this client may not read: facts that are the reasons of others (store/provenance.hpp).
+  static void leave_out_unreadable(const Client& client, Answers& answers);
   // A failure as this client is told it: it hears of no relation that is none of its business.
   Failure told(const Client& client, Failure failure, std::size_t& examined) const;
   // Forgets what was known of leases that have lapsed.

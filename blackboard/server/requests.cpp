@@ -204,7 +204,9 @@ void Requests::ask_past(wire::SessionId id, const Session& session, wire::Reques
       workload_.took(id, examined);
       return refuse(*asking, number, failure);
     }
-    outbox_.send(asking->peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
+    Answers readable = *answers;
+    PermittedBoard::leave_out_unreadable(asking->asking(), readable);
+    outbox_.send(asking->peer, reply_text(number, result_to_datum(wire::answers_to_datum(readable))));
   };
   // One that is asked again while it is worked on is answered once.
   if (!past_asked_.emplace(id, number).second) return;

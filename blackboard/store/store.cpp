@@ -229,6 +229,11 @@ const Fact* Store::held(FactId id) const {
   return found == held_.end() ? nullptr : &found->second.fact;
 }
 
+const Fact* Store::fact(FactId id) const {
+  const StandingFact* standing = find(id);
+  return standing == nullptr ? held(id) : &standing->fact;
+}
+
 Result<LeaseId> Store::lease(Duration length, Time now) {
   if (length <= Duration::zero() || length > longest_lease) {
     return fail("wrong-shape", "a lease is longer than 0 and at most a year", to_datum(length.count()));

@@ -80,6 +80,8 @@ class Store {
   std::size_t size() const { return standing_.size(); }
   // A taken fact that is neither settled nor put back.
   const Fact* held(FactId id) const;
+  // Such a one, or one that stands.
+  const Fact* fact(FactId id) const;
   // All of those, by ascending id, and whether they were told under a lease.
   std::vector<std::pair<Fact, bool>> taken() const;
   FactId next_fact() const { return next_fact_; }

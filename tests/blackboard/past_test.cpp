@@ -59,6 +59,24 @@ TEST_F(PastTest, ARelationThatWasYetToBeDeclaredIsSaidNotToHaveBeenThereThen) {
   EXPECT_EQ(said[2], "ok");
 }
 
+TEST_F(PastTest, AReasonThatHasGoneSinceStoodThen) {
+  Transaction because;
+  because.tell(read("(goal 2 (on b c))"), {1});
+  ASSERT_TRUE(life_.board->transact("alice", because).has_value());
+  ASSERT_TRUE(life_.board->transact("alice", Transaction().retract(read("(goal 1 ?)"))).has_value());
+  std::vector<Datum> reasons;
+  for (const char* typed :
+       {"(query (provenance 2 ?id ?fact ? ? ?) (at 2))", "(query (provenance 2 ?id ?fact ? ? ?) (at 3))"}) {
+    past_.ask("alice", query(typed), [&](const Result<Answers>& answers) {
+      ASSERT_TRUE(answers.has_value()) << answers.error().sentence;
+      for (const Answer& answer : answers->answers) reasons.push_back(*answer.bindings.find("?fact"));
+    });
+    life_.executor.run_for(1s);
+  }
+  EXPECT_EQ(reasons,
+            (std::vector<Datum>{read("(goal 2 (on b c))"), read("(goal 1 (on a b))"), read("(goal 2 (on b c))")}));
+}
+
 TEST_F(PastTest, AllClientsTogetherHaveABound) {
   for (std::size_t i = 0; i < journal::Past::max_waiting; ++i) ask("client-" + std::to_string(i));
   EXPECT_TRUE(answered_.empty());

@@ -114,6 +114,24 @@ TEST_F(SecurityTest, SaysToAClientWhatItsOwnKeyPermitsAndCountsNoRefusal) {
   EXPECT_EQ(tell(*robot, "(own-permission tell goal)"), "not-permitted");
 }
 
+TEST_F(SecurityTest, OfAFactsReasonsAClientHearsThoseThatItMayRead) {
+  serve();
+  const auto boss = view("boss");
+  ASSERT_EQ(tell(*boss, "(goal 1)"), "ok");
+  const auto id_of = [&](const char* pattern) {
+    const Result<std::vector<Fact>> facts = run(boss->facts(read(pattern)));
+    return facts->front().id;
+  };
+  const FactId goal = id_of("(goal ?n)");
+  ASSERT_TRUE(run(boss->tell(read("(job 1)"), std::vector<FactId>(1, goal))).has_value());
+  const Query why = query(fmt::format("(provenance {} ?id ?fact ?teller ?when ?because)", id_of("(job ?n)")));
+  EXPECT_EQ(run(boss->ask(why))->answers.size(), 2U);
+  const Result<Answers> heard = run(view("robot")->ask(why));
+  ASSERT_TRUE(heard) << heard.error().sentence;
+  ASSERT_EQ(heard->answers.size(), 1U);
+  EXPECT_EQ(*heard->answers.front().bindings.find("?fact"), read("(job 1)"));
+}
+
 // A board that lives again knows its sessions by what their clients were answered.
 TEST_F(SecurityTest, ARestoredSessionIsItsKeysAlone) {
   server::BoardServerOptions options;
