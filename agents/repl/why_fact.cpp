@@ -1,9 +1,10 @@
 #include "agents/repl/why_fact.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 
-#include "lisp/reader.hpp"
+#include "blackboard/boards_own.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::repl {
@@ -12,61 +13,40 @@ namespace {
 
 constexpr int deepest = 8;
 constexpr std::size_t most_lines = 200;
-// Facts that are looked through for the reasons.
-constexpr std::size_t most_facts = 20'000;
 
 using FactsById = std::map<FactId, Fact>;
 
-// How many arguments the facts of each relation have.
-using Widths = std::map<std::string, std::size_t, std::less<>>;
-
-void add_posts(Widths& widths, const Datum& contract) {
-  for (const Datum& part : contract.items()) {
-    if (!part.is_form("posts")) continue;
-    for (const Datum& relation : part.items().subspan(1)) {
-      if (relation.is_form("relation") && relation.size() > 2)
-        widths[std::string(relation[1].text())] = relation[2].size();
-    }
+void add_facts(const Answers& answers, FactsById& facts) {
+  for (const Answer& answer : answers.answers) {
+    const Datum& said = answer.facts.front().datum;
+    Fact fact;
+    fact.id = static_cast<FactId>(said[2].integer());
+    fact.datum = said[3];
+    fact.teller = said[4].text();
+    for (const Datum& reason : said[6].items()) fact.because.push_back(static_cast<FactId>(reason.integer()));
+    facts.emplace(fact.id, std::move(fact));
   }
 }
 
-void add_condition(Widths& widths, std::string_view condition) {
-  const Result<Datum> form = read_one(condition);
-  if (!form) return;
-  const Result<Query> query = query_from_datum(*form);
-  if (!query) return;
-  for (const Query::Clause& clause : query->clauses) {
-    if (clause.kind == Query::Clause::Kind::fact) widths[std::string(clause.form.head())] = clause.form.size() - 1;
-  }
+bool lacks_reasons(const FactsById& facts) {
+  return std::ranges::any_of(facts, [&](const auto& entry) {
+    const std::vector<FactId>& because = entry.second.because;
+    return std::ranges::any_of(because, [&](FactId reason) { return !facts.contains(reason); });
+  });
 }
 
-// A board has no question for a fact's number, and none for all that it holds: what agents post by their contracts and
-// what rules read is asked for.
-Task<Result<Widths>> known_relations(Board& board) {
-  Widths widths;
-  const Result<std::vector<Fact>> contracts = co_await board.facts(list("contract"_sym, "?"_sym, "?"_sym));
-  if (!contracts) co_return fail(contracts);
-  for (const Fact& contract : *contracts) add_posts(widths, contract.datum[2]);
-  if (!widths.contains("rule")) co_return widths;
-  const Result<std::vector<Fact>> rules = co_await board.facts(list("rule"_sym, "?"_sym, "?"_sym, "?"_sym));
-  if (!rules) co_return fail(rules);
-  for (const Fact& rule : *rules) add_condition(widths, rule.datum[3].text());
-  co_return widths;
-}
-
-Task<Result<FactsById>> facts_by_id(Board& board) {
-  const Result<Widths> widths = co_await known_relations(board);
-  if (!widths) co_return fail(widths);
+// The facts that it goes back to: what stands, and what stood when it was told, where the board keeps a journal.
+Task<Result<FactsById>> facts_behind(Board& board, const Fact& root) {
   FactsById facts;
-  for (const auto& [relation, width] : *widths) {
-    std::vector<Datum> pattern{Datum::symbol(relation)};
-    pattern.resize(1 + width, "?"_sym);
-    const Result<std::vector<Fact>> held = co_await board.facts(Datum::list(std::move(pattern)));
-    // One that this client may not read has no reasons for it.
-    if (!held) continue;
-    for (const Fact& fact : *held) facts.emplace(fact.id, fact);
-    if (facts.size() > most_facts) break;
-  }
+  Query query = query_for(list(Datum::symbol(provenance), root.id, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
+  const Result<Answers> standing = co_await board.ask(query);
+  if (!standing) co_return fail(standing);
+  add_facts(*standing, facts);
+  if (!lacks_reasons(facts)) co_return facts;
+  query.at = Moment{.revision = root.revision};
+  const Result<Answers> stood = co_await board.ask(query);
+  // Where there is no journal, they are said to have gone.
+  if (stood) add_facts(*stood, facts);
   co_return facts;
 }
 
@@ -91,9 +71,9 @@ Task<Result<std::vector<std::string>>> why_facts(Board& board, Datum pattern) {
   if (!asked) co_return fail(asked);
   std::vector<std::string> lines;
   if (asked->empty()) co_return lines;
-  const Result<FactsById> facts = co_await facts_by_id(board);
-  if (!facts) co_return fail(facts);
   for (const Fact& fact : *asked) {
+    const Result<FactsById> facts = co_await facts_behind(board, fact);
+    if (!facts) co_return fail(facts);
     lines.push_back(fmt::format("{}  by {}", write(fact.datum), fact.teller));
     add_reasons(*facts, fact, 1, lines);
   }

@@ -63,6 +63,24 @@ class Repl : public testing::Test {
   Job presence;
 };
 
+TEST_F(Repl, SaysBecauseOfWhatAFactStandsAndWhatHasGone) {
+  const auto tell = [&](const char* fact, std::vector<FactId> because) {
+    Transaction telling;
+    telling.tell(read_one(fact).value(), std::move(because));
+    EXPECT_TRUE(board.transact("eyes", telling).has_value());
+    return board.ask(query_for(read_one(fact).value()))->answers.front().facts.front().id;
+  };
+  const FactId seen = tell("(on a b)", {});
+  const FactId gone = tell("(on b c)", {});
+  const FactId middle = tell("(on c d)", {seen, gone});
+  tell("(on d e)", {middle});
+  ASSERT_TRUE(board.transact("eyes", Transaction().retract(read_one("(on b c)").value())).has_value());
+  EXPECT_EQ(type("(why (on d ?y))"), Evaluation::done);
+  EXPECT_EQ(shown,
+            "(on d e)  by eyes\n  because (on c d)  by eyes\n    because (on a b)  by eyes\n    because of fact " +
+                std::to_string(gone) + ", which is not there any more\n");
+}
+
 TEST_F(Repl, ShowsAPlanWithWhatIsDoneAndWhatIsInHand) {
   const auto relation = [](const char* text) { return relation_from_datum(read_one(text).value()).value(); };
   board
