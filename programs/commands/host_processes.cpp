@@ -56,8 +56,10 @@ Result<Command> Commands::log() const {
   const Result<cluster::LogAddress> log =
       cluster::LogAddress::from(choices_.log, choices_.certificates, choices_.log_insecure);
   if (!log) return fail(log);
-  const Result<void> sound = check_member({*log, choices_.log_here, choices_.log_folder});
-  if (!sound) return fail(sound);
+  const MemberHere member{*log, choices_.log_here, choices_.log_folder};
+  const Result<void> sound = check_member(member);
+  const Result<void> prepared = sound ? prepare_member(member) : sound;
+  if (!prepared) return fail(prepared);
   Command command = {beside_this_program("pizarra-cell"), "log", "member", choices_.log, choices_.log_here,
                      whole_path(choices_.log_folder)};
   if (!choices_.certificates.empty()) {

@@ -18,7 +18,7 @@ struct HostProcess {
   int niceness = 0;
 };
 
-// Failures: those of the address of the cell's log, and of check_member.
+// Failures: those of the address of the cell's log, and of check_member and prepare_member.
 Result<std::vector<HostProcess>> host_processes(const UpChoices& choices, const forms::CellDescription& cell,
                                                 const forms::CellHost& host, const HostPlaces& places,
                                                 const launcher::RunDirectory& directory);

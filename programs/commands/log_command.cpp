@@ -77,13 +77,19 @@ Result<cluster::Beginning> await_beginning(const MemberHere& member) {
   return begins;
 }
 
+Result<void> has_its_place(const MemberHere& member) {
+  Result<void> sound = check_member(member);
+  if (sound) sound = prepare_member(member);
+  return sound ? check_ports(member) : sound;
+}
+
 // Becomes the member.
 int run_member(const MemberChoices& choices) {
   const Result<cluster::LogAddress> log =
       cluster::LogAddress::from(choices.log, choices.certificates, choices.insecure);
   if (!log) return complain(log.error(), exit_usage);
   const MemberHere member{*log, choices.here, choices.folder};
-  const Result<void> sound = check_member(member);
+  const Result<void> sound = has_its_place(member);
   if (!sound) return complain(sound.error(), sound.error().symbol == "bad-address" ? exit_usage : exit_unavailable);
   const Result<cluster::Beginning> begins = has_data(member) ? cluster::Beginning::anew : await_beginning(member);
   if (!begins) return complain(begins.error(), exit_unavailable);

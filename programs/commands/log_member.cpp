@@ -6,15 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
-#include <unistd.h>
 
 #include "programs/commands/log_meeting.hpp"
+#include "programs/commands/member_place.hpp"
 
 namespace pizarra::programs {
 
 namespace {
 
-constexpr const char* etcd = "/usr/bin/etcd";
 constexpr Duration asks_every = 500ms;
 
 // HOST:PORT at which the others speak to a member.
@@ -134,8 +133,20 @@ Result<void> check_member(const MemberHere& member) {
   if (!is_in_figures(host)) {
     return fail("bad-address", fmt::format("a member that runs here has an address in figures, not {}", host));
   }
-  if (access(etcd, X_OK) != 0) return fail("no-program", "etcd is not installed: apt install etcd-server");
-  return {};
+  const Result<std::string> etcd = etcd_program();
+  return etcd ? Result<void>() : fail(etcd);
+}
+
+Result<void> prepare_member(const MemberHere& member) {
+  const Result<void> certificates = check_member_certificates(member.log.certificates);
+  return certificates ? make_member_folder(member.folder) : certificates;
+}
+
+Result<void> check_ports(const MemberHere& member) {
+  const Result<Peers> peers = peers_of(member);
+  if (!peers) return fail(peers);
+  const Result<void> asked = check_member_port(member.log.members[peers->own]);
+  return asked ? check_member_port(peers->all[peers->own]) : asked;
 }
 
 bool has_data(const MemberHere& member) { return std::filesystem::exists(member.folder + "/member/wal"); }
@@ -171,7 +182,7 @@ std::vector<std::string> etcd_command(const MemberHere& member, cluster::Beginni
   const std::string own = peers.url(member, peers.own);
   const std::string asked = fmt::format("{}://{}", log.certificates.empty() ? "http" : "https", log.members[peers.own]);
   const bool joins = begins == cluster::Beginning::joining;
-  std::vector<std::string> command = {etcd,
+  std::vector<std::string> command = {etcd_program().value(),
                                       "--name=" + name_of(peers.own),
                                       "--data-dir=" + std::filesystem::absolute(member.folder).string(),
                                       "--initial-cluster=" + all,

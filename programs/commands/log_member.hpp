@@ -6,6 +6,7 @@
 //
 //   const MemberHere member{*address, "10.0.0.1", "/var/lib/pizarra/blocks"};
 //   Result<void> sound = check_member(member);
+//   Result<void> prepared = prepare_member(member);
 //   Result<cluster::Beginning> begins = co_await beginning_of(executor, member, deadline, say);   // where it has no
 //   data std::vector<std::string> command = etcd_command(member, *begins);
 //
@@ -29,6 +30,11 @@ struct MemberHere {
 
 // Failures bad-address, and no-program where etcd is not installed.
 Result<void> check_member(const MemberHere& member);
+// Of one that was checked: its certificates are here, and its folder, which is made. Failures bad-address and
+// cannot-write.
+Result<void> prepare_member(const MemberHere& member);
+// Whether this host can listen at its two ports. Failures cannot-listen and bad-address.
+Result<void> check_ports(const MemberHere& member);
 bool has_data(const MemberHere& member);
 // Says whenever it waits for others than before. Failures bad-address, cannot-listen, and unavailable: for whom it
 // waited.

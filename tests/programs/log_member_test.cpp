@@ -1,7 +1,9 @@
 // `log member`: members of a log, with certificates, begin together and come back without their data.
 
 #include <arpa/inet.h>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
@@ -98,8 +100,62 @@ TEST_F(LogMembers, TakeNobodysWordForHavingNoDataWhomTheirAuthorityDoesNotKnow) 
     const std::string sentence = fmt::format("has no data, and waits for 127.0.0.1:{}:", ports_.at("c") + 1);
     const auto is_said = [&] { return running_.at("a")->said().contains(sentence); };
     EXPECT_TRUE(wait_until(is_said, seconds(60))) << said();
-    EXPECT_FALSE(std::filesystem::exists(folder("a"))) << "it did not begin";
+    EXPECT_FALSE(std::filesystem::exists(folder("a") + "/member")) << "it did not begin";
   }
+}
+
+// Etcd itself would say these in stack traces.
+class LogMemberWithoutAPlace : public LogMembers {
+ protected:
+  static Said member(const std::string& log, const std::string& here, const std::string& more) {
+    return shell_in_scratch(fmt::format("{} log member etcd://{}/here {} {}", PIZARRA_CELL, log, here, more));
+  }
+};
+
+TEST_F(LogMemberWithoutAPlace, IsToldThatAnotherCellsMemberHasItsPort) {
+  const Running other(
+      {PIZARRA_CELL, "log", "member", "etcd://" + members_.at("a") + "/other", members_.at("a"), folder("a")},
+      scratch_folder() + "other-member.log");
+  ASSERT_TRUE(wait_until([&] { return cluster::can_connect(ports_.at("a")); }, seconds(60))) << other.said();
+  const Said refused = member(members_.at("a"), members_.at("a"), folder("b"));
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  const std::string sentence = members_.at("a") +
+                               " is taken. Where another cell's member runs there, leave out "
+                               "--log-here: one log serves several cells. Or give the members of this log other ports";
+  EXPECT_TRUE(refused.text.contains(sentence)) << refused.text;
+  const std::string below = fmt::format("127.0.0.1:{}", ports_.at("a") - 1);
+  const Said between = member(below, below, folder("b"));
+  EXPECT_TRUE(between.text.contains(members_.at("a") + " is taken")) << "its port between members: " << between.text;
+}
+
+TEST_F(LogMemberWithoutAPlace, IsToldThatItsMachineHasAnotherAddress) {
+  const Said refused = member("198.51.100.1", "198.51.100.1", folder("b") + " --log-insecure");
+  EXPECT_EQ(refused.status, 2) << refused.text;
+  EXPECT_TRUE(refused.text.contains("198.51.100.1 is no address of this machine")) << refused.text;
+}
+
+TEST_F(LogMemberWithoutAPlace, IsToldWhyItsFolderCannotBeMade) {
+  std::ofstream(scratch_folder() + "file") << "in place of a folder";
+  const Said refused = member(members_.at("a"), members_.at("a"), scratch_folder() + "file/member");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  EXPECT_TRUE(refused.text.contains("file/member: Not a directory")) << refused.text;
+}
+
+TEST_F(LogMemberWithoutAPlace, IsToldWhichCertificateIsMissing) {
+  std::filesystem::remove(own_ + "/server.key");
+  const Said refused = member(members_.at("a"), members_.at("a"), folder("b") + " --log-certificates " + own_);
+  EXPECT_EQ(refused.status, 2) << refused.text;
+  EXPECT_TRUE(refused.text.contains(own_ + "/server.key: No such file or directory")) << refused.text;
+}
+
+TEST_F(LogMemberWithoutAPlace, FindsEtcdWhereItsPathHasIt) {
+  const std::string own = scratch_folder() + "bin";
+  std::filesystem::create_directories(own);
+  std::ofstream(own + "/etcd") << "#!/bin/sh\necho an etcd of my own\n";
+  std::filesystem::permissions(own + "/etcd", std::filesystem::perms::owner_all);
+  const Said said = shell_in_scratch(fmt::format("PATH={}:$PATH {} log member etcd://{}/here {} {}", own, PIZARRA_CELL,
+                                                 members_.at("a"), members_.at("a"), folder("b")));
+  EXPECT_TRUE(said.text.contains("an etcd of my own")) << said.text;
 }
 
 TEST_F(LogMembers, HaveAnAddressInFigures) {

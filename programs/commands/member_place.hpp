@@ -1,0 +1,26 @@
+#pragma once
+
+// What a member of a log needs on this host: a program, a folder, certificates, two free ports. It is looked at before
+// etcd is started, which would say what is missing in a stack trace.
+//
+//   const Result<std::string> etcd = etcd_program();
+//   const Result<void> folder = make_member_folder("/var/lib/pizarra-etcd");
+//   const Result<void> certificates = check_member_certificates("certificates");
+//   const Result<void> ports = check_member_port("10.0.0.1:2379");        // and the one above it
+
+#include <string>
+
+#include "lisp/result.hpp"
+
+namespace pizarra::programs {
+
+// Where etcd is installed. Failure no-program.
+Result<std::string> etcd_program();
+// The user's alone, where it is made. Failure cannot-write.
+Result<void> make_member_folder(const std::string& folder);
+// Without a folder there is nothing to check. Failure bad-address.
+Result<void> check_member_certificates(const std::string& folder);
+// Of an address in figures. Failures cannot-listen, and bad-address where this machine does not have it.
+Result<void> check_member_port(const std::string& place);
+
+}  // namespace pizarra::programs
