@@ -163,7 +163,7 @@ TEST_F(HostsOfACell, HaveAServiceWithTheMemberOfTheLogAndAreToldWhatIsMissing) {
                              certificates + "\" \"--log-here\" \"10.0.0.2\" \"--log-folder\" \"" + folder_ +
                              "member\" \"--standby\" \"tcp://10.0.0.2:7943\""))
       << line_of_service("ExecStart");
-  const Said board = run(join + " --host bench" + log);
+  const Said board = run(join + " --host bench --force" + log);
   EXPECT_EQ(board.status, 0) << board.text;
 }
 
@@ -195,7 +195,35 @@ TEST_F(HostsOfACell, AreNotMadeWhereTheServiceCannotBeWritten) {
   std::ofstream(folder_ + "units") << "a file in place of the folder";
   const Said refused = join("desk");
   EXPECT_EQ(refused.status, 4) << refused.text;
-  EXPECT_TRUE(refused.text.contains("the service cannot be written: " + service_)) << refused.text;
+  EXPECT_TRUE(refused.text.contains("the folder of the service cannot be made: " + folder_ + "units: Not a directory"))
+      << refused.text;
+}
+
+TEST_F(HostsOfACell, AreNotMadeWhereTheFolderOfTheMemberCannotBeMade) {
+  if (!files::exists("/usr/bin/etcd")) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+  std::ofstream(folder_ + "file") << "in place of a folder";
+  const Said refused =
+      run("host join '" + cell_ + "' --host desk --dir " + keys_ + " --service-dir " + folder_ +
+          "units --log etcd://127.0.0.1/blocks --log-here 127.0.0.1 --log-folder " + folder_ + "file/member");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  const std::string sentence = "the member's folder cannot be made: " + folder_ + "file/member: Not a directory";
+  EXPECT_TRUE(refused.text.contains(sentence)) << refused.text;
+  EXPECT_FALSE(files::exists(keys_)) << "no key";
+  EXPECT_FALSE(files::exists(service_)) << "and no service";
+}
+
+TEST_F(HostsOfACell, KeepAServiceThatSomebodyChangedUnlessItIsToBeReplaced) {
+  files::create_directories(folder_ + "units");
+  std::ofstream(service_) << "[Service]\nExecStart=/bin/mine\n";
+  const Said refused = join("desk");
+  EXPECT_EQ(refused.status, 2) << refused.text;
+  EXPECT_TRUE(refused.text.contains("there is another service in " + service_ + ": --force replaces it"))
+      << refused.text;
+  EXPECT_EQ(line_of_service("ExecStart"), "/bin/mine");
+  EXPECT_FALSE(files::exists(keys_)) << "nothing was made";
+  const Said forced = join("desk --force");
+  EXPECT_EQ(forced.status, 0) << forced.text;
+  EXPECT_TRUE(line_of_service("ExecStart").ends_with("--host \"desk\"")) << line_of_service("ExecStart");
 }
 
 }  // namespace
