@@ -70,6 +70,10 @@ Result<void> check_log(const UpChoices& choices, const forms::CellDescription& c
   const Result<cluster::LogAddress> log =
       cluster::LogAddress::from(choices.log, choices.certificates, choices.log_insecure || only_agents);
   if (!log) return fail(log);
+  const bool has_board = owns_board || !choices.standby.empty();
+  if (!has_board && !choices.past.empty()) {
+    return fail("bad-option", fmt::format("--past is for a host with a board, and {} has none", host.name));
+  }
   return check_standby(choices, cell, owns_board);
 }
 

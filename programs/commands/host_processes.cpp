@@ -18,6 +18,8 @@ using Command = std::vector<std::string>;
 
 // Pages that are many or slow make work for the console alone. Where cores are few, the board and the agents go first.
 constexpr int console_niceness = 10;
+// The run's folder may be one of memory.
+constexpr const char* past_in_memory = "64MB";
 
 std::string whole_path(const std::string& file) { return std::filesystem::absolute(file).string(); }
 
@@ -81,9 +83,12 @@ Command Commands::shared_board() const {
                      "--name",
                      host_.name,
                      "--cell",
-                     cell_.name,
-                     "--past",
-                     directory_.file("past")};
+                     cell_.name};
+  if (choices_.past.empty()) {
+    command.insert(command.end(), {"--past", directory_.file("past"), "--history-size", past_in_memory});
+  } else {
+    command.insert(command.end(), {"--past", whole_path(choices_.past)});
+  }
   if (!choices_.certificates.empty()) command.insert(command.end(), {"--log-certificates", choices_.certificates});
   if (choices_.log_insecure) command.push_back("--log-insecure");
   if (!places_.keys.empty()) command.insert(command.end(), {"--keys", places_.keys});

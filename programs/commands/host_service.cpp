@@ -51,6 +51,7 @@ std::vector<std::string> log_words(const UpChoices& up) {
   add("--log-here", up.log_here);
   add("--log-folder", up.log_folder.empty() ? "" : full_path(up.log_folder));
   add("--standby", up.standby);
+  add("--past", up.past.empty() ? "" : full_path(up.past));
   return words;
 }
 

@@ -24,6 +24,10 @@ void add_log_options(CLI::App& app, UpChoices& choices) {
           ->needs(log_here)
           ->type_name("DIR");
   log_here->needs(log_folder);
+  app.add_option("--past", choices.past,
+                 "Where the board of this host keeps its own past, 1 GB; default: 64 MB in the run's folder")
+      ->needs(log)
+      ->type_name("DIR");
 }
 
 }  // namespace pizarra::programs

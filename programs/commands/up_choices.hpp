@@ -20,13 +20,14 @@ struct UpChoices {
   std::string standby;
   std::string log_here;
   std::string log_folder;
+  std::string past;
   bool log_insecure = false;
   std::uint64_t seed = 1;
   bool json = false;
   bool console = false;
 };
 
-// Those of a cell's log, of its member here and of a board that stands by.
+// Those of a cell's log, of its member here, of a board that stands by, and of the past that the board here keeps.
 void add_log_options(CLI::App& app, UpChoices& choices);
 
 }  // namespace pizarra::programs

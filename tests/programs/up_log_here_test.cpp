@@ -132,6 +132,8 @@ TEST_F(UpWithLogHere, IsRefusedWithWhatWouldKeepABoardFromTakingOver) {
   EXPECT_TRUE(own.contains("--standby is for another host than that of the cell's board")) << own;
   const std::string keys = refusal(" --host b --standby " + standby_ + " --keys " + scratch_folder() + "no-keys");
   EXPECT_TRUE(keys.contains("the board has no key of its own there")) << keys;
+  const std::string past = refusal(" --host c --past " + scratch_folder() + "past");
+  EXPECT_TRUE(past.contains("--past is for a host with a board, and c has none")) << past;
 }
 
 TEST_F(UpWithLogHere, BringsAMemberBackWhoseDataIsGone) {
@@ -159,6 +161,36 @@ TEST_F(UpWithLogHere, WaitsForTheOthersWhereAMemberHasLostItsData) {
   up("a", {});
   EXPECT_TRUE(comes("ask '(note ?n)'", "?n = 1")) << said();
   EXPECT_TRUE(wait_until([&] { return is_healthy("c"); }, seconds(60))) << said();
+}
+
+// Of one host, with a log of one member: its command line, and where its past is.
+TEST_F(UpWithLogHere, KeepsAPastOfLittleSpaceInTheRunsFolderAndALargeOneWhereItIsTold) {
+  const std::string past = scratch_folder() + "the past";
+  std::filesystem::remove_all(past);
+  const auto board = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {PIZARRA_CELL,
+                                      "up",
+                                      cell_,
+                                      "--host",
+                                      "a",
+                                      "--log",
+                                      fmt::format("etcd://{}/here", members_.at("a")),
+                                      "--log-here",
+                                      members_.at("a"),
+                                      "--log-folder",
+                                      scratch_folder() + "member-a"};
+    words.insert(words.end(), more.begin(), more.end());
+    running_["a"] = std::make_unique<Running>(words, scratch_folder() + "up-a.log");
+    EXPECT_TRUE(comes("ask '(agent robot ?kind ?host)'", "?host = \"a\"")) << said();
+    const std::string line = shell_in_scratch("pgrep -af 'pizarra-board.*" + board_ + "'").text;
+    end("a");
+    return line;
+  };
+  const std::string small = board({});
+  EXPECT_TRUE(small.contains("/past --history-size 64MB")) << small;
+  const std::string large = board({"--past", past});
+  EXPECT_TRUE(large.contains("--past " + past) && !large.contains("--history-size")) << large;
+  EXPECT_FALSE(std::filesystem::is_empty(past));
 }
 
 TEST_F(UpWithLogHere, IsRefusedForAnAddressThatIsNoMember) {
