@@ -32,6 +32,13 @@ Failure of_board(Failure failure, const std::string& path, const std::string& ad
   return failure;
 }
 
+Failure name_taken(const std::string& root, const std::string& name, const std::string& by) {
+  return {"name-taken",
+          fmt::format("{} names {} {}: take another name, or first retract (context-board {} ?)", root, by, name, name),
+          to_datum(by),
+          {}};
+}
+
 }  // namespace
 
 Relation Contexts::context_relation() {
@@ -72,6 +79,11 @@ Task<Result<void>> Contexts::add(std::string root, std::string name, std::string
     const std::string where = address == root ? "itself" : "a board above it";
     co_return fail("context-loop", fmt::format("{} cannot name {}", root, where), to_datum(address));
   }
+  const Result<Pairs> named_so_far = co_await pairs_of(root, "context-board");
+  if (!named_so_far) co_return fail(of_board(named_so_far.error(), "", root));
+  const auto same_name = std::ranges::find(*named_so_far, name, &Pairs::value_type::first);
+  const bool taken = same_name != named_so_far->end() && same_name->second != address;
+  if (taken) co_return fail(name_taken(root, name, same_name->second));
   const auto below = reach(address);
   if (!below) co_return fail(below);
   // That one first: a context that nobody answers is worse than a parent that does not know of it.

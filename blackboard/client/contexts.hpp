@@ -11,8 +11,8 @@
 //   rows = co_await contexts.ascend(*address);    // those above it, up to the boards that nobody names
 //
 // It is the client that goes from board to board; boards know nothing of each other. Failures: no-context, unreachable
-// (which board of the way does not answer), context-loop, too-deep, orphan (the parent does not name it back), and
-// those of the boards.
+// (which board of the way does not answer), context-loop, name-taken, too-deep, orphan (the parent does not name
+// it back), and those of the boards. A board is known by its address as it is written.
 
 #include <optional>
 #include <string>
@@ -34,8 +34,8 @@ class Contexts {
   // Of (context-board NAME ADDRESS). To follow it on a board that may name none yet, declare it first.
   static Relation context_relation();
 
-  // Both facts. An earlier context of that name is replaced. Failure context-loop for the root itself, and for a board
-  // above it.
+  // Both facts. Failures: context-loop for the root itself, and for a board above it; name-taken where the root names
+  // another address so.
   Task<Result<void>> add(std::string root, std::string name, std::string address);
   // The address that the path of names with `/` between them leads to; that of the root for an empty one.
   Task<Result<std::string>> resolve(std::string root, std::string path);

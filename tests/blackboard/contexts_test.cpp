@@ -120,6 +120,14 @@ TEST_F(ContextsTest, WhatLeadsBackIsListedOnceAndSaidToBeALoop) {
   EXPECT_EQ(resolve("north/blocks/up/north").value(), north.address) << "a path ends, whatever it passes";
 }
 
+TEST_F(ContextsTest, ANameIsNotTakenFromTheBoardThatHasIt) {
+  const std::string taken = add(hall, "north", blocks.address);
+  EXPECT_TRUE(taken.starts_with(hall.address + " names " + north.address + " north: take another name")) << taken;
+  EXPECT_EQ(resolve("north").value(), north.address);
+  EXPECT_EQ(above(blocks), " there\nblocks there\nnorth/blocks there\n") << "and the other was not told of it";
+  EXPECT_EQ(add(hall, "north", north.address), "ok") << "the same again";
+}
+
 TEST_F(ContextsTest, ABoardNamesNeitherItselfNorOneAboveIt) {
   const std::string itself = add(hall, "self", hall.address);
   EXPECT_TRUE(itself.starts_with(hall.address + " cannot name itself")) << itself;
