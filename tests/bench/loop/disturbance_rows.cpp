@@ -134,11 +134,11 @@ double measure(LoopBench& bench, const Row& row, std::optional<double> undisturb
   const double time_s = mean_time_s(counted);
   const double ratio = undisturbed_s && *undisturbed_s > 0 ? time_s / *undisturbed_s : 1;
   const bool in_time = !row.longest_ratio || ratio <= *row.longest_ratio;
-  fmt::print("row {} runs {} reached {} low {:.1f} high {:.1f} ratio {:.2f} open {:.1f} goal {:g}", row.name,
+  fmt::print("row {} runs {} reached {} low {:.1f} high {:.1f} ratio {:.2f} open {:.1f} goal {:g} {}\n", row.name,
              bench.seeds, reached(counted), share.low, share.high, ratio, share_of(reached(open), bench.seeds).percent,
-             row.goal);
-  if (row.longest_ratio) fmt::print(" ratio-goal {:g}", *row.longest_ratio);
-  fmt::print(" {}\n    published: {}\n", bench.judge(share.percent >= row.goal && in_time), row.published);
+             row.goal, bench.judge(share.percent >= row.goal && in_time));
+  if (row.longest_ratio) fmt::print("    the ratio is to be {:g} at most\n", *row.longest_ratio);
+  fmt::print("    published: {}\n", row.published);
   say_decisions(counted);
   if (!bench.open_loop_alone) say_how(bench, "closed loop", closed);
   say_how(bench, "open loop", open);

@@ -29,6 +29,7 @@ constexpr double rise_mm = 10;
 constexpr double any_instant_s = 0.5;
 constexpr Duration given_up = 5s;
 constexpr Duration between_looks = 20ms;
+constexpr Duration telling_pause = 10s;
 constexpr std::chrono::minutes life_patience{3};
 
 Duration seconds(double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); }
@@ -180,10 +181,15 @@ Eigen::Vector3d ReactionCell::end_of(const Datum& move) const {
   return arm::forward(config_.arm, joints).translation();
 }
 
-std::vector<double> ReactionCell::measure(int shoves, Duration longest) {
+std::vector<double> ReactionCell::measure(int shoves, Duration longest, const std::function<void(std::size_t)>& tell) {
   const Time deadline = executor_.now() + longest;
   const auto wanted = static_cast<std::size_t>(shoves);
-  executor_.run_until([&] { return reactions_s_.size() >= wanted || executor_.now() > deadline; });
+  const auto is_over = [&] { return reactions_s_.size() >= wanted || executor_.now() > deadline; };
+  while (!is_over()) {
+    const Time tells = executor_.now() + telling_pause;
+    executor_.run_until([&] { return is_over() || executor_.now() > tells; });
+    tell(reactions_s_.size());
+  }
   return reactions_s_;
 }
 

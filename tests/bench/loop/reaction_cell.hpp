@@ -4,7 +4,7 @@
 // processes of their own, in real time; the world is in this one, which sees each frame, shove and command.
 //
 //   ReactionCell cell(60, 7);
-//   const std::vector<double> reactions_s = cell.measure(100, 180s);
+//   const std::vector<double> reactions_s = cell.measure(100, 60s, [](std::size_t answered) { ... });
 //
 // The arm goes for a cube again and again, and at any instant of an approach a hand shoves it aside. A changed command
 // stops the motion, rises, or ends nearer to where the cube is than to where it was.
@@ -29,8 +29,8 @@ class ReactionCell {
   // Throws std::runtime_error where the cell does not come to life.
   ReactionCell(int frames_per_s, std::uint64_t seed);
   // From the frame that shows a shove to the first changed command, in seconds, of so many shoves; of fewer where they
-  // do not come within `longest`.
-  std::vector<double> measure(int shoves, Duration longest);
+  // do not come within `longest`. `tell` hears every ten seconds how many have been answered.
+  std::vector<double> measure(int shoves, Duration longest, const std::function<void(std::size_t)>& tell);
 
  private:
   struct Shove {
