@@ -55,7 +55,8 @@ Result<std::unique_ptr<StreamBroadcast>> StreamBroadcast::open(Executor& executo
   const Result<void> formed = wire::check_address(address);
   if (!formed) return fail(formed);
   if (wire::is_ipc(address)) return fail("bad-address", "streams for other hosts go over tcp", to_datum(address));
-  const bool anywhere = address.starts_with("tcp://*:") || address.starts_with("tcp://0.0.0.0:");
+  const bool anywhere =
+      address.starts_with("tcp://*:") || address.starts_with("tcp://0.0.0.0:") || address.starts_with("tcp://[::]:");
   if (anywhere) return fail("bad-address", "name the host by which others reach this one", to_datum(address));
   std::unique_ptr<StreamBroadcast> broadcast(new StreamBroadcast(executor));
   const Result<void> bound = broadcast->bind(address);
@@ -79,6 +80,7 @@ Result<void> StreamBroadcast::bind(const std::string& address) {
   try {
     socket_.set(zmq::sockopt::curve_server, true);
     socket_.set(zmq::sockopt::curve_secretkey, own.secret_key);
+    socket_.set(zmq::sockopt::ipv6, wire::is_ipv6(address));
     socket_.bind(address);
   } catch (const zmq::error_t& error) {
     const char* symbol = error.num() == EADDRINUSE ? "address-in-use" : "bad-address";
@@ -122,7 +124,9 @@ Result<std::unique_ptr<StreamListener>> StreamListener::come(Executor& executor,
     socket.set(zmq::sockopt::curve_publickey, std::string(ticket[public_key].text()));
     socket.set(zmq::sockopt::curve_secretkey, std::string(ticket[secret_key].text()));
     socket.set(zmq::sockopt::subscribe, frame_topic(stream));
-    socket.connect(std::string(ticket[at].text()));
+    const std::string address(ticket[at].text());
+    socket.set(zmq::sockopt::ipv6, wire::is_ipv6(address));
+    socket.connect(address);
   } catch (const zmq::error_t& error) {
     return fail("bad-ticket", std::string("ZeroMQ refuses it: ") + error.what(), ticket[at]);
   }

@@ -1,6 +1,7 @@
 #include "blackboard/wire/wire_address.hpp"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <cctype>
 #include <cstring>
 #include <sys/socket.h>
@@ -22,6 +23,15 @@ std::unexpected<Failure> bad_address(std::string sentence, const std::string& ad
 
 std::string_view host_of(std::string_view address) {
   return address.substr(tcp.size(), address.rfind(':') - tcp.size());
+}
+
+// A host with colons is an address of IPv6, in brackets.
+bool is_sound_host(std::string_view host) {
+  const bool has_brackets = host.starts_with('[') || host.ends_with(']');
+  if (!has_brackets) return !host.empty() && !host.contains(':');
+  if (host.size() < 2 || !host.starts_with('[') || !host.ends_with(']')) return false;
+  in6_addr bytes{};
+  return inet_pton(AF_INET6, std::string(host.substr(1, host.size() - 2)).c_str(), &bytes) == 1;
 }
 
 // Binding an ipc path takes it away from a server that lives there, so it is asked first.
@@ -51,9 +61,12 @@ Result<void> check_address(const std::string& address) {
   const std::string port = address.substr(colon + 1);
   const bool digits = !port.empty() && port.size() <= 5 &&
                       std::ranges::all_of(port, [](unsigned char c) { return std::isdigit(c) != 0; });
-  const bool host = colon > tcp.size();
+  const bool host = is_sound_host(address.substr(tcp.size(), std::max(colon, tcp.size()) - tcp.size()));
   if (host && (port == "*" || (digits && std::stoi(port) <= 65535))) return {};
-  return bad_address("a tcp address is tcp://HOST:PORT with a port from 0 to 65535, or * for any", address);
+  return bad_address(
+      "a tcp address is tcp://HOST:PORT with a port from 0 to 65535, or * for any; an address of IPv6 is in brackets, "
+      "tcp://[::1]:PORT",
+      address);
 }
 
 Result<std::vector<std::string>> addresses_from(const std::string& list) {
@@ -82,6 +95,8 @@ std::string address_to_bind(const std::string& address) {
 }
 
 bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
+
+bool is_ipv6(const std::string& address) { return address.starts_with("tcp://["); }
 
 Result<void> check_listening_address(const std::string& address, bool open_to_others) {
   const Result<void> formed = check_address(address);

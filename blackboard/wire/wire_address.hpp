@@ -1,6 +1,7 @@
 #pragma once
 
-// Where a board may be: `ipc://PATH` or `tcp://HOST:PORT`. Without keys only this machine's own addresses are safe.
+// Where a board may be: `ipc://PATH` or `tcp://HOST:PORT`, an address of IPv6 in brackets. Without keys only this
+// machine's own addresses are safe.
 
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ Result<void> check_address(const std::string& address);
 Result<std::vector<std::string>> addresses_from(const std::string& list);
 
 bool is_ipc(const std::string& address);
+
+// Whether its host is an address of IPv6: ZeroMQ must be told.
+bool is_ipv6(const std::string& address);
 
 // As ZeroMQ takes it, which binds to numbers.
 std::string address_to_bind(const std::string& address);

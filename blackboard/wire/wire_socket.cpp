@@ -77,6 +77,7 @@ Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* 
     // Each address keeps the options that were set when it was bound.
     socket_.set(zmq::sockopt::curve_server, own != nullptr);
     if (own != nullptr) socket_.set(zmq::sockopt::curve_secretkey, own->secret_key);
+    socket_.set(zmq::sockopt::ipv6, is_ipv6(address));
     keyed_ = keyed_ || own != nullptr;
     socket_.bind(address_to_bind(address));
     schedule_pump();
@@ -98,6 +99,7 @@ Result<void> WireSocket::connect(const std::string& address, const ClientKeys* k
     }
     if (listener) handshakes_.emplace(executor_, context_, socket_, keys != nullptr, std::move(*listener));
     connected_to_ = address;
+    socket_.set(zmq::sockopt::ipv6, is_ipv6(address));
     socket_.connect(address);
     schedule_pump();
     return {};
@@ -115,6 +117,7 @@ void WireSocket::connect_to(const std::string& address) {
     // ZeroMQ may have let go of it by itself.
   }
   connected_to_ = address;
+  socket_.set(zmq::sockopt::ipv6, is_ipv6(address));
   socket_.connect(connected_to_);
   schedule_pump();
 }

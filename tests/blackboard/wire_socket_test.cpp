@@ -3,9 +3,13 @@
 #include "blackboard/wire/wire_socket.hpp"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/wire/wire_address.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra {
@@ -52,6 +56,63 @@ TEST(WireSocket, APeerThatGoesWhileItsFramesAreHeldBackEndsItsOwnConnectionAlone
   executor.cancel(tick);
   EXPECT_TRUE(other_heard);
   EXPECT_GT(held_back, 0);
+}
+
+bool has_ipv6() {
+  const int file = socket(AF_INET6, SOCK_DGRAM, 0);
+  sockaddr_in6 own{};
+  own.sin6_family = AF_INET6;
+  own.sin6_addr = in6addr_loopback;
+  const bool bound = file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
+  close(file);
+  return bound;
+}
+
+TEST(WireSocket, ListensAndConnectsAtAddressesOfIpv6) {
+  if (!has_ipv6()) GTEST_SKIP() << "this machine has no IPv6";
+  RealExecutor executor;
+  std::vector<std::string> heard;
+  const auto hear = [&](const std::string&, std::optional<std::string_view> frame) { heard.emplace_back(*frame); };
+  wire::WireSocket router(executor, wire::WireSocket::Kind::router, hear);
+  const Result<std::string> at = router.bind("tcp://[::1]:*");
+  ASSERT_TRUE(at.has_value()) << describe(at.error());
+  EXPECT_TRUE(at->starts_with("tcp://[::1]:")) << *at;
+  const Result<std::string> beside = router.bind("tcp://127.0.0.1:*");
+  ASSERT_TRUE(beside.has_value()) << describe(beside.error());
+  EXPECT_TRUE(beside->starts_with("tcp://127.0.0.1:")) << *beside;
+  wire::WireSocket dealer(executor, wire::WireSocket::Kind::dealer, hear);
+  const auto say = [&](const std::string& what) {
+    const Time deadline = executor.now() + 10s;
+    const std::size_t before = heard.size();
+    while (heard.size() == before && executor.now() < deadline) {
+      const auto tick = executor.call_at(executor.now() + 20ms, [&] { (void)dealer.send("", what); });
+      const Time looks_at = executor.now() + 100ms;
+      const auto look = executor.call_at(looks_at, [] {});
+      executor.run_until([&] { return heard.size() > before || executor.now() >= looks_at; });
+      executor.cancel(tick);
+      executor.cancel(look);
+    }
+  };
+  ASSERT_TRUE(dealer.connect(*at).has_value());
+  say("by IPv6");
+  dealer.connect_to(*beside);
+  say("by IPv4");
+  ASSERT_GE(heard.size(), 2u);
+  EXPECT_EQ(heard.front(), "by IPv6");
+  EXPECT_EQ(heard.back(), "by IPv4");
+}
+
+TEST(WireAddress, OfIpv6IsInBracketsAndHasNothingElseThere) {
+  EXPECT_TRUE(wire::check_address("tcp://[fd00::1]:7943").has_value());
+  EXPECT_TRUE(wire::check_address("tcp://[::]:*").has_value());
+  for (const char* wrong : {"tcp://fd00::1:7943", "tcp://[fd00::1:7943", "tcp://fd00::1]:7943", "tcp://[]:7943",
+                            "tcp://[localhost]:7943", "tcp://[10.0.0.1]:7943", "tcp://[::1]", "tcp://:7943"}) {
+    const Result<void> refused = wire::check_address(wrong);
+    ASSERT_FALSE(refused.has_value()) << wrong;
+    EXPECT_TRUE(refused.error().sentence.contains("an address of IPv6 is in brackets")) << refused.error().sentence;
+  }
+  EXPECT_TRUE(wire::check_listening_address("tcp://[::1]:7943", false).has_value());
+  EXPECT_EQ(wire::check_listening_address("tcp://[fd00::1]:7943", false).error().symbol, "not-loopback");
 }
 
 TEST(WireSocket, HasHeardUntilLaterTimesHoweverMuchComes) {

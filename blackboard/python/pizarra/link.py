@@ -28,6 +28,8 @@ _AS_A_CLIENT = ((zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50), (
 def connect(socket: Any, address: str, keys: Optional[Keys], options: Tuple[Tuple[int, Any], ...]) -> None:
     for option, value in options + _LET_GO_WHEN_HALF_OPEN:
         socket.setsockopt(option, value)
+    # Told so for an address of IPv6 alone: others would be looked up as one, too.
+    socket.setsockopt(zmq.IPV6, int(address.startswith("tcp://[")))
     if keys:
         socket.curve_serverkey, socket.curve_publickey, socket.curve_secretkey = (key.encode() for key in keys)
     try:

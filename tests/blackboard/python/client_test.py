@@ -5,6 +5,7 @@ client_test.py PIZARRA-BOARD
 
 import math
 import os
+import socket
 import tempfile
 import time
 import unittest
@@ -57,6 +58,15 @@ class Data(unittest.TestCase):
             self.refused(symbol, read, text)
 
 
+def free_port_of_ipv6():
+    """None without IPv6."""
+    try:
+        with socket.create_server(("::1", 0), family=socket.AF_INET6) as server:
+            return server.getsockname()[1]
+    except OSError:
+        return None
+
+
 class OnABoard(BoardTest):
     def setUp(self):
         super().setUp()
@@ -67,6 +77,12 @@ class OnABoard(BoardTest):
         began = time.monotonic()
         super().refused(symbol, action, *arguments)
         self.assertLess(time.monotonic() - began, a_board.PATIENCE / 2, "not when its patience ends")
+
+    def test_a_board_at_an_address_of_ipv6_is_reached(self):
+        port = free_port_of_ipv6()
+        if port is None:
+            self.skipTest("this machine has no IPv6")
+        self.start_board("tcp://[::1]:%d" % port)
 
     def test_what_is_no_datum_is_refused_and_the_board_goes_on(self):
         for datum in (2**70, b"bytes", {}, "\r\x00\x01", None, "\ud800", Symbol("12")):

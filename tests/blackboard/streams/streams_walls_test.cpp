@@ -216,9 +216,27 @@ TEST(StreamTickets, AForgedOneShowsNothing) {
   EXPECT_EQ(frames, 1);
 }
 
+TEST(StreamAddress, MayBeOneOfIpv6) {
+  RealExecutor executor;
+  const auto broadcast = StreamBroadcast::open(executor, "tcp://[::1]:*");
+  if (!broadcast) GTEST_SKIP() << "this machine has no IPv6: " << describe(broadcast.error());
+  zmq::context_t context(1);
+  int frames = 0;
+  const auto listener =
+      StreamListener::come(executor, context, (*broadcast)->ticket(), "eyes", [&](const StreamFrame&) { ++frames; });
+  ASSERT_TRUE(listener.has_value()) << describe(listener.error());
+  bool late = false;
+  executor.call_at(executor.now() + 10s, [&] { late = true; });
+  executor.run_until([&] { return (*broadcast)->watched("eyes") || late; });
+  (*broadcast)->publish("eyes", numbered_frame(1, 8, 8));
+  executor.run_until([&] { return frames > 0 || late; });
+  EXPECT_EQ(frames, 1);
+}
+
 TEST(StreamAddress, IsOneOfThisMachineWhereOthersComeToTheBoardAndNoneElsewhere) {
   EXPECT_EQ(stream_listen_address("ipc:///tmp/board"), "");
   EXPECT_EQ(stream_listen_address("tcp://127.0.0.1:7800"), "");
+  EXPECT_EQ(stream_listen_address("tcp://[::1]:7800"), "");
   EXPECT_EQ(stream_listen_address("no address"), "");
   const std::string out = stream_listen_address("tcp://*:7800");
   if (out.empty()) GTEST_SKIP() << "this machine has no network";
