@@ -21,6 +21,16 @@ std::string reach_text(const ReachOutline& reach) {
   return fmt::format("{{\"height\":{:.1f},\"parts\":[{}]}}", reach.height_mm, parts);
 }
 
+// Each axis by its name and the unit of its readings.
+std::string axes_text(const arm::ArmModel& model) {
+  std::string axes;
+  for (const arm::Axis& axis : model.axes) {
+    const std::string_view unit = arm::slides(axis.role) ? "mm" : "°";
+    axes += fmt::format("{}[\"{}\",\"{}\"]", axes.empty() ? "" : ",", arm::role_name(axis.role), unit);
+  }
+  return axes;
+}
+
 std::string refused_text(const PageRights& rights) {
   std::string items;
   for (const auto& [word, why] : rights.refused()) {
@@ -32,7 +42,11 @@ std::string refused_text(const PageRights& rights) {
 // `truth`: whether there is any to lay over what is believed.
 std::string hello_text(const CellView& cell, int page, const std::string& name, const PageRights& rights, bool truth) {
   std::string arms;
-  for (const auto& [arm, model] : cell.arms) arms += (arms.empty() ? "" : ",") + json_string(arm);
+  std::string axes;
+  for (const auto& [arm, model] : cell.arms) {
+    arms += (arms.empty() ? "" : ",") + json_string(arm);
+    axes += fmt::format("{}{}:[{}]", axes.empty() ? "" : ",", json_string(arm), axes_text(model));
+  }
   std::string reaches;
   for (const auto& [arm, reach] : cell.reaches) {
     reaches += fmt::format("{}{}:{}", reaches.empty() ? "" : ",", json_string(arm), reach_text(reach));
@@ -44,11 +58,12 @@ std::string hello_text(const CellView& cell, int page, const std::string& name, 
                          at.at_mm[0], at.at_mm[1], at.at_mm[2], at.pan_deg, at.tilt_deg, at.roll_deg, cell.head);
   }
   return fmt::format(
-      "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"reaches\":{{{}}},\"camera\":{},\"cube\":{:.1f},\"truth\":{"
+      "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"axes\":{{{}}},\"reaches\":{{{}}},\"camera\":{},\"cube\":{:"
+      ".1f},\"truth\":{"
       "},\"mayNot\":{{{}}},"
       "\"images\":{{\"path\":\"/socket/{}\",\"lanes\":{}}}}}}}",
-      json_string(name), json_string(cell.name), arms, reaches, camera, cell.cube_mm, truth, refused_text(rights), page,
-      PageImages::max_lanes);
+      json_string(name), json_string(cell.name), arms, axes, reaches, camera, cell.cube_mm, truth, refused_text(rights),
+      page, PageImages::max_lanes);
 }
 
 }  // namespace

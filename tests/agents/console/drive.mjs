@@ -103,13 +103,16 @@ expect(/p2/.test(none), `the arm says why an action is none: ${none}`);
 const monitored = (await driving.driven('Monitor', '(monitor)')).split(' ').map(Number);
 await page.waitForFunction(
   (joints) => {
-    const told = document.querySelector('#drive .axes').textContent.matchAll(/j\d (-?[\d.]+)/g);
+    const told = document.querySelector('#drive .axes').textContent.matchAll(/[a-z]+ (-?[\d.]+) (?:°|mm)/g);
     const axes = [...told].map((each) => Number(each[1]));
     return axes.length === joints.length && axes.every((value, i) => Math.abs(value - joints[i]) < 0.2);
   },
   monitored.slice(6),
 );
 expect(monitored.length === 13, 'MONITOR: place, turns and seven axes, which the page shows as they are');
+const axes = await text(page, '#drive .axes');
+expect(/^turn [-\d.]+ ° .* track [-\d.]+ mm$/.test(axes), `by name and unit: ${axes}`);
+expect(/joints\s+(-?\d+ +){5}-?\d+ °\s+\d+ mm/.test(await text(page, '#readings')), 'also in the corner of the picture');
 await done('Finish: report', '(finish report)', 'FINISH report');
 expect(/do-action/.test(await driving.driven('Status', '(get-status)')), 'the last action');
 

@@ -12,17 +12,18 @@ import { showService } from './service.js';
 import { sym, text, write } from './datum.js';
 import { takeArm } from './take_arm.js';
 
+/** @import { Axes } from './axes.js' */
 /** @import { Connection } from './connection.js' */
 /** @import { Hands } from './hands.js' */
 /** @import { Permission } from './permission.js' */
 
 // Where the axes are, as MONITOR answers, live.
-/** @param {Connection} connection @param {Hands} hands */
-function showAxes(connection, hands) {
+/** @param {Connection} connection @param {Hands} hands @param {Axes} axes */
+function showAxes(connection, hands, axes) {
   const row = element('output', { class: 'axes', 'aria-label': 'Axis positions' }, 'no arm has told its joints yet');
   connection.follow('(arm-joints ?robot ?joints)', (answers) => {
     const told = answers.map(fact).find((joints) => text(joints[1]) === hands.robot);
-    if (told) row.textContent = told[2].map((/** @type {number} */ value, /** @type {number} */ i) => `j${i + 1} ${value.toFixed(1)}`).join('   ');
+    if (told) row.textContent = axes.words(hands.robot, told[2]).map((axis) => axis.join(' ')).join('   ');
   });
   return row;
 }
@@ -69,8 +70,8 @@ function makeControls(connection, hands, log) {
   return { poses, service, questions, jog, slides, places, action, moving, still };
 }
 
-/** @param {Connection} connection @param {Permission} permission @param {Hands} hands */
-export function showDrive(connection, permission, hands) {
+/** @param {{ connection: Connection, permission: Permission, hands: Hands, axes: Axes }} around */
+export function showDrive({ connection, permission, hands, axes }) {
   const log = new CommandLog(
     connection,
     () => hands.robot,
@@ -98,7 +99,7 @@ export function showDrive(connection, permission, hands) {
       element('div', {}, ...jog.parts),
       element('div', { class: 'slides' }, ...slides.rows),
     ),
-    element('div', { class: 'row' }, ...places.parts, showAxes(connection, hands)),
+    element('div', { class: 'row' }, ...places.parts, showAxes(connection, hands, axes)),
     action.form,
     element('h2', {}, 'Commands received'),
     log.list,

@@ -3,7 +3,7 @@
 import { arrange, clipped, element, failureText, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { showCalibration } from './calibration.js';
-import { LearnedObjects } from './learned_objects.js';
+import { isNamed, LearnedObjects, provisionalName } from './learned_objects.js';
 import { nameOf } from './names.js';
 import { Reasons } from './reasons.js';
 import { sym, text } from './datum.js';
@@ -90,7 +90,7 @@ export function showEyes({ connection, permission, images, roles }, me) {
   const teaching = new Teaching({
     ask: request,
     objects,
-    provisional: () => `unnamed-${me().replace(/\D+/g, '-').replace(/^-/, '')}`,
+    provisional: () => provisionalName(me().replace(/\D+/g, '-').replace(/^-/, '')),
     why: whyFailed,
   });
   images.onPoint((point) => teaching.take(point));
@@ -139,7 +139,7 @@ export function showEyes({ connection, permission, images, roles }, me) {
       element(
         'span',
         {},
-        element('strong', {}, clipped(name, 64)),
+        element('strong', {}, isNamed(name) ? clipped(name, 64) : 'not named yet'),
         element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''} by ${clipped(by, 64)}; `, state),
         ...alike,
       ),

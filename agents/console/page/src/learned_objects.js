@@ -13,6 +13,13 @@ import { text } from './datum.js';
 // The triangle on the gripper: the first of every list.
 export const endEffector = 'end-effector';
 
+// What a page learned and nobody has named yet has a name of that page's until then.
+const provisional = 'unnamed-';
+/** @param {string} of what tells the page from others */
+export const provisionalName = (of) => provisional + of;
+/** @param {string} name */
+export const isNamed = (name) => !name.startsWith(provisional);
+
 const parameters = ['Area', 'Perimeter', 'NF', 'M0', 'M1', 'M2'];
 
 /** @typedef {{ eyes: string, num: number, parameters: [name: string, value: string][], picture: string, tone: string }} Sample */

@@ -1,6 +1,7 @@
 // The page: what each part shows is its own file's affair; here they meet.
 
 import { Activity } from './activity.js';
+import { Axes } from './axes.js';
 import { Connection } from './connection.js';
 import { Hands } from './hands.js';
 import { find } from './dom.js';
@@ -30,13 +31,14 @@ const connection = new Connection();
 const permission = new Permission();
 const hands = new Hands(connection, permission);
 const roles = new Roles(connection);
+const axes = new Axes();
 
 showTabs();
 const logIn = showLogIn(connection);
 const line = showLine(permission);
 showStop(connection, permission, hands);
 showHandsNote(hands);
-const scene = showScene(connection, roles);
+const scene = showScene(connection, roles, axes);
 const images = showImages(connection, roles);
 const entries = new WorkEntries(connection);
 showWant(connection, permission);
@@ -46,7 +48,7 @@ const around = { connection, permission, entries, images };
 showStory(around, showPast(around));
 showHead(connection, permission, images, () => hands.me);
 showEyes({ connection, permission, images, roles }, () => hands.me);
-showDrive(connection, permission, hands);
+showDrive({ connection, permission, hands, axes });
 const activity = new Activity(connection);
 showFacts(connection, activity);
 showAgents(connection, activity);
@@ -57,6 +59,7 @@ connection.onHello = (hello) => {
   find('cell').textContent = hello.cell;
   hands.me = hello.name;
   permission.set({ mayNot: hello.mayNot });
+  axes.set(hello.axes);
   scene.setCell(hello);
 };
 roles.onChange(() => {

@@ -22,6 +22,7 @@ export type Hello = {
   name: string;
   cell: string;
   arms: string[];
+  axes: Record<string, [name: string, unit: string][]>;
   reaches: Record<string, Reach>;
   camera: Camera | null;
   cube: number;

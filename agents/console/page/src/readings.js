@@ -1,13 +1,14 @@
 // Where the robot is, in numbers: (arm-pose ROBOT X Y Z RX RY RZ), (arm-joints ROBOT (J ...)), (gripper ROBOT OPENING) and
 // (arm ROBOT STATE ACTION) in words.
 //
-//   const readings = new Readings(connection, (opening) => ...);     who draws the gripper
+//   const readings = new Readings(connection, axes, (opening) => ...);     who draws the gripper
 //   readings.show('robot');
 
 import { element, find } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Axes } from './axes.js' */
 /** @import { Connection } from './connection.js' */
 /** @import { Form } from './messages' */
 
@@ -16,13 +17,18 @@ const rounded = (action) => action.replace(/\d+\.\d+/g, (number) => String(Math.
 /** @param {number[]} numbers */
 const row = (numbers) => numbers.map((v) => v.toFixed(0)).join('  ');
 
-/** @type {Record<string, (told: Form) => [label: string, value: string][]>} */
+// Those of one unit after another have it once.
+/** @param {[name: string, value: string][]} axes */
+const brief = (axes) =>
+  axes.map(([, value], i) => (value.split(' ')[1] === axes[i + 1]?.[1].split(' ')[1] ? value.split(' ')[0] : value)).join('  ');
+
+/** @type {Record<string, (told: Form, axes: Axes) => [label: string, value: string][]>} */
 const words = {
   pose: ([, , ...pose]) => [
     ['grip', `${row(pose.slice(0, 3))} mm`],
     ['turned', `${row(pose.slice(3))} °`],
   ],
-  joints: ([, , joints]) => [['joints', row(joints)]],
+  joints: ([, robot, joints], axes) => [['joints', brief(axes.words(text(robot), joints, 0))]],
   gripper: ([, , opening]) => [['gripper', `${opening.toFixed(0)} mm`]],
   arm: ([, , state, action]) => [['arm', `${text(state)}  ${rounded(text(action)).slice(0, 40)}`]],
 };
@@ -31,11 +37,14 @@ export class Readings {
   #robot = 'robot';
   /** @type {Record<string, Form[]>} */
   #told = {};
+  #axes;
   #opened;
 
-  /** @param {Connection} connection @param {(opening: number | undefined) => void} opened */
-  constructor(connection, opened) {
+  /** @param {Connection} connection @param {Axes} axes @param {(opening: number | undefined) => void} opened */
+  constructor(connection, axes, opened) {
+    this.#axes = axes;
     this.#opened = opened;
+    axes.onChange(() => this.#draw());
     /** @param {string} name @param {string} query */
     const follow = (name, query) =>
       connection.follow(query, (answers) => {
@@ -55,14 +64,13 @@ export class Readings {
   }
 
   /** @param {string} name */
-  /** @param {string} name */
   #of(name) {
     return this.#told[name]?.find((told) => text(told[1]) === this.#robot);
   }
   #draw() {
     const rows = Object.entries(words).flatMap(([name, say]) => {
       const told = this.#of(name);
-      return told ? say(told) : [];
+      return told ? say(told, this.#axes) : [];
     });
     find('readings').replaceChildren(
       ...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]),

@@ -15,6 +15,7 @@ import { showBeliefs } from './beliefs.js';
 import { Readings } from './readings.js';
 import { text } from './datum.js';
 
+/** @import { Axes } from './axes.js' */
 /** @import { Connection } from './connection.js' */
 /** @import { Roles } from './roles.js' */
 /** @import { Sighting } from './sightings.js' */
@@ -59,8 +60,8 @@ function followTarget(connection, changed) {
   });
 }
 
-/** @param {Connection} connection @param {Roles} roles */
-export function showScene(connection, roles) {
+/** @param {Connection} connection @param {Roles} roles @param {Axes} axes */
+export function showScene(connection, roles, axes) {
   const view = makeView();
   /** @type {ArmFigure | null} */
   let arm = null;
@@ -74,7 +75,7 @@ export function showScene(connection, roles) {
   const objects = new Map();
   /** @type {Map<string, Arm>} */
   const told = new Map(); // the newest of each arm
-  const readings = new Readings(connection, (opening) => view && arm?.open(opening) && view.ask());
+  const readings = new Readings(connection, axes, (opening) => view && arm?.open(opening) && view.ask());
   const showSightings = showBeliefs(connection);
   if (!view) {
     roles.onChange(() => readings.show(roles.server('robot') || 'robot'));

@@ -3,6 +3,7 @@
 import { failureText, find } from './dom.js';
 import { completes } from './completion.js';
 import { fact } from './live_answers.js';
+import { isNamed } from './learned_objects.js';
 import { nextWords } from './goal_words.js';
 import { Reasons } from './reasons.js';
 import { showTowers } from './towers.js';
@@ -113,7 +114,7 @@ export function showWant(connection, permission) {
   connection.follow('(contract ?name ?form)', (answers) => (predicates = predicatesIn(answers)));
   connection.follow('(believed ?fact)', (answers) => (placed = answers.flatMap((believed) => fact(believed)[1].slice(1).map(text))));
   connection.follow('(learned ?eyes ?name 1 ? ? ? ? ? ?)', (answers) => {
-    learned = answers.map((one) => text(fact(one)[2])).filter((name) => name !== carried);
+    learned = answers.map((one) => text(fact(one)[2])).filter((name) => name !== carried && isNamed(name));
     towers.setNames([...new Set(learned)].slice(0, 12));
   });
   completes(goalText, (source) => nextWords(source, { predicates, names: [...new Set([...learned, ...placed])].sort() }));

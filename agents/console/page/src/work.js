@@ -15,6 +15,7 @@ import { WorkPicture } from './work_picture.js';
 
 /** @type {[name: string, length: number][]} */
 const spans = [
+  ['2 minutes', 120e6],
   ['10 minutes', 600e6],
   ['1 hour', 3600e6],
   ['8 hours', 8 * 3600e6],
@@ -42,7 +43,7 @@ export function showWork(connection, entries, entryOf) {
   const choice = element(
     'select',
     { 'aria-label': 'How much of the past' },
-    ...spans.map(([name, length]) => element('option', { value: length, selected: name === '1 hour' }, name)),
+    ...spans.map(([name, length]) => element('option', { value: length, selected: name === '10 minutes' }, name)),
   );
 
   /** @type {Record<'goals' | 'states' | 'refusals', Answer[]>} */

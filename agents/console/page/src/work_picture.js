@@ -13,12 +13,14 @@ const gutter = 76;
 const laneHeight = 19;
 const axisHeight = 18;
 const narrowest = 5;
-const halfTime = 15; // of the width of what a tick says
-const minute = 60e6;
-const steps = [1, 2, 5, 10, 20, 60, 120].map((minutes) => minutes * minute);
+const halfTime = 24; // of the width of what a tick says
+const second = 1e6;
+const minute = 60 * second;
+const steps = [15 * second, ...[1, 2, 5, 10, 20, 60, 120].map((minutes) => minutes * minute)];
 
-/** @param {number} moment */
-const timeOf = (moment) => clock(moment).slice(0, 5);
+// With its seconds where the steps are as short.
+/** @param {number} moment @param {number} step */
+const timeOf = (moment, step) => (step < minute ? clock(moment) : clock(moment).slice(0, 5));
 
 /** @param {Group} group */
 function labelOf({ lane, marks, from }) {
@@ -78,7 +80,7 @@ export class WorkPicture {
         drawn('rect', { x: gutter, y: axisHeight + i * laneHeight + 1, width, height: laneHeight - 2, class: 'lane' }),
       ),
       ...ticks.map((moment) => drawn('line', { x1: at(moment), x2: at(moment), y1: axisHeight, y2: bottom, class: 'tick' })),
-      ...ticks.filter((moment) => at(moment) < gutter + width - halfTime).map((moment) => drawn('text', { x: at(moment), y: 12, class: 'tick' }, timeOf(moment))),
+      ...ticks.filter((moment) => at(moment) < gutter + width - halfTime).map((moment) => drawn('text', { x: at(moment), y: 12, class: 'tick' }, timeOf(moment, step))),
     );
   }
 
