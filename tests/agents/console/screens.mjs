@@ -1,5 +1,6 @@
 // node screens.mjs PIZARRA-CELL SCRATCH: the page on a 13-inch laptop and on a tablet, upright and across: nothing sticks
-// out, every control can be reached and is large enough for a finger, and a finger holds a jog.
+// out, is cut or lies over another, every control can be reached and is large enough for a finger, and a finger holds a
+// jog.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -15,9 +16,10 @@ const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
 let next = await served.line;
 
 const screens = [
-  { name: 'laptop', width: 1280, height: 720, touch: false },
+  { name: 'laptop', width: 1280, height: 800, touch: false },
+  { name: 'low-laptop', width: 1280, height: 720, touch: false },
   { name: 'tablet-across', width: 1024, height: 768, touch: true },
-  { name: 'tablet-upright', width: 820, height: 1180, touch: true },
+  { name: 'tablet-upright', width: 768, height: 1024, touch: true },
 ];
 
 // Of every control that is shown: what sticks out of the window once it is scrolled to, is covered, or too small.
@@ -36,6 +38,31 @@ const awkward = (page) =>
       if (box.left < 0 || box.right > innerWidth + 1) wrong.push(`${name} sticks out: ${Math.round(box.left)} to ${Math.round(box.right)}`);
       const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
       if (!at || !(control.contains(at) || at.contains(control))) wrong.push(`${name} is covered by ${at?.id || at?.tagName}`);
+    }
+    return wrong;
+  });
+
+// Of what is shown: what lies over another in its panel, and what does not fit into its button or card.
+const crowded = (page) =>
+  page.evaluate(() => {
+    const name = (one) => one.getAttribute('aria-label') || one.textContent.trim().slice(0, 40) || one.id;
+    const isShown = (one) => one.checkVisibility() && !one.closest('dialog') && one.getBoundingClientRect().width > 0;
+    const wrong = [];
+    for (const panel of document.querySelectorAll('header, #past, #want, [role=tabpanel]:not([hidden])')) {
+      const parts = [...panel.querySelectorAll('button, input, select, output, .reasons, h1, h2, .chip')].filter(isShown);
+      const boxes = parts.map((one) => ({ one, box: one.getBoundingClientRect() }));
+      for (const [i, { one, box }] of boxes.entries()) {
+        for (const { one: other, box: at } of boxes.slice(i + 1)) {
+          if (one.contains(other)) continue;
+          const wide = Math.min(box.right, at.right) - Math.max(box.left, at.left);
+          const high = Math.min(box.bottom, at.bottom) - Math.max(box.top, at.top);
+          if (wide > 1 && high > 1) wrong.push(`${name(one)} and ${name(other)} lie over one another`);
+        }
+        if (one.tagName === 'BUTTON' && one.scrollWidth > one.clientWidth + 1) wrong.push(`${name(one)} is cut`);
+      }
+      const edge = panel.getBoundingClientRect().right;
+      const leaves = [...panel.querySelectorAll('*')].filter((one) => one.childElementCount === 0 && isShown(one) && !one.closest('.scroll, svg'));
+      for (const leaf of leaves) if (leaf.getBoundingClientRect().right > edge + 1) wrong.push(`${name(leaf)} sticks out of its card`);
     }
     return wrong;
   });
@@ -68,6 +95,8 @@ for (const [index, { name, width, height, touch }] of screens.entries()) {
     expect(wide <= 0, `${name}, ${tab}: nothing scrolls sideways`);
     const wrong = await awkward(page);
     expect(wrong.length === 0, `${name}, ${tab}: every control can be reached ${wrong.join('; ')}`);
+    const crowds = await crowded(page);
+    expect(crowds.length === 0, `${name}, ${tab}: nothing is cut, or lies over another ${crowds.join('; ')}`);
     const stop = await page.locator('#stop').boundingBox();
     expect(stop && stop.y >= 0 && stop.y + stop.height <= height && stop.height >= 40, `${name}, ${tab}: STOP is there, and big`);
   }

@@ -143,10 +143,7 @@ export function showEyes({ connection, permission, images, roles }, me) {
         element('span', { class: 'quiet' }, ` ${samples.length} sample${samples.length > 1 ? 's' : ''} by ${clipped(by, 64)}; `, state),
         ...alike,
       ),
-      look,
-      track,
-      more,
-      forget,
+      element('span', { class: 'buttons' }, look, track, more, forget),
     );
     rows.set(name, { of, item, state, look, more, track, forget });
     return rows.get(name);
