@@ -100,6 +100,7 @@ await page.fill('#action', 'CIRCLE p1, p2, p3');
 const none = await driving.driven('Do action', '(do-action');
 expect(/p2/.test(none), `the arm says why an action is none: ${none}`);
 
+expect(!/-0(?![\d.])/.test(await text(page, '#readings')), 'no number is a negative zero');
 const monitored = (await driving.driven('Monitor', '(monitor)')).split(' ').map(Number);
 await page.waitForFunction(
   (joints) => {

@@ -70,7 +70,7 @@ await picture(page, 'building');
 await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('reached'));
 await page.waitForFunction(() => document.getElementById('goal-chip').textContent.includes('reached'));
 expect(true, 'the goal is reached');
-await servoSays('^nothing is served since \\d\\d:\\d\\d:\\d\\d$');
+await servoSays('^at rest since \\d\\d:\\d\\d:\\d\\d$');
 expect(/ended/.test(await page.getAttribute('#servo-plot', 'class')), 'and the curve of the last approach is faint');
 await page.click('#why');
 await page.waitForFunction(() => document.querySelector('#story pre.answer').textContent.length > 20);

@@ -55,6 +55,7 @@ for (const [typed, wrong] of [['25:00', 'write a time'], ['noon', 'write a time'
   expect(said.includes(wrong), `${typed}: ${said}`);
 }
 expect((await shownTime()) === middle, 'and what is none changes nothing');
+await page.fill('#moment-time', middle);
 const numbers = () =>
   page.$$eval('#images figcaption', (notes) => notes.map((note) => Number(note.textContent.match(/frame (\d+)/)?.[1])));
 const newest = await numbers();

@@ -4,6 +4,8 @@
 //   axes.words('robot', [0, 20, 2500])        [['turn', '0.0 °'], ['shoulder', '20.0 °'], ['track', '2500.0 mm']]
 //   axes.onChange(() => ...)
 
+import { fixed } from './dom.js';
+
 /** @import { Hello } from './messages' */
 
 export class Axes {
@@ -28,7 +30,7 @@ export class Axes {
     const known = this.#axes[robot] ?? [];
     return joints.map((value, i) => {
       const [name, unit] = known[i] ?? [`axis ${i + 1}`, ''];
-      return [name, `${value.toFixed(digits)} ${unit}`.trim()];
+      return [name, `${fixed(value, digits)} ${unit}`.trim()];
     });
   }
 }

@@ -50,6 +50,10 @@ export function arrange(parent, children) {
 export const clipped = (text, most = 300) =>
   text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text;
 
+// Never -0.
+/** @param {number} value @param {number} digits */
+export const fixed = (value, digits) => (Number(value.toFixed(digits)) + 0).toFixed(digits);
+
 /** @param {number} microseconds */
 export const clock = (microseconds) => new Date(microseconds / 1000).toLocaleTimeString('en-GB', { hour12: false });
 

@@ -4,7 +4,7 @@
 //   const readings = new Readings(connection, axes, (opening) => ...);     who draws the gripper
 //   readings.show('robot');
 
-import { element, find } from './dom.js';
+import { element, find, fixed } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
@@ -12,10 +12,11 @@ import { text } from './datum.js';
 /** @import { Connection } from './connection.js' */
 /** @import { Form } from './messages' */
 
+const none = 'NO_ACTION'; // so far
 /** @param {string} action */
 const rounded = (action) => action.replace(/\d+\.\d+/g, (number) => String(Math.round(Number(number) * 10) / 10));
 /** @param {number[]} numbers */
-const row = (numbers) => numbers.map((v) => v.toFixed(0)).join('  ');
+const row = (numbers) => numbers.map((v) => fixed(v, 0)).join('  ');
 
 // Those of one unit after another have it once.
 /** @param {[name: string, value: string][]} axes */
@@ -30,7 +31,7 @@ const words = {
   ],
   joints: ([, robot, joints], axes) => [['joints', brief(axes.words(text(robot), joints, 0))]],
   gripper: ([, , opening]) => [['gripper', `${opening.toFixed(0)} mm`]],
-  arm: ([, , state, action]) => [['arm', `${text(state)}  ${rounded(text(action)).slice(0, 40)}`]],
+  arm: ([, , state, action]) => [['arm', text(action) === none ? text(state) : `${text(state)}  ${rounded(text(action)).slice(0, 40)}`]],
 };
 
 export class Readings {

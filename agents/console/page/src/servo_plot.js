@@ -1,5 +1,5 @@
 // The visual servo's errors: the last twenty seconds of an approach. Once it is over the curve stays for a look, and the
-// note says since when nothing is served.
+// note says since when the servo is at rest.
 
 import uPlot from 'uplot';
 import { clock, eachFrame, find } from './dom.js';
@@ -60,7 +60,7 @@ export function showServo(connection) {
   const say = () => {
     const [, state, object] = told ?? [];
     const since = times.length ? ` since ${clock(times[times.length - 1] * 1e6)}` : '';
-    find('servo-note').textContent = serves && told ? `${states[state] ?? state}: ${text(object)}` : `nothing is served${since}`;
+    find('servo-note').textContent = serves && told ? `${states[state] ?? state}: ${text(object)}` : `at rest${since}`;
     box.classList.toggle('ended', !serves);
     draw();
   };
