@@ -123,7 +123,7 @@ for (const [index, { name, width, height, touch }] of screens.entries()) {
       if (attempt === 20) throw new Error(`the page was never quick enough to jog: ${answer}`);
     }
     expect(true, `${name}: a finger holds a jog, and ends it`);
-    await page.screenshot({ path: join(pictures, `${name}-in-hand.png`), fullPage: true });
+    await page.screenshot({ path: join(pictures, `${name}-in-hand.png`) });
 
     await page.click('#stop');
     await page.waitForSelector('#stopped:not([hidden])');

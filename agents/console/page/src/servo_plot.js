@@ -10,6 +10,7 @@ import { text } from './datum.js';
 /** @import { Form } from './messages' */
 
 const seconds = 20;
+const legend = 26; // pixels
 const serving = ['align', 'lower']; // steps of an operation
 const states = ['up', 'align x', 'align depth', 'approach', 'fine'];
 
@@ -28,10 +29,11 @@ export function showServo(connection) {
   };
   /** @param {string} label @param {string} stroke */
   const line = (label, stroke) => ({ label, stroke, width: 1.5, points: { show: false } });
+  // With the legend below it.
+  const size = () => ({ width: Math.max(box.clientWidth, 120), height: Math.min(Math.max(box.clientHeight - legend, 60), 118) });
   const plot = new uPlot(
     {
-      width: Math.max(box.clientWidth, 120),
-      height: 118,
+      ...size(),
       legend: { show: true, live: false },
       cursor: { show: false },
       scales: { x: { time: false, range: [-seconds, 0] } },
@@ -44,7 +46,7 @@ export function showServo(connection) {
     [[], [], [], []],
     box,
   );
-  new ResizeObserver(() => plot.setSize({ width: Math.max(box.clientWidth, 120), height: 118 })).observe(box);
+  new ResizeObserver(() => plot.setSize(size())).observe(box);
 
   const clear = () => {
     for (const series of [times, ...errors]) series.length = 0;
