@@ -98,6 +98,7 @@ export function showWant(connection, permission) {
     chip.hidden = !newest;
     const state = newest ? text(newest[2]) : '';
     pursued = state === 'running';
+    document.body.dataset.goal = state;
     gate();
     if (!newest) return;
     chip.textContent = `goal ${newest[1]}: ${state}`;
