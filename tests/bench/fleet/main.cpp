@@ -60,6 +60,7 @@ void be_agents(const std::string& address, double seconds, Pipe& parent) {
 struct Fleet {
   double facts_per_s = 0;
   double board_mb = 0;  // of one, the median
+  int silent = 0;       // cells whose agents told nothing
 };
 
 Fleet measure(int cells, double seconds) {
@@ -74,7 +75,11 @@ Fleet measure(int cells, double seconds) {
   for (Child& cell : agents) cell.pipe().hear();
   for (Child& cell : agents) cell.pipe().say(0);
   Fleet fleet;
-  for (Child& cell : agents) fleet.facts_per_s += cell.pipe().hear() / seconds;
+  for (Child& cell : agents) {
+    const double told = cell.pipe().hear();
+    fleet.facts_per_s += told / seconds;
+    if (told == 0) ++fleet.silent;
+  }
   std::vector<double> memory;
   for (const Child& board : boards) memory.push_back(board.memory_mb("VmRSS"));
   fleet.board_mb = percentile(memory, 0.5);
@@ -88,6 +93,7 @@ int run_all(const Choices& choices) {
     const std::string what = fmt::format("{} {} of {} agents", cells, cells == 1 ? "cell" : "cells", agents_a_cell);
     figures.say({what + ", all together", fleet.facts_per_s, "facts/s", {}});
     figures.say({what + ", a board's memory", fleet.board_mb, "MB", {}});
+    figures.must_be_none(what + ", cells that told nothing", fleet.silent);
   }
   return figures.finish();
 }
@@ -106,6 +112,6 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.1, 600.0))
       ->capture_default_str();
   app.add_flag("--json", choices.json, "one JSON object a line");
-  app.footer("Status 0 when every figure was measured.");
+  app.footer("Status 0 when every figure was measured, and in every cell facts were told.");
   return pizarra::bench::bench_main(app, argc, argv, [&] { return pizarra::bench::run_all(choices); });
 }

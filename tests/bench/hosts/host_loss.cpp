@@ -104,7 +104,7 @@ Duration HostLoss::between(int least_ms, int most_ms) {
   return std::chrono::milliseconds(least_ms + static_cast<int>(random_.below(most_ms - least_ms + 1)));
 }
 
-void HostLoss::lose_the_leading_host() {
+bool HostLoss::lose_the_leading_host(programs::Running& asking) {
   std::string host = cell_.leading_host();
   for (int tries = 0; tries < 50 && host.empty(); ++tries) {
     pass(100ms);
@@ -112,11 +112,24 @@ void HostLoss::lose_the_leading_host() {
   }
   if (host.empty()) throw std::runtime_error("no board leads:\n" + cell_.said());
   last_ = host;
+  const bool ended_before = asking.end(std::chrono::seconds(0)).has_value();
   cell_.network().cut_power(host);
   no_tell_since_ = no_work_since_ = executor_.now();
   pass(between(500, 4000));
   cell_.network().link(host, "both");
   cell_.up(host);
+  return ended_before;
+}
+
+// It may have been on the host that was lost last.
+void HostLoss::wait_for_the_coordinator() {
+  const auto patience = std::chrono::steady_clock::now() + goal_patience;
+  Result<std::vector<Fact>> there = fail("unavailable", "not asked yet");
+  while (!there || there->empty()) {
+    if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("no coordinator comes:\n" + cell_.said());
+    pass(100ms);
+    there = run(executor_, board_->facts(form("(agent coordinator ? ?)")));
+  }
 }
 
 void HostLoss::note_wait(std::optional<Time>& since, std::vector<double>& waits_s) const {
@@ -125,6 +138,7 @@ void HostLoss::note_wait(std::optional<Time>& since, std::vector<double>& waits_
 }
 
 void HostLoss::round() {
+  wait_for_the_coordinator();
   const bool even = tally_.rounds++ % 2 == 0;
   const std::string upper = even ? "circle" : "triangle";
   const std::string goal = fmt::format("(on {} {})", upper, even ? "triangle" : "circle");
@@ -135,7 +149,7 @@ void HostLoss::round() {
       cell_.network().on("world-pc", {"/bin/sh", "-c", fmt::format("exec {} goal '{}'", PIZARRA_CELL, goal)}),
       scratch_folder() + "goal.log");
   pass(between(0, 10'000));
-  lose_the_leading_host();
+  const bool ended_before = lose_the_leading_host(asking);
   std::optional<int> status;
   const auto patience = std::chrono::steady_clock::now() + goal_patience;
   while (!status && std::chrono::steady_clock::now() < patience) {
@@ -146,8 +160,10 @@ void HostLoss::round() {
   no_work_since_.reset();
   std::string said = asking.said();
   while (said.ends_with('\n')) said.pop_back();
-  // A goal that came while the coordinator's host had no power was not taken, which is said.
-  judge(upper, status.value_or(-1), last_ == coordinator_host && said.contains("nobody would pursue a goal"));
+  judge(upper, {.status = status.value_or(-1),
+                .nobody_would_pursue = said.contains("nobody would pursue a goal"),
+                .lost_the_coordinator = last_ == coordinator_host,
+                .ended_before_the_loss = ended_before});
   last_ += ": " + goal + " " + said.substr(said.rfind('\n') + 1);
   if (!tally_.is_well()) last_ += newest_events();
 }
@@ -165,21 +181,17 @@ std::string HostLoss::newest_events() {
 }
 
 // By the world alone.
-void HostLoss::judge(const std::string& upper, int status, bool nobody_pursues) {
-  constexpr int reached = 0;
-  constexpr int refused = 3;
+void HostLoss::judge(const std::string& upper, GoalEnd end) {
   pass(2s);
   const story::WorldState world = truth();
-  const bool gone = std::ranges::any_of(world.cubes, [](const auto& cube) { return cube.second.gone; });
+  end.cube_is_gone = std::ranges::any_of(world.cubes, [](const auto& cube) { return cube.second.gone; });
   const story::WorldState::Cube& cube = world.cubes.at(upper);
   const std::string lower = upper == "circle" ? "triangle" : "circle";
-  if (status == reached && cube.on == lower && !cube.held) {
-    ++tally_.reached;
-  } else if ((status == refused && gone) || nobody_pursues) {
-    ++tally_.refused_correctly;
-  } else {
-    ++tally_.failed;
-  }
+  end.world_has_it = cube.on == lower && !cube.held;
+  const GoalVerdict verdict = verdict_of(end);
+  if (verdict == GoalVerdict::reached) ++tally_.reached;
+  if (verdict == GoalVerdict::refused_correctly) ++tally_.refused_correctly;
+  if (verdict == GoalVerdict::failed) ++tally_.failed;
   tally_.durable_lost += lost_notes();
 }
 

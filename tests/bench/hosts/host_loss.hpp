@@ -19,7 +19,9 @@
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/simulation/socket_link.hpp"
 #include "programs/story/world_state.hpp"
+#include "tests/bench/hosts/goal_end.hpp"
 #include "tests/network/cell_on_hosts.hpp"
+#include "tests/programs/running.hpp"
 
 namespace pizarra::bench {
 
@@ -58,9 +60,11 @@ class HostLoss {
   Task<void> tell_notes();
   Task<void> watch_operations();
   void pass(Duration time);
-  void lose_the_leading_host();
+  void wait_for_the_coordinator();
+  // Whether the goal had ended by then.
+  bool lose_the_leading_host(programs::Running& asking);
   void note_wait(std::optional<Time>& since, std::vector<double>& waits_s) const;
-  void judge(const std::string& upper, int status, bool nobody_pursues);
+  void judge(const std::string& upper, GoalEnd end);
   int lost_notes();
   // The coordinator's newest events, a line each.
   std::string newest_events();
