@@ -58,12 +58,34 @@ std::optional<std::string> Access::exchange(std::string_view token, Time now) {
   if (!key) return std::nullopt;
   token_ = wire::random_secret();
   forget_ended(now);
-  if (sessions_.size() >= max_sessions) {
-    const auto ends = [](const auto& session) { return session.second.admitted.until; };
-    sessions_.erase(std::ranges::min_element(sessions_, {}, ends));
-  }
+  make_room(*key);
   const Session session{{now + session_length, *key, ++newest_}, std::string(door_.tokens.empty() ? "" : token)};
   return sessions_.emplace(wire::random_secret(), session).first->first;
+}
+
+void Access::make_room(const std::string& key) {
+  const bool of_a_key = !key.empty();
+  const auto own = [&](const auto& entry) { return entry.second.admitted.key == key; };
+  const bool has_its_share =
+      of_a_key && std::ranges::count_if(sessions_, own) >= static_cast<std::ptrdiff_t>(max_sessions_of_a_key);
+  if (!has_its_share && sessions_.size() < max_sessions) return;
+  auto first = sessions_.end();
+  for (auto each = sessions_.begin(); each != sessions_.end(); ++each) {
+    if (has_its_share && !own(*each)) continue;
+    if (first == sessions_.end() || each->second.admitted.until < first->second.admitted.until) first = each;
+  }
+  sessions_.erase(first);
+}
+
+bool Access::has_its_token(const Session& session) const {
+  return session.token.empty() || wire::key_of_token(door_.tokens, session.token).has_value();
+}
+
+bool Access::stands(std::uint64_t session, Time now) {
+  forget_ended(now);
+  return std::ranges::any_of(sessions_, [&](const auto& entry) {
+    return entry.second.admitted.number == session && has_its_token(entry.second);
+  });
 }
 
 std::optional<Access::Admitted> Access::admitted(std::string_view cookies, Time now) {
@@ -71,8 +93,7 @@ std::optional<Access::Admitted> Access::admitted(std::string_view cookies, Time 
   const std::string_view shown = cookie_in(cookies, cookie_name());
   for (const auto& [secret, session] : sessions_) {
     if (!wire::is_same_secret(shown, secret)) continue;
-    const bool taken_away = !session.token.empty() && !wire::key_of_token(door_.tokens, session.token);
-    return taken_away ? std::nullopt : std::optional(session.admitted);
+    return has_its_token(session) ? std::optional(session.admitted) : std::nullopt;
   }
   return std::nullopt;
 }

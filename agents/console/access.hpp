@@ -22,8 +22,9 @@ namespace pizarra::console {
 class Access {
  public:
   static constexpr Duration session_length = std::chrono::hours(12);
-  // The one that ends first goes for a newcomer.
+  // The one that ends first goes for a newcomer: of a key that has its share, one of its own.
   static constexpr std::size_t max_sessions = 16;
+  static constexpr std::size_t max_sessions_of_a_key = 8;
 
   // Where browsers come, and as what.
   struct Door {
@@ -50,6 +51,8 @@ class Access {
   std::optional<std::string> exchange(std::string_view token, Time now);
   // The session to which a Cookie header belongs.
   std::optional<Admitted> admitted(std::string_view cookies, Time now);
+  // Whether that session goes on: its time is not over, nobody logged out, and the token that began it is still there.
+  bool stands(std::uint64_t session, Time now);
   // It ends: answers which it was, if there is one.
   std::optional<std::uint64_t> forget(std::string_view cookies);
   // A viewer that only reads shows another token, again and again, for as long as the console lasts.
@@ -64,6 +67,8 @@ class Access {
     std::string token;  // of a key
   };
   std::optional<std::string> key_of(std::string_view token) const;
+  bool has_its_token(const Session& session) const;
+  void make_room(const std::string& key);
   void forget_ended(Time now);
 
   const Door door_;

@@ -9,6 +9,9 @@ namespace pizarra::console {
 namespace {
 
 constexpr Duration longest_goodbye = 1s;
+constexpr Duration between_looks_at_tokens = 1s;
+// Four pages with all their connections, and what they ask for meanwhile.
+constexpr unsigned max_of_address = 64;
 constexpr std::string_view bearer = "Bearer ";
 constexpr std::size_t web_socket_key_size = 24;
 constexpr std::string_view lanes_path = "/socket/";
@@ -55,7 +58,7 @@ Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   Access::Door door;
   if (setup.abroad) {
     const Abroad& abroad = *setup.abroad;
-    place = {abroad.address, setup.port, abroad.certificate, abroad.certificate_key};
+    place = {abroad.address, setup.port, abroad.certificate, abroad.certificate_key, max_of_address};
     door = {.secure = true, .hosts = abroad.hosts, .tokens = abroad.tokens};
   }
   std::unique_ptr<Console> console(new Console(std::move(setup), std::move(*page)));
@@ -66,6 +69,7 @@ Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   console->server_ = std::move(*server);
   door.port = console->server_->port();
   console->access_ = std::make_unique<Access>(std::move(door));
+  if (self->setup_.abroad) self->ending_ = self->setup_.executor.spawn(self->end_pages_without_token());
   const Result<void> kept = console->keep_pictures();
   if (!kept) return fail(kept);
   const Result<void> followed = console->keep_changes();
@@ -176,11 +180,30 @@ HttpAnswer Console::log_out(const HttpRequest& request) {
 HttpAnswer Console::open_page(const HttpRequest& request) {
   if (request.method == "DELETE") return log_out(request);
   const std::optional<Access::Admitted> session = access_->admitted(request.cookies, setup_.executor.now());
+  if (std::optional<HttpAnswer> why = session ? why_no_page(session->key) : std::nullopt) return std::move(*why);
   if (std::optional<HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
-  if (pages_.size() >= max_pages) return plain(503, "too many pages are open");
   HttpAnswer answer = web_socket_answer(request);
   answer.upgraded = [this, session = *session](UpgradedSocket socket) { admit(std::move(socket), session); };
   return answer;
+}
+
+std::optional<HttpAnswer> Console::why_no_page(const std::string& key) const {
+  if (pages_.size() >= max_pages) return plain(503, fmt::format("{} pages are open already: close one", max_pages));
+  if (key.empty()) return std::nullopt;
+  const auto own = std::ranges::count_if(pages_, [&](const auto& entry) { return entry.second.key == key; });
+  if (own < static_cast<std::ptrdiff_t>(max_pages_of_a_key)) return std::nullopt;
+  return plain(503, fmt::format("the key {} has {} pages open already: close one", key, max_pages_of_a_key));
+}
+
+// The token is a file, which may go or be replaced at any time.
+Task<void> Console::end_pages_without_token() {
+  while (true) {
+    co_await sleep(setup_.executor, between_looks_at_tokens);
+    for (const auto& [number, page] : pages_) {
+      const bool stands = access_->stands(page.session, setup_.executor.now());
+      if (!stands) page.live->dismiss("this session is over: its token is void, or newer sessions took its place");
+    }
+  }
 }
 
 // /socket/N is one more connection of page N, for its images: where that is a page of the same session.
@@ -232,7 +255,7 @@ void Console::admit_viewer(UpgradedSocket socket) {
 }
 
 void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
-  if (pages_.size() >= max_pages) return;
+  if (why_no_page(session.key)) return;
   const int number = next_page_++;
   // As a board calls one that comes with that key.
   const std::string prefix = session.key.empty() ? std::string() : session.key + "/";
@@ -252,7 +275,8 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
   setup.instruments = &setup_.instruments;
   setup.key = session.key;
   setup.connect = [this, key = session.key](const std::string& as) { return setup_.board(as, key); };
-  pages_.emplace(number, Page{session.number, std::make_unique<Session>(std::move(setup), std::move(socket))});
+  pages_.emplace(number,
+                 Page{session.number, session.key, std::make_unique<Session>(std::move(setup), std::move(socket))});
 }
 
 HttpAnswer Console::with_headers(HttpAnswer answer) const {

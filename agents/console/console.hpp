@@ -11,7 +11,8 @@
 // Where the setup says so it also speaks the Foxglove WebSocket protocol at /foxglove (foxglove_session.hpp): to
 // programs, and to browsers' pages of the origins that are named, that show the reading token.
 //
-// At most 16 pages are open at once, and 8 viewers.
+// At most 16 pages are open at once, 8 of one key, and 8 viewers. An address abroad has 64 connections at
+// most. A page whose token was taken away, or made anew, ends within two seconds.
 
 #include <functional>
 #include <map>
@@ -33,6 +34,7 @@ namespace pizarra::console {
 class Console {
  public:
   static constexpr std::size_t max_pages = 16;
+  static constexpr std::size_t max_pages_of_a_key = 8;
   static constexpr std::size_t max_viewers = 8;
 
   // A session with the board under a name of its own, as the key of that name may; no key's name: the console's own.
@@ -94,6 +96,9 @@ class Console {
   HttpAnswer open_lane(const HttpRequest& request);
   HttpAnswer open_viewer(const HttpRequest& request);
   HttpAnswer log_out(const HttpRequest& request);
+  // Nothing: one more page of that key may be opened.
+  std::optional<HttpAnswer> why_no_page(const std::string& key) const;
+  Task<void> end_pages_without_token();
   std::string host() const;
   void admit(UpgradedSocket socket, const Access::Admitted& session);
   void admit_viewer(UpgradedSocket socket);
@@ -113,10 +118,12 @@ class Console {
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // whoever may outlast this looks
   struct Page {
     std::uint64_t session;  // of those that were admitted
+    std::string key;        // whose it is
     std::unique_ptr<Session> live;
   };
   std::map<int, Page> pages_;
   std::map<int, std::unique_ptr<FoxgloveSession>> viewers_;
+  Job ending_;  // pages whose token was taken away
 };
 
 }  // namespace pizarra::console

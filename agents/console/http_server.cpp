@@ -17,6 +17,7 @@ namespace pizarra::console {
 namespace {
 
 constexpr unsigned max_connections = 160;
+constexpr unsigned unanswered = 16;  // connections of an address that has its share
 constexpr unsigned silence_seconds = 10;
 constexpr std::size_t head_bytes = 16 << 10;
 constexpr const char* tls_versions = "SECURE128:-VERS-TLS-ALL:+VERS-TLS1.3:+VERS-TLS1.2";
@@ -34,6 +35,17 @@ std::string header_of(MHD_Connection* connection, const char* name) {
 void hasten(int file) {
   constexpr int on = 1;
   setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+}
+
+// As bytes, without the port.
+std::string client_of(MHD_Connection* connection) {
+  const sockaddr* at = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS)->client_addr;
+  if (at->sa_family == AF_INET6) {
+    const in6_addr& six = reinterpret_cast<const sockaddr_in6*>(at)->sin6_addr;
+    return {reinterpret_cast<const char*>(&six), sizeof six};
+  }
+  const in_addr& four = reinterpret_cast<const sockaddr_in*>(at)->sin_addr;
+  return {reinterpret_cast<const char*>(&four), sizeof four};
 }
 
 // Of IPv4 or IPv6; nothing for a name.
@@ -96,9 +108,32 @@ struct HttpServer::Callbacks {
       return MHD_YES;
     }
     HttpAnswer answer{.status = MHD_HTTP_CONTENT_TOO_LARGE};
-    if (!refused) answer = static_cast<HttpServer*>(server)->handler_(request_of(connection, method, path));
+    if (!refused) answer = answer_to(*static_cast<HttpServer*>(server), connection, method, path);
     here.upgraded = std::move(answer.upgraded);
     return queue(connection, answer, here.upgraded != nullptr);
+  }
+
+  static HttpAnswer answer_to(const HttpServer& server, MHD_Connection* connection, const char* method,
+                              const char* path) {
+    const unsigned most = server.max_of_address_;
+    const auto own = server.open_.find(client_of(connection));
+    if (most == 0 || own == server.open_.end() || own->second <= most) {
+      return server.handler_(request_of(connection, method, path));
+    }
+    return {.status = MHD_HTTP_SERVICE_UNAVAILABLE,
+            .type = "text/plain; charset=utf-8",
+            .body = fmt::format("your address has {} connections open already: close a page\n", most),
+            .headers = {{"Connection", "close"}}};
+  }
+
+  static void connected(void* server, MHD_Connection* connection, void**, MHD_ConnectionNotificationCode what) {
+    auto& open = static_cast<HttpServer*>(server)->open_;
+    const std::string client = client_of(connection);
+    if (what == MHD_CONNECTION_NOTIFY_STARTED) {
+      ++open[client];
+    } else if (--open[client] == 0) {
+      open.erase(client);
+    }
   }
 
   static MHD_Result queue(MHD_Connection* connection, HttpAnswer& answer, bool upgrades) {
@@ -130,27 +165,30 @@ struct HttpServer::Callbacks {
 };
 
 Result<std::unique_ptr<HttpServer>> HttpServer::listen(Executor& executor, const Place& place, Handler handler) {
-  std::unique_ptr<HttpServer> server(new HttpServer(executor, std::move(handler)));
+  std::unique_ptr<HttpServer> server(new HttpServer(executor, std::move(handler), place.max_of_address));
   const auto port = static_cast<std::uint16_t>(place.port);
   const std::optional<sockaddr_storage> address = address_in_figures(place.address, port);
   if (!address) return fail("cannot-listen", fmt::format("{} is no IP address", text_of_bytes(place.address)));
   const bool secure = !place.certificate.empty();
-  std::vector<MHD_OptionItem> tls;
+  std::vector<MHD_OptionItem> options;
   if (secure) {
-    tls = {{MHD_OPTION_HTTPS_MEM_CERT, 0, const_cast<char*>(place.certificate.c_str())},
-           {MHD_OPTION_HTTPS_MEM_KEY, 0, const_cast<char*>(place.certificate_key.c_str())},
-           {MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(tls_versions)}};
+    options = {{MHD_OPTION_HTTPS_MEM_CERT, 0, const_cast<char*>(place.certificate.c_str())},
+               {MHD_OPTION_HTTPS_MEM_KEY, 0, const_cast<char*>(place.certificate_key.c_str())},
+               {MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(tls_versions)}};
   }
-  tls.push_back({MHD_OPTION_END, 0, nullptr});
+  if (place.max_of_address != 0) {
+    options.push_back({MHD_OPTION_PER_IP_CONNECTION_LIMIT, place.max_of_address + unanswered, nullptr});
+  }
+  options.push_back({MHD_OPTION_END, 0, nullptr});
   const unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_UPGRADE | MHD_USE_ERROR_LOG | (secure ? MHD_USE_TLS : MHD_NO_FLAG) |
                          (address->ss_family == AF_INET6 ? MHD_USE_IPv6 : MHD_NO_FLAG);
   errno = 0;
-  server->daemon_ =
-      MHD_start_daemon(flags, port, nullptr, nullptr, &Callbacks::handle, server.get(), MHD_OPTION_EXTERNAL_LOGGER,
-                       &Callbacks::log, nullptr, MHD_OPTION_SOCK_ADDR, &*address, MHD_OPTION_NOTIFY_COMPLETED,
-                       &Callbacks::completed, nullptr, MHD_OPTION_CONNECTION_LIMIT, max_connections,
-                       MHD_OPTION_CONNECTION_TIMEOUT, silence_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT, head_bytes,
-                       MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_ARRAY, tls.data(), MHD_OPTION_END);
+  server->daemon_ = MHD_start_daemon(
+      flags, port, nullptr, nullptr, &Callbacks::handle, server.get(), MHD_OPTION_EXTERNAL_LOGGER, &Callbacks::log,
+      nullptr, MHD_OPTION_SOCK_ADDR, &*address, MHD_OPTION_NOTIFY_COMPLETED, &Callbacks::completed, nullptr,
+      MHD_OPTION_CONNECTION_LIMIT, max_connections, MHD_OPTION_CONNECTION_TIMEOUT, silence_seconds,
+      MHD_OPTION_CONNECTION_MEMORY_LIMIT, head_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_NOTIFY_CONNECTION,
+      &Callbacks::connected, server.get(), MHD_OPTION_ARRAY, options.data(), MHD_OPTION_END);
   if (server->daemon_ == nullptr) {
     const char* refused = secure ? "it is refused, or the certificate and its key are no such pair" : "it is refused";
     const std::string why = errno == 0 ? refused : std::strerror(errno);

@@ -9,9 +9,11 @@
 //   (*server)->port();
 //
 // No request has a body: one that says it has is refused, as is one whose head does not fit into 16 kB. A connection
-// that says nothing for ten seconds ends; 160 are open at once at most.
+// that says nothing for ten seconds ends; 160 are open at once at most. Where an address of clients has a bound, it is
+// told so beyond that (503), and beyond 16 more its connections end unanswered.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -81,6 +83,7 @@ class HttpServer {
     int port = 0;                       // 0: any that is free
     std::string certificate = {};
     std::string certificate_key = {};
+    unsigned max_of_address = 0;  // connections of one client's address; 0: as many as there are
   };
 
   // Failure: cannot-listen.
@@ -93,11 +96,14 @@ class HttpServer {
 
  private:
   struct Callbacks;
-  HttpServer(Executor& executor, Handler handler) : executor_(executor), handler_(std::move(handler)) {}
+  HttpServer(Executor& executor, Handler handler, unsigned max_of_address)
+      : executor_(executor), handler_(std::move(handler)), max_of_address_(max_of_address) {}
   void run();
 
   Executor& executor_;
   Handler handler_;
+  const unsigned max_of_address_;
+  std::map<std::string, unsigned> open_;  // connections of each client's address
   MHD_Daemon* daemon_ = nullptr;
   int port_ = 0;
   int file_ = -1;

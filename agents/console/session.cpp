@@ -11,6 +11,7 @@ namespace pizarra::console {
 
 namespace {
 
+constexpr Duration longest_farewell = 1s;
 constexpr ReadLimits message_limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
 
 std::string reach_text(const ReachOutline& reach) {
@@ -141,7 +142,7 @@ Session::Session(Setup setup, UpgradedSocket socket)
   hands_ = setup_.executor.spawn(follow_hands());
 }
 
-Session::~Session() = default;
+Session::~Session() { setup_.executor.cancel(going_timer_); }
 
 void Session::add_lane(UpgradedSocket socket) {
   if (takes_lane()) images_->add_lane(std::move(socket));
@@ -168,6 +169,12 @@ void Session::leave() {
   closing_ = setup_.executor.spawn(close_board());
 }
 
+void Session::dismiss(std::string_view why) {
+  if (going_timer_ != 0) return;
+  socket_->close(1008, why);
+  going_timer_ = setup_.executor.call_at(setup_.executor.now() + longest_farewell, [this] { leave(); });
+}
+
 // Its presence, and what stands under it, goes at once; where the board is away, its lease lapses.
 Task<void> Session::close_board() {
   if (service_.presence() != 0) co_await say_goodbye();
@@ -191,7 +198,7 @@ Task<void> Session::open() {
 Task<void> Session::run_out() {
   const Duration left = setup_.until - setup_.executor.now();
   co_await sleep(setup_.executor, left);
-  socket_->close(1008, "the session is over");
+  dismiss("the session is over");
 }
 
 void Session::say(std::string text) { socket_->send(WebSocket::Class::control, std::move(text)); }

@@ -106,6 +106,8 @@ class Session {
   void add_lane(UpgradedSocket socket);
   // As if the page had gone.
   void leave();
+  // It is told why, and has gone a second later at most.
+  void dismiss(std::string_view why);
 
  private:
   struct Verb;
@@ -198,6 +200,7 @@ class Session {
   std::deque<std::size_t> unheard_;  // messages of facts, by their bytes
   std::size_t unheard_bytes_ = 0;
   bool leaving_ = false;
+  Executor::TimerId going_timer_ = 0;  // of a page that was dismissed
   Pulse pulse_;
   bool in_hand_ = false;  // an arm is
   WaitList hands_changed_;

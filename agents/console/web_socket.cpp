@@ -120,12 +120,12 @@ void WebSocket::give_up() {
   given_up_ = true;
   for (std::deque<std::string>& waiting : outbox_) waiting.clear();
   waiting_ = under_way_;
-  wslay_event_shutdown_read(context_);
   close(WSLAY_CODE_POLICY_VIOLATION, "too many answers are left unread");
 }
 
 void WebSocket::close(unsigned short code, std::string_view reason) {
   if (ended_) return;
+  wslay_event_shutdown_read(context_);
   const std::string said = shortened(reason, longest_reason);
   wslay_event_queue_close(context_, code, reinterpret_cast<const std::uint8_t*>(said.data()), said.size());
   if (run_timer_ == 0) run_timer_ = executor_.call_at(executor_.now(), [this] { run(); });
@@ -209,7 +209,6 @@ void WebSocket::count_frame() {
     frames_ = 0;
   }
   if (++frames_ == max_frames_a_second + 1) {
-    wslay_event_shutdown_read(context_);
     close(WSLAY_CODE_POLICY_VIOLATION, "too many messages");
   }
 }

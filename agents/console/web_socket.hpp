@@ -48,7 +48,7 @@ class WebSocket {
   void send(Class priority, std::string message);
   // Bytes that have not gone to the system.
   std::size_t waiting() const { return waiting_; }
-  // The reason is cut to what a close frame holds.
+  // Nothing that the peer says counts from here on. The reason is cut to what a close frame holds.
   void close(unsigned short code, std::string_view reason);
 
  private:

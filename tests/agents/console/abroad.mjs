@@ -153,10 +153,32 @@ expect(true, `a page that the board refuses says why: ${await text(mute, '#state
 await guest.click('#log-out');
 await guest.waitForSelector('#refused[open] #log-in');
 expect(true, 'who logs out is out');
+// So many pages of one key, however she logs in.
+const ask = (path, headers, method = 'GET') =>
+  new Promise((resolve) => {
+    const own = { Host: `localhost:${port}`, Origin: address.slice(0, -1), ...headers };
+    const call = request({ host: '127.0.0.1', port, path, method, headers: own, rejectUnauthorized: false }, (answer) => {
+      let said = '';
+      answer.on('data', (more) => (said += more));
+      answer.on('end', () => resolve({ status: answer.statusCode, said, cookie: answer.headers['set-cookie']?.[0] }));
+    });
+    call.on('upgrade', (answer, socket) => resolve({ status: answer.statusCode, socket }));
+    call.end();
+  });
+const { cookie } = await ask('/session', { Authorization: `Bearer ${annas}` }, 'POST');
+const upgrade = { Connection: 'Upgrade', Upgrade: 'websocket', 'Sec-WebSocket-Version': '13', 'Sec-WebSocket-Key': btoa('0123456789abcdef') };
+const more = [];
+for (let i = 0; i < 8; ++i) more.push(await ask('/socket', { Cookie: cookie.split(';')[0], ...upgrade }));
+expect(more.filter(({ status }) => status === 101).length === 7, 'with the one that she has open, anna opens eight pages');
+expect(more[7].status === 503 && /the key anna has 8 pages open/.test(more[7].said), `and is told why no more: ${more[7].said.trim()}`);
+for (const { socket } of more) socket?.destroy();
+
 rmSync(inFolder('keys/anna.token'));
+await page.waitForSelector('#refused[open] #log-in', { timeout: 5000 });
+expect(true, 'a token that is taken away ends the pages that are open');
 await page.reload();
 await page.waitForSelector('#refused[open] #log-in');
-expect(true, 'a token that is taken away lets nobody in, nor its session');
+expect(true, 'and lets nobody in, nor its session');
 const troubles = [page, guest, mute].flatMap((one) => one.troubles).filter((said) => !/^asked elsewhere: wss:/.test(said));
 expect(troubles.length === 0, `nothing went wrong in the pages: ${troubles.join('; ')}`);
 expect((await served.end()) === 0 && (await up.end()) === 0, 'it ends in order');

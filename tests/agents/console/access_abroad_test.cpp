@@ -72,6 +72,37 @@ TEST_F(AccessFromAbroad, EndsWithTheToken) {
   EXPECT_FALSE(door.admitted(second, Time(1s))) << "it was taken away";
 }
 
+TEST_F(AccessFromAbroad, AnOpenPagesSessionStandsAsLongAsItsToken) {
+  const std::string token = wire::make_token(folder_, "anna").value();
+  Access door = access();
+  const std::string cookie = door.cookie_name() + "=" + door.exchange(token, Time(0s)).value();
+  const std::uint64_t number = door.admitted(cookie, Time(0s))->number;
+  EXPECT_TRUE(door.stands(number, Time(1s)));
+  EXPECT_FALSE(door.stands(number + 1, Time(1s))) << "there is none of that number";
+  EXPECT_FALSE(door.stands(number, Time(Access::session_length)));
+  const std::string again = door.cookie_name() + "=" + door.exchange(token, Time(0s)).value();
+  const std::uint64_t second = door.admitted(again, Time(0s))->number;
+  ASSERT_TRUE(wire::make_token(folder_, "anna"));
+  EXPECT_FALSE(door.stands(second, Time(1s))) << "another token was made";
+}
+
+TEST_F(AccessFromAbroad, WhoLogsInAgainAndAgainTakesTheRoomOfItsOwnSessions) {
+  ASSERT_TRUE(wire::make_keys(folder_, "bert", {}));
+  const std::string annas = wire::make_token(folder_, "anna").value();
+  const std::string berts = wire::make_token(folder_, "bert").value();
+  Access door = access();
+  const auto log_in = [&](const std::string& token, Time now) {
+    return door.cookie_name() + "=" + door.exchange(token, now).value();
+  };
+  const std::string bert = log_in(berts, Time(0s));
+  const std::string first = log_in(annas, Time(1s));
+  for (std::size_t i = 1; i < Access::max_sessions_of_a_key; ++i) log_in(annas, Time(2s));
+  EXPECT_TRUE(door.admitted(first, Time(3s)));
+  for (std::size_t i = 0; i < 2 * Access::max_sessions; ++i) log_in(annas, Time(3s));
+  EXPECT_FALSE(door.admitted(first, Time(4s)));
+  EXPECT_TRUE(door.admitted(bert, Time(4s))) << "another's session is left alone";
+}
+
 TEST_F(AccessFromAbroad, KnowsItsOwnNamesAlone) {
   const Access door = access();
   EXPECT_TRUE(door.is_own_host("cell.lab:8443"));

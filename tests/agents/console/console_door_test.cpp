@@ -1,5 +1,8 @@
 // Who is let in, and who is not.
 
+#include <algorithm>
+#include <ranges>
+
 #include "tests/agents/console/console_fixture.hpp"
 
 namespace pizarra::console {
@@ -32,6 +35,30 @@ TEST_F(ConsoleTest, RefusesWhatAnotherOriginsPageHasABrowserAsk) {
   EXPECT_TRUE(begins(head("GET", "/socket", upgrade), "HTTP/1.1 403"));
   upgrade["Origin"] = "";
   EXPECT_TRUE(begins(head("GET", "/socket", upgrade), "HTTP/1.1 403"));
+}
+
+TEST_F(ConsoleTest, TellsAnAddressThatHasItsShareOfConnectionsSo) {
+  HttpServer::Place place;
+  place.max_of_address = 2;
+  const auto server = HttpServer::listen(executor_, place, [](const HttpRequest&) { return HttpAnswer{}; }).value();
+  const auto ask = [&](RawClient& client) {
+    return serve([&, port = server->port()] {
+      client.send(request_text(port, "GET", "/", {}));
+      return client.read_head();
+    });
+  };
+  auto first = std::make_unique<RawClient>(server->port());
+  RawClient second(server->port());
+  EXPECT_TRUE(begins(ask(*first), "HTTP/1.1 200"));
+  EXPECT_TRUE(begins(ask(second), "HTTP/1.1 200"));
+  RawClient third(server->port());
+  EXPECT_TRUE(begins(ask(third), "HTTP/1.1 503"));
+  first.reset();
+  const auto is_let_in = [&] {
+    RawClient fourth(server->port());
+    return ask(fourth).starts_with("HTTP/1.1 200");
+  };
+  EXPECT_TRUE(std::ranges::any_of(std::views::iota(0, 100), [&](int) { return is_let_in(); })) << "there is room again";
 }
 
 TEST_F(ConsoleTest, ExchangesATokenOnceForACookieThatScriptsDoNotSee) {

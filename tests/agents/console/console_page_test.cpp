@@ -345,6 +345,7 @@ TEST_F(ConsoleTest, OpensSoManyPagesAndNoMore) {
   std::vector<std::unique_ptr<RawClient>> clients;
   for (std::size_t i = 0; i < Console::max_pages; ++i) clients.push_back(page(own));
   EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(own)), "HTTP/1.1 503"));
+  EXPECT_TRUE(begins(head("GET", "/socket", {{"Cookie", own}}), "HTTP/1.1 503")) << "a page that asks why is told";
   clients.pop_back();
   executor_.run_until([&] { return console_->pages() < Console::max_pages || tick(); });
   EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(own)), "HTTP/1.1 101"));
