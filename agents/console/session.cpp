@@ -126,7 +126,9 @@ std::span<const Session::Verb> Session::Verb::all() {
 Session::Session(Setup setup, UpgradedSocket socket)
     : setup_(std::move(setup)),
       context_{setup_.name, "localhost", setup_.executor, *setup_.board, Random(1)},
-      service_(context_, runtime::contract_from_text(std::string("(contract console ") + reads_of_pages + ")").value()),
+      service_(
+          context_,
+          runtime::contract_from_text(fmt::format("(contract console {} {})", posts_of_pages, reads_of_pages)).value()),
       caller_(context_, service_),
       room_(setup_.executor),
       hands_changed_(setup_.executor),

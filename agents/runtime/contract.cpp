@@ -32,7 +32,7 @@ Result<Datum> read_part(Contract& contract, const Datum& part) {
       Result<Operation> operation = operation_from_datum(item);
       if (!operation) return fail(operation);
       contract.offers.push_back(std::move(*operation));
-    } else if (part.is_form("posts")) {
+    } else if (part.is_form("posts") && !item.is_symbol()) {
       Result<Relation> relation = relation_from_datum(item);
       if (!relation) return fail(relation);
       contract.posts.push_back(std::move(*relation));

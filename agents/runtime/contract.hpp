@@ -6,7 +6,7 @@
 //   (contract vision
 //     (offers (learn (x number) (y number) (name string)) (find (name string)) (get-objects)
 //             (goal (fact list) ...))                         ; `...`: the last argument repeats
-//     (posts (relation learned ((name string) (area number)) (key name)))
+//     (posts (relation learned ((name string) (area number)) (key name)) stop)    ; by name where another declares it
 //     (reads frames (relation lamp ((colour symbol)) (key)))   ; whole where it may not be declared yet
 //     (configures ...) (monitors ...))
 
@@ -25,8 +25,8 @@ struct Operation {
 struct Contract {
   std::string kind;
   std::vector<Operation> offers;
-  std::vector<Relation> posts;
-  std::vector<Relation> reads;  // those that are given whole: the agent declares them, as those that it posts
+  std::vector<Relation> posts;  // those that are given whole: the agent declares them
+  std::vector<Relation> reads;  // of these, too
   std::string context = {};     // where it binds its name, within (cell); empty: where its kind does (own_name.hpp)
   Datum form;                   // as the board shows it: what it reads stands there by name
 };

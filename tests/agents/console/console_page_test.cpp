@@ -5,12 +5,14 @@
 #include <charconv>
 #include <chrono>
 #include <fmt/format.h>
+#include <set>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include "agents/console/change_text.hpp"
 #include "blackboard/boards_own.hpp"
 #include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
 #include "tests/agents/console/console_fixture.hpp"
 #include "tests/blackboard/passing_board.hpp"
 
@@ -45,6 +47,41 @@ TEST_F(ConsoleTest, SendsAnAnswerWithoutWaitingForAnAcknowledgement) {
   }
   std::ranges::nth_element(took, took.begin() + 20);
   EXPECT_LT(took[20].count(), 30);
+}
+
+// All that a page can have told and watched is in its contract.
+TEST_F(ConsoleTest, ThePagesContractHasWhatItTellsAndWatches) {
+  for (const char* relation : {"(relation commander ((robot symbol) (client symbol)) (key robot client))",
+                               "(relation hold ((robot symbol) (client symbol) (count integer)) (key robot client))",
+                               "(relation arm-joints ((robot symbol) (joints list)) (key robot))"}) {
+    declare(relation);
+  }
+  const auto client = page(cookie());
+  for (const char* form : {"(command 1 robot)", "(ask-for 2 robot)", "(stop 3 \"a hand\")"}) {
+    EXPECT_TRUE(has(said(*client, form), "values")) << form;
+  }
+  const std::int64_t stamp = serve([&] { return client->read_stamp(); });
+  EXPECT_TRUE(has(said(*client, fmt::format("(jog 4 robot left {})", stamp)), "absent")) << "it was told before";
+  const Datum page_1 = "console-1"_sym;
+  const Result<std::vector<Fact>> told = run(executor_, here_->facts(list("contract"_sym, page_1, "?form"_sym)));
+  ASSERT_TRUE(told && told->size() == 1);
+  std::set<std::string> named;
+  for (const Datum& part : told->front().datum[2].items()) {
+    if (!part.is_list()) continue;
+    for (const Datum& relation : part.items().subspan(1)) named.emplace(relation.text());
+  }
+  std::set<std::string> used;
+  const Result<std::vector<Fact>> statistics =
+      run(executor_, here_->facts(read_one("(relation-stats ?name ? ? ? ? ?tellers ?watchers)").value()));
+  for (const Fact& relation : *statistics) {
+    const bool by_page = write(relation.datum).find("(\"console-1\" ") != std::string::npos;
+    if (by_page) used.emplace(relation.datum[1].text());
+  }
+  for (const char* of_every_agent : {"agent", "contract", "request", "reply", "context", "bound"}) {
+    used.erase(of_every_agent);
+  }
+  EXPECT_EQ(used, (std::set<std::string>{"arm-joints", "commander", "commander-wanted", "hold", "stop"}));
+  for (const std::string& relation : used) EXPECT_TRUE(named.contains(relation)) << relation;
 }
 
 // As a board is for a key that may not tell that it is there.

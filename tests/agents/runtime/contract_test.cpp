@@ -34,11 +34,19 @@ TEST(Contract, ShowsWhatIsReadByNameAndDeclaresWhatIsGivenWhole) {
   EXPECT_TRUE(contract.posts.empty());
 }
 
+TEST(Contract, PostsByNameWhatAnotherAgentDeclares) {
+  const Contract contract =
+      contract_from_text("(contract page (posts stop (relation wish ((robot symbol)) (key robot))))").value();
+  ASSERT_EQ(contract.posts.size(), 1U);
+  EXPECT_EQ(contract.posts.front().name, "wish");
+  EXPECT_EQ(contract.form[2][1], "stop"_sym);
+}
+
 TEST(Contract, RefusesWhatIsNotAContract) {
   for (const std::string_view wrong :
        {"(contract)", "(contact x)", "(contract x (ofers))", "(contract x (offers 3))",
         "(contract x (offers (f (a nmber))))", "(contract x (offers (f ...)))", "(contract x (posts (relation)))",
-        "(contract x (reads (relation)))", "(contract x (reads 3))", "(contract x"}) {
+        "(contract x (posts 3))", "(contract x (reads (relation)))", "(contract x (reads 3))", "(contract x"}) {
     EXPECT_FALSE(contract_from_text(wrong).has_value()) << wrong;
   }
 }
