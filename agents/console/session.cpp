@@ -74,7 +74,7 @@ struct Session::Verb {
   std::string_view name;
   std::vector<Datum::Kind> takes;
   void (Session::*run)(const Datum& form);
-  bool moves = false;  // the arm, by holding on
+  bool goes_two_ways = false;  // over a lane as well
 
   bool fits(const Datum& form) const {
     if (form.size() != takes.size() + 1) return false;
@@ -99,7 +99,7 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"picture", {number, name, number}, &Session::picture},
                                           {"request", {number, name, form}, &Session::request},
                                           {"goal", {number, text}, &Session::goal},
-                                          {"stop", {number, text}, &Session::stop},
+                                          {"stop", {number, text}, &Session::stop, true},
                                           {"clear-stops", {number}, &Session::clear_stops},
                                           {"command", {number, name}, &Session::command},
                                           {"take-over", {number, name}, &Session::take_over},
@@ -221,10 +221,11 @@ void Session::hear(std::string_view message) {
   socket_->close(1008, "not understood");
 }
 
-// A lane brings the words that move the arm as well, so that a packet lost on one way does not hold them back.
+// A lane brings the words that move the arm and stop it as well: a packet that is lost, or a line that is dead, on one
+// way does not hold them back.
 bool Session::hear_on_lane(const Datum& form) {
   for (const Verb& verb : Verb::all()) {
-    if (!verb.moves || !form.is_form(verb.name) || !verb.fits(form)) continue;
+    if (!verb.goes_two_ways || !form.is_form(verb.name) || !verb.fits(form)) continue;
     (this->*verb.run)(form);
     return true;
   }

@@ -13,7 +13,7 @@
 //   (request N AGENT OPERATION) asks an agent, as any client does; `coordinator` is whoever plays that role
 //   (goal N "TEXT")             accepted, and then how it ended: two answers, the
 //                               second the state it ended in, or its refusal
-//   (stop N "REASON")           a stop fact; needs nothing but the right to tell it
+//   (stop N "REASON")           a stop fact; needs nothing but the right to tell it; may come on a lane as well
 //   (clear-stops N)             takes every stop back; who does so has an arm in hand
 //   (ask-for N ROBOT), (ask-no-more N ROBOT)                     others are told: (commander-wanted ROBOT US)
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
@@ -30,7 +30,8 @@
 //   (look STREAM), (look-away STREAM)            images, on the lanes that it opens (page_images.hpp), of a stream
 //                               whose fact it may read
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
-// and is told, as JSON (change_text.hpp): {"hello":...} (with what it may not do: page_rights.hpp), {"watch":N,...} (of the past with "past":TIME-US),
+// and is told, as JSON (change_text.hpp): {"hello":...} (with what it may not do: page_rights.hpp), {"watch":N,...} (of
+// the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
 // {"work":"servo","changes":[...]} some at a time,
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; a picture
@@ -206,6 +207,7 @@ class Session {
   WaitList hands_changed_;
   std::optional<Jog> jog_;
   Number newest_jog_ = 0;
+  Number newest_stop_ = 0;
   std::int64_t holds_told_ = 0;
   std::unique_ptr<PageImages> images_;
   std::unique_ptr<TruthFeed::Look> truth_;

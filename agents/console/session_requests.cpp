@@ -146,9 +146,12 @@ Task<bool> Session::being_taught() {
   co_return told->front().datum[1].is_symbol("teaching");
 }
 
-// Never behind other requests, and whatever their number.
+// Never behind other requests, and whatever their number. It comes two ways, and counts once: where the slower one
+// brings it after somebody has cleared it, it stops nothing anew.
 void Session::stop(const Datum& form) {
   const Number number = form[1].integer();
+  if (number <= newest_stop_) return;
+  newest_stop_ = number;
   stopping_.push_back(setup_.executor.spawn(tell_stop(number, std::string(form[2].text()))));
   std::erase_if(stopping_, [](const Job& job) { return job.done(); });
 }

@@ -112,6 +112,24 @@ TEST_F(HeldPage, TakesAJogFromWhicheverWayBringsItFirstAndOnce) {
   EXPECT_EQ(how_many("(request ? robot (jog left ?))"), 1u);
 }
 
+TEST_F(HeldPage, TakesAStopFromWhicheverWayBringsItFirstAndOnce) {
+  declare("(relation stop ((who symbol) (reason string)) (key who) (durable))");
+  const std::string own = cookie();
+  const auto client = page(own);
+  const auto beside = lane(own);
+  serve([&] { beside->send_frame(RawClient::text, "(stop 5 \"a hand\")"); });
+  const auto confirmed = serve([&] { return client->read_frame(); });
+  ASSERT_TRUE(confirmed);
+  EXPECT_EQ(confirmed->payload, "{\"reply\":5,\"values\":[]}");
+  EXPECT_EQ(how_many("(stop console-1 \"a hand\")"), 1u);
+  ASSERT_TRUE(run(executor_, here_->retract(read_one("(stop ? ?)").value())));
+  serve([&] { client->send_frame(RawClient::text, "(stop 5 \"a hand\")"); });
+  EXPECT_NE(said(*client, "(let-go 6 robot)").find("\"reply\":6"), std::string::npos) << "the slower way was taken in";
+  EXPECT_EQ(how_many("(stop ? ?)"), 0u) << "what somebody cleared is not told anew";
+  EXPECT_NE(said(*client, "(stop 7 \"again\")").find("\"reply\":7"), std::string::npos);
+  EXPECT_EQ(how_many("(stop ? ?)"), 1u);
+}
+
 TEST_F(HeldPage, MovesNothingForWhatComesLate) {
   const auto client = page(cookie());
   const std::int64_t newest = stamp(*client);

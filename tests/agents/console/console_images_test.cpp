@@ -158,7 +158,7 @@ TEST_F(ConsoleImagesTest, AreSentToNoPageThatMayNotReadTheirStream) {
 TEST_F(ConsoleImagesTest, EndALaneThatSaysWhatNoneSays) {
   const std::string own = cookie();
   const auto client = page(own);
-  for (const char* message : {"(drawn 5)", "(stop 1 \"x\")", "(drawn", "(jog 7)"}) {
+  for (const char* message : {"(drawn 5)", "(clear-stops 1)", "(drawn", "(jog 7)"}) {
     const auto rude = lane(own);
     const auto frame = serve([&] {
       rude->send_frame(RawClient::text, message);
