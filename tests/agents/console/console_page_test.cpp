@@ -156,6 +156,19 @@ TEST_F(ConsoleTest, SaysInItsHelloWhatTheKeyOfThePageDoesNotPermit) {
   EXPECT_EQ(said.find("\"stop\":"), std::string::npos) << said;
 }
 
+TEST_F(ConsoleTest, AnswersWhyAFactStandsInOneQuestion) {
+  declare(number_relation);
+  ASSERT_TRUE(run(executor_, here_->tell(list("number"_sym, 1, "first"))));
+  const auto id_of = [&](int number) { return run(executor_, here_->facts(list("number"_sym, number, "?"_sym))); };
+  const std::vector<FactId> because(1, id_of(1)->front().id);
+  ASSERT_TRUE(run(executor_, here_->tell(list("number"_sym, 2, "second"), because)));
+  const FactId root = id_of(2)->front().id;
+  const auto client = page(cookie());
+  const std::string why = said(*client, fmt::format("(ask 1 (provenance {} ?id ?fact ?teller ?when ?because))", root));
+  EXPECT_TRUE(has(why, R"x("?fact":"(number 2 \"second\")")x"));
+  EXPECT_TRUE(has(why, R"x("?fact":"(number 1 \"first\")")x"));
+}
+
 TEST_F(ConsoleTest, SaysOfATypedQuestionWhatIsWrongWithItAndWhere) {
   const auto client = page(cookie());
   EXPECT_TRUE(has(said(*client, "(watch 1 \"(on ?x\")"), "query:1:1"));
