@@ -85,6 +85,8 @@ HttpRequest request_of(MHD_Connection* connection, const char* method, const cha
 
 }  // namespace
 
+bool is_ip_address(const std::string& text) { return address_in_figures(text, 0).has_value(); }
+
 UpgradedSocket::~UpgradedSocket() {
   if (handle_ != nullptr) MHD_upgrade_action(handle_, MHD_UPGRADE_ACTION_CLOSE);
 }

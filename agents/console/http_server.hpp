@@ -27,6 +27,9 @@ struct MHD_UpgradeResponseHandle;
 
 namespace pizarra::console {
 
+// In figures, of IPv4 or IPv6.
+bool is_ip_address(const std::string& text);
+
 // The socket of a connection that left HTTP. Destroying it closes the connection; the server outlives it.
 class UpgradedSocket {
  public:

@@ -20,6 +20,14 @@ Result<std::string> read_pem(const std::string& path) {
   return fail("bad-certificate", fmt::format("{} cannot be read as PEM", text_of_bytes(path)));
 }
 
+CLI::Validator ip_address_check() {
+  const auto check = [](const std::string& text) {
+    if (console::is_ip_address(text)) return std::string();
+    return fmt::format("'{}' is no IP address, as 0.0.0.0 or ::; a port stands behind --port", text_of_bytes(text));
+  };
+  return {check, "ADDRESS"};
+}
+
 }  // namespace
 
 Result<std::optional<console::Console::Abroad>> abroad_of(const ConsoleChoices& choices) {
@@ -51,6 +59,7 @@ void add_console_options(CLI::App& command, ConsoleChoices& choices) {
   CLI::Option* listen = command.add_option(
       "--listen", choices.listen,
       "An address of this host that other machines reach, as 0.0.0.0: by TLS alone, for who shows the token of a key");
+  listen->check(ip_address_check());
   const auto abroad = [&](const char* name, auto& into, const char* help) {
     CLI::Option* option = command.add_option(name, into, help)->needs(listen);
     return option;

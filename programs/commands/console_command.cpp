@@ -99,6 +99,12 @@ void say_no_pictures(const Failure& why) {
   fmt::print(stderr, "pizarra: pictures of the past are not kept: {}\n", why.sentence);
 }
 
+void say_elsewhere(const std::string& addresses, const std::string& address) {
+  if (addresses.empty()) return;
+  const Result<void> said = add_line(addresses, address);
+  if (!said) fmt::print(stderr, "pizarra: the address is not in {}\n", said.error().sentence);
+}
+
 // Until somebody stops the executor; every page has left the board then.
 int serve(Executor& executor, console::Console::Setup setup, const ConsoleChoices& choices) {
   const std::string& addresses = choices.addresses;
@@ -110,14 +116,14 @@ int serve(Executor& executor, console::Console::Setup setup, const ConsoleChoice
   setup.page_folder = shipped_file("agents/console/page/built");
   setup.next_address = [addresses](const std::string& address) {
     fmt::print(stderr, "another browser: {}\n", address);
-    if (!addresses.empty()) add_line(addresses, address);
+    say_elsewhere(addresses, address);
   };
   const bool viewed = setup.foxglove.has_value();
   const auto console = console::Console::open(std::move(setup));
   if (!console) return complain(console.error(), exit_unavailable);
   print_address((*console)->address());
   if (viewed) fmt::print(stderr, "for Foxglove: {}\n", (*console)->foxglove_address());
-  if (!addresses.empty()) add_line(addresses, (*console)->address());
+  say_elsewhere(addresses, (*console)->address());
   executor.run_until([] { return false; });
   const Job closing = executor.spawn((*console)->close());
   executor.run_until([&closing] { return closing.done(); });

@@ -41,13 +41,18 @@ void LinePipe::read() {
   if (begun_.size() > longest_line) begun_.clear();
 }
 
-void add_line(const std::string& path, const std::string& line) {
+Result<void> add_line(const std::string& path, const std::string& line) {
+  const auto refused = [&path] { return fail("cannot-write", fmt::format("{}: {}", path, std::strerror(errno))); };
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
-  if (file < 0) return;
+  // A pipe that nobody reads.
+  if (file < 0 && errno == ENXIO) return {};
+  if (file < 0) return refused();
   const std::string whole = line + "\n";
-  // What a pipe does not take nobody reads.
-  if (::write(file, whole.data(), whole.size()) < 0) errno = 0;
+  const ssize_t written = ::write(file, whole.data(), whole.size());
+  const bool unread = written < 0 && errno == EAGAIN;
+  Result<void> done = written < 0 && !unread ? Result<void>(refused()) : Result<void>();
   ::close(file);
+  return done;
 }
 
 }  // namespace pizarra::programs

@@ -35,7 +35,7 @@ class LinePipe {
   std::string begun_;
 };
 
-// Says a line to a pipe, or adds it to a file; where nobody listens it says nothing.
-void add_line(const std::string& path, const std::string& line);
+// Says a line to a pipe, or adds it to a file; to a pipe that nobody reads it says nothing. Failure cannot-write.
+Result<void> add_line(const std::string& path, const std::string& line);
 
 }  // namespace pizarra::programs

@@ -56,6 +56,10 @@ const listening = [
 ];
 const refused = spawnSync(listening[0], listening.slice(1, 7).concat('--listen', '0.0.0.0'), { encoding: 'utf8' });
 expect(refused.status === 2 && /certificate/.test(refused.stderr), `without a certificate and tokens it does not listen there: ${refused.stderr.trim().slice(0, 120)}`);
+for (const odd of ['', 'localhost', '1.2.3', '127.0.0.1:80', '[::1]']) {
+  const { status, stderr } = spawnSync(cell, ['console', '--listen', odd], { encoding: 'utf8' });
+  expect(status === 2 && /is no IP address/.test(stderr), `nor at what is no address: ${stderr.trim().slice(0, 120)}`);
+}
 const byFile = ['console', '--cell', 'blocks', ...listening.slice(5)];
 const unchecked = spawnSync(cell, byFile, { env: { ...process.env, XDG_RUNTIME_DIR: folder }, encoding: 'utf8', timeout: 30_000 });
 expect(unchecked.status === 2 && /must ask for keys.*--board/s.test(unchecked.stderr), `nor where the board asks for no keys: ${unchecked.stderr.trim().slice(0, 200)}`);
