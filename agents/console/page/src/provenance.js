@@ -2,46 +2,53 @@
 
 import { clipped, clock, element } from './dom.js';
 import { fact } from './live_answers.js';
-import { sym, text } from './datum.js';
+import { sym, write } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
-/** @import { Answer, Datum, Form, ToldFact } from './messages' */
+/** @import { Answer, ToldFact } from './messages' */
 
 const deepest = 4;
 const most = 60;
 
-/** @param {Answer} contract @returns {Form[]} */
-const relationsIn = (contract) =>
-  fact(contract)[2]
-    .filter((/** @type {Datum} */ part) => Array.isArray(part) && text(part[0]) === 'posts')
-    .flatMap((/** @type {Form} */ part) => part.slice(1))
-    .filter((/** @type {Form} */ relation) => Array.isArray(relation?.[2]));
+/** @typedef {ToldFact & { gone?: boolean }} Reason */
 
-// A board has no question for a fact's number: what agents post by their contracts is asked for.
-/** @param {Connection} connection */
-async function factsByNumber(connection) {
-  const contracts = await connection.ask([sym('contract'), sym('?'), sym('?form')]);
-  const widths = new Map(contracts.flatMap(relationsIn).map(([, name, args]) => [text(name), args.length]));
-  const found = new Map();
-  for (const [name, width] of widths) {
-    const answers = await connection.ask([sym(name), ...Array(width).fill(sym('?'))]);
-    for (const { ids, facts } of answers) found.set(ids[0], facts[0]);
+// What the board says of a fact and its reasons: (provenance ROOT ID FACT TELLER WHEN BECAUSE).
+/** @param {Answer} answer @returns {[id: number, told: ToldFact]} */
+function reasonIn(answer) {
+  const [, , id, datum, teller, when, because] = fact(answer);
+  return [id, { text: write(datum), teller, when, because }];
+}
+
+// By their numbers: what stands, and what stood when the fact was told.
+/** @param {Connection} connection @param {number} root @param {ToldFact} told */
+async function factsBehind(connection, root, told) {
+  const query = [sym('provenance'), root, ...['?id', '?fact', '?teller', '?when', '?because'].map(sym)];
+  /** @type {Map<number, Reason>} */
+  const found = new Map((await connection.ask(query)).map(reasonIn));
+  found.set(root, told);
+  const lacking = [...found.values()].some(({ because }) => because.some((reason) => !found.has(reason)));
+  if (!lacking) return found;
+  // Where the board keeps no journal, they are said to have gone.
+  const stood = await connection.askThen(write(query), told.when).catch(() => []);
+  for (const [id, reason] of stood.map(reasonIn)) {
+    if (!found.has(id)) found.set(id, { ...reason, gone: true });
   }
   return found;
 }
 
-/** @param {number} id @param {ToldFact | undefined} told */
+/** @param {number} id @param {Reason | undefined} told */
 function node(id, told) {
   if (!told) return element('span', { class: 'fact gone' }, `fact ${id}, which is not there any more`);
+  const since = told.gone ? ', gone since' : '';
   return element(
     'span',
-    { class: 'fact' },
+    { class: told.gone ? 'fact gone' : 'fact' },
     element('code', {}, clipped(told.text, 120)),
-    element('small', { class: 'quiet' }, `fact ${id}, by ${told.teller} at ${clock(told.when)}`),
+    element('small', { class: 'quiet' }, `fact ${id}, by ${told.teller} at ${clock(told.when)}${since}`),
   );
 }
 
-/** @param {number} id @param {ToldFact | undefined} told @param {Map<number, ToldFact>} found @param {number[]} drawn @param {number} depth @returns {HTMLElement} */
+/** @param {number} id @param {Reason | undefined} told @param {Map<number, Reason>} found @param {number[]} drawn @param {number} depth @returns {HTMLElement} */
 function tree(id, told, found, drawn, depth) {
   drawn.push(id);
   const reasons = told && depth < deepest ? told.because : [];
@@ -52,10 +59,10 @@ function tree(id, told, found, drawn, depth) {
   return element('li', {}, node(id, told), below);
 }
 
-// As it is told now: a reason that has gone since is said to have.
+// A reason that has gone since is said to have.
 /** @param {Connection} connection @param {number} id @param {ToldFact} told */
 export async function provenance(connection, id, told) {
-  const found = await factsByNumber(connection);
+  const found = await factsBehind(connection, id, told);
   return element('ul', { class: 'provenance', 'aria-label': 'Because of what it was told' }, tree(id, told, found, [], 0));
 }
 
