@@ -84,8 +84,8 @@ export class Connection {
     for (const part of [this.#looks, this.#questions, this.#requests]) part.lost();
     // Whether there is a session at all, only a plain request tells.
     const answer = await fetch('/socket').catch(() => null);
-    if (answer?.status === 403) return this.onState('refused');
-    this.onState('lost', why);
+    if (answer?.status === 403) return this.onState('refused', why);
+    this.onState('lost', answer?.status === 503 ? (await answer.text()).trim() : why);
     setTimeout(() => this.#connect(), this.#pause);
     this.#pause = Math.min(this.#pause * 2, longestPause);
   }
@@ -164,7 +164,7 @@ export class Connection {
   }
   /** @param {string} reason */
   stop(reason) {
-    return this.#requests.call('stop', reason);
+    return this.#held.stop(reason);
   }
   clearStops() {
     return this.#requests.call('clear-stops');

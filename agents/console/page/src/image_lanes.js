@@ -1,5 +1,6 @@
 // Connections for images, beside the page's own. Each carries one image at a time: where a packet is lost, that image
-// comes late, and the others go on coming. For the same reason what moves the arm is said on one of them as well.
+// comes late, and the others go on coming. For the same reason what moves the arm or stops it is said on one of them as
+// well.
 //
 //   const lanes = new ImageLanes(async (message) => ...);     // who draws an image, and answers when it has
 //   lanes.open({ path: '/socket/7', lanes: 6 });

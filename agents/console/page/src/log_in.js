@@ -19,10 +19,13 @@ export function showLogIn(connection) {
     connection.logIn(find('token').value.trim());
     find('token').value = '';
   });
-  /** @param {State} state */
-  return (state) => {
-    if (state === 'live') find('refused').close();
-    if (state === 'refused' && tried) find('log-in-wrong').textContent = 'This token is wrong.';
+  /** @param {State} state @param {string} why a session has ended */
+  return (state, why = '') => {
+    if (state === 'live') {
+      tried = false;
+      find('refused').close();
+    }
+    if (state === 'refused') find('log-in-wrong').textContent = tried ? 'This token is wrong.' : why;
     if (state === 'refused' && !find('refused').open) find('refused').showModal();
   };
 }

@@ -68,6 +68,6 @@ roles.onChange(() => {
 });
 connection.onState = (state, why) => {
   line(state, why);
-  logIn(state);
+  logIn(state, why);
 };
 connection.open();
