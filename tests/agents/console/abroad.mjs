@@ -179,7 +179,7 @@ for (const { socket } of more) socket?.destroy();
 
 rmSync(inFolder('keys/anna.token'));
 await page.waitForSelector('#refused[open] #log-in', { timeout: 5000 });
-expect(true, 'a token that is taken away ends the pages that are open');
+expect(/this session is over/.test(await text(page, '#log-in-wrong')), 'a token that is taken away ends the pages that are open, and says so');
 await page.reload();
 await page.waitForSelector('#refused[open] #log-in');
 expect(true, 'and lets nobody in, nor its session');
