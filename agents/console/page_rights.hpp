@@ -1,7 +1,7 @@
 #pragma once
 
-// What a page may not do with the key that it has: so that it shows a button disabled, and says why. The board holds it
-// to that, whatever the page shows.
+// The key of a page forbids some of its words. The page is told which, so that it shows their buttons disabled, and why.
+// The board holds it to that, whatever it shows.
 //
 //   const PageRights rights = co_await rights_of(board);         // asks the board once (own-permission)
 //   rights.refused();       {{"goal", "this page's key may not tell facts of request"}, ...}, by the page's words

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a client may do on this board, for itself to ask: facts that are made up for each who asks, alone.
+// A client asks for its own permissions. They are facts that are made up for each who asks, alone.
 //
 //   (own-permission VERB RELATION)
 //

@@ -27,7 +27,7 @@ export type Hello = {
   camera: Camera | null;
   cube: number;
   truth: boolean;
-  // What the page's key does not let it do, by the word that it would say ('goal', 'stop', 'jog', ...), and why.
+  // Why the key of the page forbids a word of its ('goal', 'stop', 'jog', ...), by that word.
   mayNot: Record<string, string>;
   images: { path: string; lanes: number };
 };
