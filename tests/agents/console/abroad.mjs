@@ -135,9 +135,9 @@ await off('#tab-drive', '#why-take', '#take-arm', /may not tell.*commander/);
 await off('', '#why-take', '#ask-for-arm', /may not tell.*commander-wanted/);
 await off('', '#why-drive', '.jog[data-jog=up]', /Jogs.*may not tell/);
 await off('', '#why-drive', '#drive button:text-is("Monitor")', /Questions.*may not tell.*request/);
+await guest.screenshot({ path: join(pictures, 'guest.png') });
 await off('#tab-head', '#why-head', '#click-to-look', /may not tell.*request/);
 expect(await guest.isEnabled('#stop'), 'STOP is not');
-await guest.screenshot({ path: join(pictures, 'guest.png') });
 await expectAccessible(guest, scratch, 'a page that may do little');
 // Whatever a page shows, the board holds it to its key.
 await guest.evaluate(() => (document.getElementById('go').disabled = false));

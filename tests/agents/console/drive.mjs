@@ -104,7 +104,7 @@ expect(!/-0(?![\d.])/.test(await text(page, '#readings')), 'no number is a negat
 const monitored = (await driving.driven('Monitor', '(monitor)')).split(' ').map(Number);
 await page.waitForFunction(
   (joints) => {
-    const told = document.querySelector('#drive .axes').textContent.matchAll(/[a-z]+ (-?[\d.]+) (?:°|mm)/g);
+    const told = document.querySelector('#drive .axes').textContent.matchAll(/[a-z]+\s(-?[\d.]+)\s(?:°|mm)/g);
     const axes = [...told].map((each) => Number(each[1]));
     return axes.length === joints.length && axes.every((value, i) => Math.abs(value - joints[i]) < 0.2);
   },
@@ -112,7 +112,7 @@ await page.waitForFunction(
 );
 expect(monitored.length === 13, 'MONITOR: place, turns and seven axes, which the page shows as they are');
 const axes = await text(page, '#drive .axes');
-expect(/^turn [-\d.]+ ° .* track [-\d.]+ mm$/.test(axes), `by name and unit: ${axes}`);
+expect(/^turn\s[-\d.]+\s° .* track\s[-\d.]+\smm$/.test(axes), `by name and unit: ${axes}`);
 expect(/joints\s+(-?\d+ +){5}-?\d+ °\s+\d+ mm/.test(await text(page, '#readings')), 'also in the corner of the picture');
 await done('Finish: report', '(finish report)', 'FINISH report');
 expect(/do-action/.test(await driving.driven('Status', '(get-status)')), 'the last action');
@@ -149,5 +149,6 @@ const log = await text(page, '#drive .log');
 for (const word of ['(release-control)', '(finish stop)', `(speed ${percent})`]) expect(log.includes(word), `the log has ${word}`);
 await page.fill('#variable', 'p1');
 await page.fill('#action', `(move ${target.join(' ')})`);
+await page.locator('#drive').evaluate((panel) => panel.scrollTo(0, 0));
 await picture('drive', page, tall);
 await end();

@@ -19,7 +19,8 @@ expect(true, 'how long its facts are under way');
 await row('arm-joints').locator('button').click();
 await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer');
 expect((await page.inputValue('#query')) === '(arm-joints ?robot ?joints)', 'a relation is asked for by its name');
-await picture('relations');
+await page.locator('#facts').evaluate((panel) => panel.scrollTo(0, 0));
+await picture('relations', page, tall);
 await expectAccessible(page, scratch, 'the relations');
 
 await page.click('#tab-agents');

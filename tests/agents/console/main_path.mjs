@@ -66,6 +66,8 @@ expect((await text(page, '#plan')).includes('PICK-UP'), 'the plan is shown with 
 const servoSays = (pattern) => page.waitForFunction((words) => new RegExp(words).test(document.getElementById('servo-note').textContent), pattern);
 await servoSays('^(up|align x|align depth|approach|fine): (circle|triangle|square)$');
 await page.waitForFunction(() => document.querySelectorAll('#plan li.done').length >= 1);
+await page.selectOption('#story select', { label: '2 minutes' });
+await page.locator('#goal-text').blur();
 await picture(page, 'building');
 await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('reached'));
 await page.waitForFunction(() => document.getElementById('goal-chip').textContent.includes('reached'));

@@ -56,6 +56,8 @@ for (const [typed, wrong] of [['25:00', 'write a time'], ['noon', 'write a time'
 }
 expect((await shownTime()) === middle, 'and what is none changes nothing');
 await page.fill('#moment-time', middle);
+await page.press('#moment-time', 'Enter');
+await shows(`as it was at ${middle}`);
 const numbers = () =>
   page.$$eval('#images figcaption', (notes) => notes.map((note) => Number(note.textContent.match(/frame (\d+)/)?.[1])));
 const newest = await numbers();
@@ -65,6 +67,7 @@ await page.waitForFunction(() =>
 );
 const then = await numbers();
 await shows('as it was at');
+expect((await page.inputValue('#moment-time')) === (await shownTime()), 'the field shows the time that is shown');
 await picture('past');
 await page.click('#back-to-now');
 await known(5);

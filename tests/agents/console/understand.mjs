@@ -3,7 +3,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, expectAccessible, launch, openPage, ownFolder, start, storyBoard, text } from './browser.mjs';
+import { ask, expect, expectAccessible, launch, openPage, ownFolder, start, storyBoard, tall, text } from './browser.mjs';
 
 const [cell, board, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -28,6 +28,7 @@ expect(
       '(PICK-UP circle) (PICK-UP circle) kept; (STACK circle triangle) (STACK circle triangle) kept',
   `two plans side by side: ${plain.join('; ')}`,
 );
+await entry(6).screenshot({ path: join(pictures, 'plans.png') });
 await entry(2).locator('summary').click();
 expect((await entry(2).locator('table').count()) === 0, "a goal's first plan has none before it");
 
@@ -68,7 +69,8 @@ expect(facts.some((fact) => /\(look eyes 7 "TRACK" \(\)\)\s*fact \d+, by teller/
 const gone = facts.find((fact) => /gone since/.test(fact)) ?? '';
 expect(/\(look eyes 8 "TRACK" \(\)\)\s*fact \d+, by teller/.test(gone), `and one that has gone since, from the journal: ${gone}`);
 expect(facts.length === 4 && (await page.locator('#because ul ul ul > li').count()) === 2, 'each behind what it is the reason of');
-await page.screenshot({ path: join(pictures, 'because.png') });
+await page.setViewportSize(tall);
+await page.locator('#facts').screenshot({ path: join(pictures, 'because.png') });
 await expectAccessible(page, scratch, 'the reasons');
 expect((await text(page, '#query-count')) === '1 answer', 'the question goes on');
 

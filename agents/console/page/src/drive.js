@@ -23,7 +23,7 @@ function showAxes(connection, hands, axes) {
   const row = element('output', { class: 'axes', 'aria-label': 'Axis positions' }, 'no arm has told its joints yet');
   connection.follow('(arm-joints ?robot ?joints)', (answers) => {
     const told = answers.map(fact).find((joints) => text(joints[1]) === hands.robot);
-    if (told) row.textContent = axes.words(hands.robot, told[2]).map((axis) => axis.join(' ')).join('   ');
+    if (told) row.textContent = axes.words(hands.robot, told[2]).map((axis) => axis.join(' ').replaceAll(' ', '\u00a0')).join('   ');
   });
   return row;
 }

@@ -32,6 +32,7 @@ export function momentIn(typed, date, first) {
 
 export class MomentField {
   #first = 0;
+  #typing = false; // a time that is not gone to yet
   #time = element('input', { id: 'moment-time', size: 8, maxlength: 8, placeholder: 'hh:mm:ss', spellcheck: 'false', 'aria-label': 'Time of day' });
   #date = element('input', { id: 'moment-date', type: 'date', 'aria-label': 'Day', hidden: true });
   #go = element('button', { type: 'submit' }, 'Go to');
@@ -44,10 +45,15 @@ export class MomentField {
       event.preventDefault();
       const typed = momentIn(this.#time.value, this.#date.value, this.#first);
       this.#time.setCustomValidity('wrong' in typed ? typed.wrong : '');
-      if ('moment' in typed) goTo(typed.moment);
-      else this.#time.reportValidity();
+      if (!('moment' in typed)) return this.#time.reportValidity();
+      this.#typing = false;
+      goTo(typed.moment);
     });
-    this.#time.addEventListener('input', () => this.#time.setCustomValidity(''));
+    this.#time.addEventListener('input', () => {
+      this.#typing = true;
+      this.#time.setCustomValidity('');
+    });
+    this.#time.addEventListener('blur', () => (this.#typing = false));
   }
 
   /** @param {number} first */
@@ -62,7 +68,7 @@ export class MomentField {
   // Not while somebody types.
   /** @param {number | null} moment */
   show(moment) {
-    if (document.activeElement === this.#time || document.activeElement === this.#date) return;
+    if (this.#typing || document.activeElement === this.#date) return;
     this.#time.value = moment === null ? '' : clock(moment);
     this.#date.value = moment === null ? today() : dayOf(moment);
   }

@@ -11,8 +11,10 @@ import { table } from './tables.js';
 const shown = 60;
 const heads = ['Relation', 'Facts', 'Told/s', 'Watches', 'To board', 'To watcher', 'Told by'];
 
+/** @param {number} microseconds */
+const ms = (microseconds) => (microseconds / 1000).toFixed(microseconds < 10_000 ? 1 : 0);
 /** @param {Spread | null} times */
-const spread = (times) => (times ? `${times.p50} / ${times.p99}` : '–');
+const spread = (times) => (times ? `${ms(times.p50)} / ${ms(times.p99)}` : '–');
 
 /** @param {Sample} sample */
 function headline({ revision, facts, transactions_per_second: rate, journey }) {
@@ -57,7 +59,7 @@ export function showRelations(activity, canAsk, ask) {
         ]),
     );
   };
-  const panel = element('section', { 'aria-label': 'Relations' }, element('h2', {}, 'Relations'), note, element('p', { class: 'quiet' }, 'Under way to the board and from there, in µs: the half / 99 %.'), element('div', { class: 'scroll', tabindex: 0, role: 'group', 'aria-label': 'Table of relations' }, relations.panel));
+  const panel = element('section', { 'aria-label': 'Relations' }, element('h2', {}, 'Relations'), note, element('p', { class: 'quiet' }, 'Under way to the board and from there, in ms: the half / 99 %. A name that is off stands in no contract, so its form is not known.'), element('div', { class: 'scroll', tabindex: 0, role: 'group', 'aria-label': 'Table of relations' }, relations.panel));
   activity.shownIn(panel, show);
   return panel;
 }

@@ -16,7 +16,7 @@ const narrowest = 5;
 const halfTime = 24; // of the width of what a tick says
 const second = 1e6;
 const minute = 60 * second;
-const steps = [15 * second, ...[1, 2, 5, 10, 20, 60, 120].map((minutes) => minutes * minute)];
+const steps = [30 * second, ...[1, 2, 5, 10, 20, 60, 120].map((minutes) => minutes * minute)];
 
 // With its seconds where the steps are as short.
 /** @param {number} moment @param {number} step */
