@@ -73,7 +73,7 @@ std::string hello_text(const CellView& cell, int page, const std::string& name, 
 struct Session::Verb {
   std::string_view name;
   std::vector<Datum::Kind> takes;
-  void (Session::*run)(const Datum& form);
+  std::function<void(Session&, const Datum& form)> run;
   bool goes_two_ways = false;  // over a lane as well
 
   bool fits(const Datum& form) const {
@@ -91,35 +91,46 @@ std::span<const Session::Verb> Session::Verb::all() {
   constexpr auto name = Datum::Kind::symbol;
   constexpr auto text = Datum::Kind::string;
   constexpr auto form = Datum::Kind::list;
-  static const std::vector<Verb> verbs = {{"follow", {number, form}, &Session::follow},
-                                          {"watch", {number, text}, &Session::watch},
-                                          {"unwatch", {number}, &Session::unwatch},
-                                          {"ask", {number, form}, &Session::ask},
-                                          {"then", {number, form, number}, &Session::then},
-                                          {"picture", {number, name, number}, &Session::picture},
-                                          {"request", {number, name, form}, &Session::request},
-                                          {"goal", {number, text}, &Session::goal},
-                                          {"stop", {number, text}, &Session::stop, true},
-                                          {"clear-stops", {number}, &Session::clear_stops},
-                                          {"command", {number, name}, &Session::command},
-                                          {"take-over", {number, name}, &Session::take_over},
-                                          {"let-go", {number, name}, &Session::let_go},
-                                          {"ask-for", {number, name}, &Session::ask_for},
-                                          {"ask-no-more", {number, name}, &Session::ask_no_more},
-                                          {"stamp", {number}, &Session::stamp},
-                                          {"jog", {number, name, name, number}, &Session::jog, true},
-                                          {"hold-on", {number, number}, &Session::hold_on, true},
-                                          {"release", {number}, &Session::release, true},
-                                          {"truth", {}, &Session::truth},
-                                          {"truth-no-more", {}, &Session::truth_no_more},
-                                          {"activity", {}, &Session::activity},
-                                          {"activity-no-more", {}, &Session::activity_no_more},
-                                          {"work", {number}, &Session::work},
-                                          {"method", {number, number}, &Session::method},
-                                          {"cells", {number}, &Session::cells},
-                                          {"look", {name}, &Session::look},
-                                          {"look-away", {name}, &Session::look_away},
-                                          {"heard", {number}, &Session::heard}};
+  static const std::vector<Verb> verbs = {
+      {"follow", {number, form}, &Session::follow},
+      {"watch", {number, text}, &Session::watch},
+      {"unwatch", {number}, &Session::unwatch},
+      {"ask", {number, form}, &Session::ask},
+      {"then", {number, form, number}, &Session::then},
+      {"picture", {number, name, number}, &Session::picture},
+      {"request", {number, name, form}, &Session::request},
+      {"goal", {number, text}, &Session::goal},
+      {"stop", {number, text}, &Session::stop, true},
+      {"clear-stops", {number}, &Session::clear_stops},
+      {"command", {number, name}, &Session::command},
+      {"take-over", {number, name}, &Session::take_over},
+      {"let-go", {number, name}, &Session::let_go},
+      {"ask-for", {number, name}, &Session::ask_for},
+      {"ask-no-more", {number, name}, &Session::ask_no_more},
+      {"stamp", {number}, &Session::stamp},
+      {"jog", {number, name, name, number}, &Session::jog, true},
+      {"hold-on", {number, number}, &Session::hold_on, true},
+      {"release", {number}, &Session::release, true},
+      {"truth", {}, [](Session& page, const Datum&) { page.instruments_->show_truth(true); }},
+      {"truth-no-more", {}, [](Session& page, const Datum&) { page.instruments_->show_truth(false); }},
+      {"activity", {}, [](Session& page, const Datum&) { page.instruments_->show_activity(true); }},
+      {"activity-no-more", {}, [](Session& page, const Datum&) { page.instruments_->show_activity(false); }},
+      {"work",
+       {number},
+       [](Session& page, const Datum& said) {
+         page.begin_request(said[1].integer(), page.instruments_->tell_work(said[1].integer()));
+       }},
+      {"method",
+       {number, number},
+       [](Session& page, const Datum& said) {
+         page.instruments_->look_at_method(said[1].integer(), said[2].integer());
+       }},
+      {"cells",
+       {number},
+       [](Session& page, const Datum& said) { page.instruments_->look_at_cells(said[1].integer()); }},
+      {"look", {name}, &Session::look},
+      {"look-away", {name}, &Session::look_away},
+      {"heard", {number}, &Session::heard}};
   return verbs;
 }
 
@@ -130,14 +141,15 @@ Session::Session(Setup setup, UpgradedSocket socket)
           context_,
           runtime::contract_from_text(fmt::format("(contract console {} {})", posts_of_pages, reads_of_pages)).value()),
       caller_(context_, service_),
-      room_(setup_.executor),
       hands_changed_(setup_.executor),
       images_(std::make_unique<PageImages>(setup_.executor, setup_.images, pulse_,
-                                           [this](const Datum& form) { return hear_on_lane(form); })) {
-  WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
-                           .room = [this] { room_.set(); },
-                           .ended = [this] { leave(); }};
-  socket_ = std::make_unique<WebSocket>(setup_.executor, std::move(socket), std::move(events));
+                                           [this](const Datum& form) { return hear_on_lane(form); })),
+      voice_(setup_.executor, std::move(socket),
+             {.text = [this](std::string_view message) { hear(message); }, .ended = [this] { leave(); }}),
+      instruments_(std::make_unique<PageInstruments>(
+          PageInstruments::Setup{setup_.executor, *setup_.board, setup_.name, setup_.key, setup_.truth, setup_.kept,
+                                 setup_.instruments, setup_.connect},
+          voice_)) {
   opening_ = setup_.executor.spawn(open());
   running_out_ = setup_.executor.spawn(run_out());
   arms_ = setup_.executor.spawn(follow_arms());
@@ -156,10 +168,7 @@ void Session::leave() {
   opening_ = Job();
   running_out_ = Job();
   arms_ = Job();
-  activity_ = Job();
-  method_ = Job();
-  cells_ = Job();
-  truth_.reset();
+  instruments_.reset();
   beating_ = Job();
   hands_ = Job();
   holding_ = Job();
@@ -173,7 +182,7 @@ void Session::leave() {
 
 void Session::dismiss(std::string_view why) {
   if (going_timer_ != 0) return;
-  socket_->close(1008, why);
+  voice_.close(1008, why);
   going_timer_ = setup_.executor.call_at(setup_.executor.now() + longest_farewell, [this] { leave(); });
 }
 
@@ -188,12 +197,12 @@ Task<void> Session::say_goodbye() { [[maybe_unused]] const Result<void> left = c
 Task<void> Session::open() {
   const Result<void> present = co_await service_.start();
   if (!present) {
-    socket_->close(1011, "the board refuses this page: " + present.error().sentence);
+    voice_.close(1011, "the board refuses this page: " + present.error().sentence);
     co_return;
   }
   co_await declare_wishes();
   const PageRights rights = co_await rights_of(context_.board);
-  say(hello_text(setup_.cell, setup_.number, setup_.name, rights, may_see_truth()));
+  voice_.say(hello_text(setup_.cell, setup_.number, setup_.name, rights, instruments_->may_see_truth()));
   beating_ = setup_.executor.spawn(keep_beating());
 }
 
@@ -203,22 +212,16 @@ Task<void> Session::run_out() {
   dismiss("the session is over");
 }
 
-void Session::say(std::string text) { socket_->send(WebSocket::Class::control, std::move(text)); }
-
-void Session::refuse(Number number, std::string symbol, std::string sentence) {
-  say(refusal_text(number, Failure{std::move(symbol), std::move(sentence), {}, {}}));
-}
-
 void Session::hear(std::string_view message) {
   if (leaving_) return;
   const Result<Datum> form = read_one(message, message_limits);
   if (form) {
     for (const Verb& verb : Verb::all()) {
-      if (form->is_form(verb.name) && verb.fits(*form)) return (this->*verb.run)(*form);
+      if (form->is_form(verb.name) && verb.fits(*form)) return verb.run(*this, *form);
     }
   }
   // No page of ours says it.
-  socket_->close(1008, "not understood");
+  voice_.close(1008, "not understood");
 }
 
 // A lane brings the words that move the arm and stop it as well: a packet that is lost, or a line that is dead, on one
@@ -226,7 +229,7 @@ void Session::hear(std::string_view message) {
 bool Session::hear_on_lane(const Datum& form) {
   for (const Verb& verb : Verb::all()) {
     if (!verb.goes_two_ways || !form.is_form(verb.name) || !verb.fits(form)) continue;
-    (this->*verb.run)(form);
+    verb.run(*this, form);
     return true;
   }
   return false;

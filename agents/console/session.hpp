@@ -40,7 +40,6 @@
 // Bounds: 64 watches, 16 requests in hand, those of the images. A page that does not take in what it is told, some
 // 256 kB of it, has its watches wait: the board resynchronises them.
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -48,14 +47,12 @@
 #include <string>
 #include <vector>
 
-#include "agents/console/instruments.hpp"
-#include "agents/console/kept_changes.hpp"
 #include "agents/console/page_images.hpp"
+#include "agents/console/page_instruments.hpp"
+#include "agents/console/page_voice.hpp"
 #include "agents/console/picture_store.hpp"
 #include "agents/console/pulse.hpp"
 #include "agents/console/reach_outline.hpp"
-#include "agents/console/truth_feed.hpp"
-#include "agents/console/web_socket.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/time/latch.hpp"
 #include "drivers/arm/arm_model.hpp"
@@ -77,8 +74,6 @@ class Session {
  public:
   static constexpr std::size_t max_watches = 64;
   static constexpr std::size_t max_requests = 16;
-  // The most that a reply waits behind, the system's own buffers for the page included.
-  static constexpr std::size_t max_unheard_bytes = 256 << 10;
 
   struct Setup {
     Executor& executor;
@@ -123,8 +118,6 @@ class Session {
 
   void hear(std::string_view message);
   bool hear_on_lane(const Datum& form);
-  void say(std::string text);
-  void refuse(Number number, std::string symbol, std::string sentence);
   // False where it is refused.
   bool begin_request(Number number, Task<void> task);
 
@@ -147,19 +140,10 @@ class Session {
   void jog(const Datum& form);
   void hold_on(const Datum& form);
   void release(const Datum& form);
-  void truth(const Datum& form);
-  void truth_no_more(const Datum& form);
-  void activity(const Datum& form);
-  void activity_no_more(const Datum& form);
-  void work(const Datum& form);
-  void method(const Datum& form);
-  void cells(const Datum& form);
   void look(const Datum& form);
   void look_away(const Datum& form);
   void heard(const Datum& form);
-  void say_fact(std::string text);
 
-  bool may_see_truth() const;
   Task<void> open();
   Task<void> run_out();
   Task<void> close_board();
@@ -168,15 +152,9 @@ class Session {
   Task<void> send_changes(Number number, std::unique_ptr<Watch> watch);
   Task<void> ask_now(Number number, Query query);
   Task<void> ask_then(Number number, Query query);
-  Task<void> sample_activity();
-  Task<void> show_work(Number number);
-  Task<void> say_kept(std::string kind, Datum pattern, const std::deque<KeptChange>& kept);
-  Task<void> look_at_cells(Number number);
-  Task<void> look_at_method(Number number, Duration length);
   Task<void> show_kept(Number number, std::string stream, Time moment);
   Task<void> look_if_readable(std::string stream);
   void say_arms(const std::vector<Answer>& answers, const std::string& past);
-  Task<void> room();
   Task<void> follow_arms();
   Task<void> ask_agent(Number number, std::string agent, Datum operation);
   Task<Result<Datum>> answer_of(std::string agent, Datum operation);
@@ -197,9 +175,6 @@ class Session {
   runtime::AgentContext context_;
   runtime::Service service_;
   runtime::Caller caller_;
-  Event room_;
-  std::deque<std::size_t> unheard_;  // messages of facts, by their bytes
-  std::size_t unheard_bytes_ = 0;
   bool leaving_ = false;
   Executor::TimerId going_timer_ = 0;  // of a page that was dismissed
   Pulse pulse_;
@@ -210,14 +185,11 @@ class Session {
   Number newest_stop_ = 0;
   std::int64_t holds_told_ = 0;
   std::unique_ptr<PageImages> images_;
-  std::unique_ptr<TruthFeed::Look> truth_;
-  std::unique_ptr<WebSocket> socket_;
+  PageVoice voice_;
+  std::unique_ptr<PageInstruments> instruments_;
   Job opening_;
   Job running_out_;
   Job arms_;
-  Job activity_;
-  Job method_;
-  Job cells_;
   Job beating_;
   Job hands_;
   Job holding_;     // the newest hold on its way to the board

@@ -22,10 +22,10 @@ Datum hold_fact(const Datum& robot, const std::string& client, const Datum& coun
 // A page that takes in nothing gets no stamps, and what it says counts as late.
 Task<void> Session::keep_beating() {
   while (true) {
-    if (socket_->waiting() < WebSocket::low_mark) {
+    if (voice_.is_free()) {
       const std::optional<Duration> measured = pulse_.round_trip();
-      say(fmt::format("{{\"pulse\":{},\"deadline\":{:.0f},\"rtt\":{:.1f}}}", pulse_.beat(setup_.executor.now()),
-                      milliseconds(pulse_.deadline()), measured ? milliseconds(*measured) : -1.0));
+      voice_.say(fmt::format("{{\"pulse\":{},\"deadline\":{:.0f},\"rtt\":{:.1f}}}", pulse_.beat(setup_.executor.now()),
+                             milliseconds(pulse_.deadline()), measured ? milliseconds(*measured) : -1.0));
     }
     const Time next = setup_.executor.now() + (in_hand_ ? Pulse::quick : Pulse::slow);
     co_await hands_changed_.wait(next);
@@ -54,9 +54,9 @@ void Session::jog(const Datum& form) {
   newest_jog_ = number;
   const Duration deadline = pulse_.deadline();
   if (!pulse_.is_fresh(form[4].integer(), setup_.executor.now(), deadline)) {
-    return refuse(number, "late", "this came too late to move the arm for");
+    return voice_.refuse(number, "late", "this came too late to move the arm for");
   }
-  if (jog_) return refuse(number, "busy", "this page holds on to a jog already");
+  if (jog_) return voice_.refuse(number, "busy", "this page holds on to a jog already");
   // From here on a release counts, before the request begins too.
   jog_ = Jog{number, form[2], deadline};
   const bool begun = begin_request(number, jog_while_held(number, form[2], form[3], deadline));
@@ -74,7 +74,7 @@ Task<void> Session::jog_while_held(Number number, Datum robot, Datum direction, 
   if (wanted) ended = co_await answer_of(agent, operation);
   co_await take_hold_back(robot);
   jog_.reset();
-  say(ended ? reply_text(number, *ended) : refusal_text(number, ended.error()));
+  voice_.say(ended ? reply_text(number, *ended) : refusal_text(number, ended.error()));
 }
 
 Task<Result<Revision>> Session::tell_hold(Datum robot) {

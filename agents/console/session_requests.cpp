@@ -49,11 +49,11 @@ Result<Datum> goal_form(const std::string& text) {
 bool Session::begin_request(Number number, Task<void> task) {
   std::erase_if(requests_, [](const auto& entry) { return entry.second.done(); });
   if (requests_.size() >= max_requests) {
-    refuse(number, "too-many", fmt::format("{} requests are in hand already", max_requests));
+    voice_.refuse(number, "too-many", fmt::format("{} requests are in hand already", max_requests));
     return false;
   }
   if (requests_.contains(number)) {
-    refuse(number, "malformed", "a request of that number is in hand");
+    voice_.refuse(number, "malformed", "a request of that number is in hand");
     return false;
   }
   requests_.emplace(number, setup_.executor.spawn(std::move(task)));
@@ -72,7 +72,7 @@ Task<void> Session::ask_agent(Number number, std::string agent, Datum operation)
     if (holder) agent = holder->server;
   }
   const Result<Datum> answer = co_await answer_of(std::move(agent), std::move(operation));
-  say(answer ? reply_text(number, *answer) : refusal_text(number, answer.error()));
+  voice_.say(answer ? reply_text(number, *answer) : refusal_text(number, answer.error()));
 }
 
 Task<Result<Datum>> Session::answer_of(std::string agent, Datum operation) {
@@ -91,28 +91,28 @@ void Session::goal(const Datum& form) {
 Task<void> Session::pursue(Number number, std::string text) {
   const Result<Datum> form = goal_form(text);
   if (!form) {
-    say(refusal_text(number, form.error()));
+    voice_.say(refusal_text(number, form.error()));
     co_return;
   }
   const bool early = co_await being_taught();
   if (early) {
-    refuse(number, "not-ready", "the objects are still being taught");
+    voice_.refuse(number, "not-ready", "the objects are still being taught");
     co_return;
   }
   const runtime::Role role = runtime::coordinator_role();
   const Result<runtime::Holder> coordinator = co_await runtime::present_holder_of(context_, Wiring::client, role);
   if (!coordinator || !coordinator->is_present()) {
-    refuse(number, "absent", "no coordinator is present, so nobody would pursue a goal");
+    voice_.refuse(number, "absent", "no coordinator is present, so nobody would pursue a goal");
     co_return;
   }
   // A fact of the board, as a request is one, holds no variables.
   const Datum wanted = forms::without_variables(*form);
   const Result<Datum> accepted = co_await caller_.call(coordinator->server, wanted, request_timeout);
   if (!accepted) {
-    say(refusal_text(number, accepted.error()));
+    voice_.say(refusal_text(number, accepted.error()));
     co_return;
   }
-  say(reply_text(number, *accepted));
+  voice_.say(reply_text(number, *accepted));
   if (accepted->size() == 1) co_await say_end_of_goal(number, (*accepted)[0], std::move(text));
 }
 
@@ -128,8 +128,8 @@ Task<void> Session::say_end_of_goal(Number number, Datum goal, std::string text)
       if (fact[2].is_symbol("running")) continue;
       const bool failed = fact[3].is_form("fail");
       const Datum ended = list(fact[2]);
-      say(failed ? refusal_text(number, forms::at_its_goal(failure_from_datum(fact[3]), text))
-                 : reply_text(number, ended));
+      voice_.say(failed ? refusal_text(number, forms::at_its_goal(failure_from_datum(fact[3]), text))
+                        : reply_text(number, ended));
       co_return;
     }
   }
@@ -167,7 +167,7 @@ Task<void> Session::tell_stop(Number number, std::string reason) {
   }
   told = if_it_stands(std::move(told));
   const Datum done;
-  say(told ? reply_text(number, done) : refusal_text(number, told.error()));
+  voice_.say(told ? reply_text(number, done) : refusal_text(number, told.error()));
 }
 
 // Only who has an arm in hand may set arms free.
@@ -225,10 +225,10 @@ Task<void> Session::change_board(Number number, Transaction transaction, Failure
   changed = if_it_stands(std::move(changed));
   const Datum done;
   if (changed) {
-    say(reply_text(number, done));
+    voice_.say(reply_text(number, done));
   } else {
     const bool unmet = changed.error().symbol == "precondition-failed";
-    say(refusal_text(number, unmet ? otherwise : changed.error()));
+    voice_.say(refusal_text(number, unmet ? otherwise : changed.error()));
   }
 }
 

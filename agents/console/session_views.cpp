@@ -57,27 +57,8 @@ std::string of_the_past(std::string object, const std::string& past) {
 
 }  // namespace
 
-Task<void> Session::room() {
-  while (socket_->waiting() >= WebSocket::low_mark || unheard_bytes_ >= max_unheard_bytes) {
-    room_.reset();
-    co_await room_.wait();
-  }
-}
-
-void Session::say_fact(std::string text) {
-  unheard_.push_back(text.size());
-  unheard_bytes_ += text.size();
-  socket_->send(WebSocket::Class::facts, std::move(text));
-}
-
 void Session::heard(const Datum& form) {
-  const Number count = form[1].integer();
-  if (count < 0 || static_cast<std::size_t>(count) > unheard_.size()) return socket_->close(1008, "not understood");
-  for (Number i = 0; i < count; ++i) {
-    unheard_bytes_ -= unheard_.front();
-    unheard_.pop_front();
-  }
-  room_.set();
+  if (!voice_.heard(form[1].integer())) voice_.close(1008, "not understood");
 }
 
 Task<void> Session::follow_arms() {
@@ -88,7 +69,7 @@ Task<void> Session::follow_arms() {
   while (true) {
     const Result<Change> change = co_await (*watch)->next();
     if (!change) co_return;
-    co_await room();
+    co_await voice_.room();
     say_arms(change->added, {});
   }
 }
@@ -100,16 +81,17 @@ void Session::say_arms(const std::vector<Answer>& answers, const std::string& pa
     const auto known = setup_.cell.arms.find(std::string(fact[1].text()));
     if (known == setup_.cell.arms.end()) continue;
     const std::optional<arm::Joints> joints = joints_in(fact[2], known->second);
-    if (joints) say_fact(of_the_past(arm_text(known->first, known->second, *joints), past));
+    if (joints) voice_.say_fact(of_the_past(arm_text(known->first, known->second, *joints), past));
   }
 }
 
 void Session::follow(const Datum& form) {
   const Result<Query> query = query_from_datum(form[2]);
-  if (!query) return say(failed_watch_text(form[1].integer(), query.error()));
+  if (!query) return voice_.say(failed_watch_text(form[1].integer(), query.error()));
   std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
   if (watches_.size() >= max_watches || watches_.contains(form[1].integer())) {
-    return say(failed_watch_text(form[1].integer(), {"too-many", "too many questions are watched already", {}, {}}));
+    return voice_.say(
+        failed_watch_text(form[1].integer(), {"too-many", "too many questions are watched already", {}, {}}));
   }
   watches_.emplace(form[1].integer(), setup_.executor.spawn(start_watch(form[1].integer(), *query, true)));
 }
@@ -117,15 +99,15 @@ void Session::follow(const Datum& form) {
 void Session::watch(const Datum& form) {
   const Number number = form[1].integer();
   const Result<Source> source = read_source(form[2].text(), "query", query_limits);
-  if (!source) return say(failed_watch_text(number, source.error()));
+  if (!source) return voice_.say(failed_watch_text(number, source.error()));
   if (source->data().size() != 1) {
-    return say(failed_watch_text(number, {"malformed", "a query is one form, as (on ?x ?y)", {}, {}}));
+    return voice_.say(failed_watch_text(number, {"malformed", "a query is one form, as (on ?x ?y)", {}, {}}));
   }
   Result<Query> query = query_from_datum(source->data().front());
-  if (!query) return say(failed_watch_text(number, query.error()));
+  if (!query) return voice_.say(failed_watch_text(number, query.error()));
   std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
   if (watches_.size() >= max_watches || watches_.contains(number)) {
-    return say(failed_watch_text(number, {"too-many", "too many questions are watched already", {}, {}}));
+    return voice_.say(failed_watch_text(number, {"too-many", "too many questions are watched already", {}, {}}));
   }
   watches_.emplace(number, setup_.executor.spawn(start_watch(number, std::move(*query), false)));
 }
@@ -133,25 +115,25 @@ void Session::watch(const Datum& form) {
 void Session::ask(const Datum& form) {
   const Number number = form[1].integer();
   const Result<Query> query = query_from_datum(form[2]);
-  if (!query) return say(failed_watch_text(number, query.error()));
+  if (!query) return voice_.say(failed_watch_text(number, query.error()));
   begin_request(number, ask_now(number, *query));
 }
 
 Task<void> Session::ask_now(Number number, Query query) {
   const Result<Answers> answers = co_await runtime::answers_if_declared(context_.board, std::move(query));
   if (!answers) {
-    say(failed_watch_text(number, answers.error()));
+    voice_.say(failed_watch_text(number, answers.error()));
     co_return;
   }
   const Change change{answers->revision, true, answers->answers, {}};
-  co_await room();
-  say_fact(change_text(number, change));
+  co_await voice_.room();
+  voice_.say_fact(change_text(number, change));
 }
 
 void Session::then(const Datum& form) {
   const Number number = form[1].integer();
   const Result<Query> read = query_from_datum(form[2]);
-  if (!read) return refuse(number, read.error().symbol, read.error().sentence);
+  if (!read) return voice_.refuse(number, read.error().symbol, read.error().sentence);
   Query query = *read;
   query.at = Moment{};
   query.at->time = Time(Duration(std::max<Number>(0, form[3].integer())));
@@ -162,36 +144,36 @@ Task<void> Session::ask_then(Number number, Query query) {
   const std::string past = std::to_string(query.at->time.time_since_epoch().count());
   Result<Answers> answers = co_await context_.board.ask(std::move(query));
   if (!answers) {
-    say(of_the_past(failed_watch_text(number, answers.error()), past));
+    voice_.say(of_the_past(failed_watch_text(number, answers.error()), past));
     co_return;
   }
   const Change change{answers->revision, true, std::move(answers->answers), {}};
-  co_await room();
-  say_fact(of_the_past(change_text(number, change), past));
+  co_await voice_.room();
+  voice_.say_fact(of_the_past(change_text(number, change), past));
   say_arms(change.added, past);
 }
 
 void Session::picture(const Datum& form) {
   const Number number = form[1].integer();
-  if (setup_.pictures == nullptr) return refuse(number, "no-picture", "this console keeps no pictures");
+  if (setup_.pictures == nullptr) return voice_.refuse(number, "no-picture", "this console keeps no pictures");
   begin_request(number, show_kept(number, std::string(form[2].text()), Time(Duration(form[3].integer()))));
 }
 
 Task<void> Session::show_kept(Number number, std::string stream, Time moment) {
   const Result<std::vector<Fact>> readable = co_await context_.board.facts(fact_of_stream(stream));
   if (!readable) {
-    say(refusal_text(number, readable.error()));
+    voice_.say(refusal_text(number, readable.error()));
     co_return;
   }
   const Result<PictureStore::Picture> kept = co_await setup_.pictures->find(std::move(stream), moment);
   if (!kept) {
-    say(refusal_text(number, kept.error()));
+    voice_.say(refusal_text(number, kept.error()));
     co_return;
   }
-  co_await room();
+  co_await voice_.room();
   std::string message = fmt::format("(picture {} {} {} {} {})\n", number, kept->number,
                                     kept->captured.time_since_epoch().count(), kept->width, kept->height);
-  socket_->send(WebSocket::Class::images, message += kept->jpeg);
+  voice_.show(message += kept->jpeg);
 }
 
 void Session::unwatch(const Datum& form) { watches_.erase(form[1].integer()); }
@@ -204,7 +186,7 @@ Task<void> Session::start_watch(Number number, Query query, bool when_declared) 
     watch = co_await context_.board.watch(std::move(query));
   }
   if (!watch) {
-    say(failed_watch_text(number, watch.error()));
+    voice_.say(failed_watch_text(number, watch.error()));
     co_return;
   }
   co_await send_changes(number, std::move(*watch));
@@ -216,18 +198,18 @@ Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
   while (true) {
     const Result<Change> change = co_await watch->next();
     if (!change) {
-      say(failed_watch_text(number, change.error()));
+      voice_.say(failed_watch_text(number, change.error()));
       co_return;
     }
-    co_await room();
-    say_fact(change_text(number, *change));
+    co_await voice_.room();
+    voice_.say_fact(change_text(number, *change));
   }
 }
 
 void Session::look(const Datum& form) {
   const std::string stream(form[1].text());
   if (looks_.contains(stream)) return;
-  if (looks_.size() >= PageImages::max_streams) return socket_->close(1008, "too many streams");
+  if (looks_.size() >= PageImages::max_streams) return voice_.close(1008, "too many streams");
   looks_.emplace(stream, setup_.executor.spawn(look_if_readable(stream)));
 }
 
