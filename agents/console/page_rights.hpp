@@ -1,7 +1,7 @@
 #pragma once
 
-// The key of a page forbids some of its words. The page is told which, so that it shows their buttons disabled, and why.
-// The board holds it to that, whatever it shows.
+// The key of a page forbids some of its words. The page is told which and why, and shows their buttons disabled. The
+// board holds it to that, whatever it shows.
 //
 //   const PageRights rights = co_await rights_of(board);         // asks the board once (own-permission)
 //   rights.refused();       {{"goal", "this page's key may not tell facts of request"}, ...}, by the page's words
