@@ -14,7 +14,8 @@ namespace pizarra::vision {
 struct OutlineGround {
   // As ground_doubt() has it (mark_ground.hpp), beyond where each edge ends, however wide motion makes it.
   double doubt = 0;
-  // How likely it is light that makes one side's ground differ, 0 to 1; little where nothing tells.
+  // How likely it is light that makes one side's ground differ, 0 to 1; little where nothing tells, and where
+  // the ground is even.
   double light = 0;
 };
 

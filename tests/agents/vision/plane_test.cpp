@@ -267,6 +267,34 @@ TEST(OutlineGround, InAShadowIsUnevenByLight) {
   }
 }
 
+// Both of its edges cross the mark, aslant, so that some of the print is in another light than the ground beside it.
+TEST(OutlineGround, UnderASlimShadowIsUnevenByLight) {
+  Random random(17);
+  const LearnedSample sample = learned(square, random);
+  for (const double direction : {0.6, 0.8, 1.0, 1.2}) {
+    cv::Mat1b image = filled(projected(square, turned_about({0, 0, 0.3}), {0, 0, 500}), random, 2);
+    for (int y = 0; y < image.rows; ++y) {
+      for (int x = 0; x < image.cols; ++x) {
+        const double along = (x - 319.5) * std::cos(direction) + (y - 239.5) * std::sin(direction);
+        if (std::abs(along - 14) < 10) image(y, x) = cv::saturate_cast<std::uint8_t>(0.5 * image(y, x));
+      }
+    }
+    EXPECT_GT(ground_of_square(image, sample).light, 0.9) << direction;
+  }
+}
+
+// A part of it is as light as the mark's own ground.
+TEST(OutlineGround, BesideWhatHidesASideInTwoGreysIsUnevenByMoreThanLight) {
+  Random random(18);
+  const LearnedSample sample = learned(square, random);
+  for (const int level : {60, 100, 140}) {
+    cv::Mat1b image = filled(projected(square, cv::Matx33d::eye(), {0, 0, 500}), random, 2);
+    image.colRange(330, 420) = level;
+    image(cv::Rect(330, 180, 90, 65)) = 200;
+    EXPECT_LT(ground_of_square(image, sample).light, 0.1) << level;
+  }
+}
+
 // The part that stays visible looks like a square that is turned away.
 TEST(OutlineGround, BesideWhatHidesASideIsUnevenByMoreThanLight) {
   Random random(15);
