@@ -42,6 +42,7 @@ void ArmObserver::hear(const Datum& request) {
   if (request[1].is_symbol("move")) note_motion();
   if (request[1].is_symbol("gripper")) note_grip(request[2].number());
   if (!request[1].is_symbol("stop")) return;
+  stop_came_ = cell_.time().now();
   checks_.push_back(cell_.time().spawn(check_halt()));
   checks_.push_back(cell_.time().spawn(check_fingers()));
 }
@@ -105,6 +106,33 @@ Task<void> ArmObserver::check_halt() {
   if (arm_motions_ == motions && !heeded) unsafe_("the arm moves on after a stop came to its controller");
 }
 
+// Somebody begins to command the arm in the middle of another's motion: its controller is told to stop soon.
+Task<void> ArmObserver::check_handover() {
+  const std::uint64_t motions = arm_motions_;
+  const Standing come = *commander_;
+  const std::string client = client_in_hand();
+  const Reading before = co_await read();
+  const bool is_of_another = !client.empty() && !come.fact[2].is_symbol(client);
+  if (!before.moves || !is_of_another) co_return;
+  co_await sleep(cell_.time(), stop_is_heard + watch_slack);
+  const Reading after = co_await read();
+  // The stop may have come before this saw the commander.
+  const bool was_told = stop_came_ > come.since - watch_pause;
+  const bool goes_on = after.moves && arm_motions_ == motions && !was_told;
+  const bool commands_still = commander_ && commander_->fact == come.fact && commander_->since == come.since;
+  const bool could_be_told = last_impaired_ < come.since - watch_pause;
+  if (!goes_on || !commands_still || !could_be_told) co_return;
+  unsafe_(fmt::format("the arm moves on for {} under {}", client, write(come.fact)));
+}
+
+// Whose motion is in hand; empty: nobody's.
+std::string ArmObserver::client_in_hand() const {
+  for (const Datum& motion : facts_of(cell_.board(), "(robot-motion robot ? ?)")) {
+    if (motion[3] == Datum()) return client_of(motion[2]);
+  }
+  return {};
+}
+
 // A controller's stop is of its axes alone. The fingers are told to stay where they are.
 Task<void> ArmObserver::check_fingers() {
   const std::uint64_t grips = finger_motions_;
@@ -147,7 +175,10 @@ void ArmObserver::look_at_board() {
     const bool present = !facts_of(board, list("agent"_sym, fact[2], "?"_sym, "?"_sym)).empty();
     if (present && commander == Datum()) commander = fact;
   }
+  const Time known_since = commander_ ? commander_->since : Time{};
   note(commander_, commander);
+  const bool has_come = commander_ && commander_->since != known_since;
+  if (has_come) checks_.push_back(cell_.time().spawn(check_handover()));
 }
 
 void ArmObserver::note(std::optional<Standing>& standing, const Datum& fact) const {

@@ -2,10 +2,11 @@
 
 // Looks from outside at each request that reaches the arm's controller, and tells of motions that must never be.
 //
-// A motion may not begin under a stop, nor while another client commands the arm; the robot agent has 100 ms to hear of
-// either. The board must know of each motion. A robot agent that is started again may not move for a request for which
-// it moved before. After a stop came to the controller, the arm may move on as long as its brakes take, and the fingers
-// until they are told to stay where they are.
+// A motion may not begin under a stop, nor while another client commands the arm, and the motion under way ends when
+// another client begins to; the robot agent has 100 ms to hear of either. The board must know of each motion. A robot
+// agent that is started again may not move for a request for which it moved before. After a stop came to the
+// controller, the arm may move on as long as its brakes take, and the fingers until they are told to stay where they
+// are.
 //
 //   ArmObserver observer(cell, [&](std::string sentence) { ... });
 //   observer.begin();
@@ -51,9 +52,11 @@ class ArmObserver {
   Task<Reading> read();
   Task<void> check_grip(double opening_mm);
   Task<void> check_halt();
+  Task<void> check_handover();
   Task<void> check_fingers();
   Task<void> watch();
   bool is_impaired() const;
+  std::string client_in_hand() const;
   void look_at_board();
   void note(std::optional<Standing>& standing, const Datum& fact) const;
 
@@ -62,6 +65,7 @@ class ArmObserver {
   std::uint64_t arm_motions_ = 0;  // that began
   std::uint64_t finger_motions_ = 0;
   bool fingers_began_last_ = false;
+  Time stop_came_{};                // to the controller, last
   std::map<Datum, int> moved_for_;  // a request, and the life of the robot agent that moved for it
   std::optional<Standing> stop_;
   std::optional<Standing> commander_;

@@ -83,7 +83,7 @@ Result<void> ChaosCell::start(const std::string& kind) {
     seen = agent->mistaken.get();
   }
   if (!plant_.empty()) {
-    agent->planted = std::make_unique<PlantedBoard>(*seen, kind, plant_);
+    agent->planted = std::make_unique<PlantedBoard>(*seen, agent->process, kind, plant_);
     seen = agent->planted.get();
   }
   runtime::AgentContext context{kind, "localhost", agent->process, *seen, random_.split(life)};

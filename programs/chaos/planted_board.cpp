@@ -11,6 +11,7 @@ constexpr std::uint64_t one_request_in = 20;
 constexpr std::uint64_t one_reply_in = 10;
 constexpr std::size_t old_looks = 10;
 constexpr double holds_mm = 60;
+constexpr Duration listening_pause = 10ms;
 
 // Looks come as they were some looks ago, under the newest frame's number.
 class OldLooks : public Watch {
@@ -38,6 +39,24 @@ class OldLooks : public Watch {
 
   std::unique_ptr<Watch> watch_;
   std::deque<Datum> looks_;
+};
+
+// Changes come when nothing moves.
+class HeardAtRest : public Watch {
+ public:
+  HeardAtRest(std::unique_ptr<Watch> watch, Executor& executor, const bool& moves)
+      : watch_(std::move(watch)), executor_(executor), moves_(moves) {}
+
+  Task<Result<Change>> next() override {
+    Result<Change> change = co_await watch_->next();
+    while (moves_) co_await sleep(executor_, listening_pause);
+    co_return change;
+  }
+
+ private:
+  std::unique_ptr<Watch> watch_;
+  Executor& executor_;
+  const bool& moves_;
 };
 
 // A TRACK reply that says of the object that it failed.
@@ -103,6 +122,7 @@ Task<Result<Revision>> PlantedBoard::transact(Transaction transaction) {
     }
     const Datum fact = tell->fact;
     if (fact.is_form("goal-state")) goal_state_ = fact;
+    if (fact.is_form("robot-motion")) moves_ = fact[3] == Datum();
     if (std::optional<Transaction::Tell> told = changed(std::move(*tell))) steps.emplace_back(std::move(*told));
     const bool ends = has("coordinator", "reached-too-soon") && fact.is_form("operation") &&
                       fact[3].is_symbol("done") && goal_state_.is_form("goal-state");
@@ -133,6 +153,8 @@ Task<Result<std::unique_ptr<Watch>>> PlantedBoard::watch(Query query) {
   Result<std::unique_ptr<Watch>> watch = co_await board_.watch(std::move(query));
   const bool old = watch && is_look && has("coordinator", "looks-old");
   if (old) co_return std::make_unique<OldLooks>(std::move(*watch));
+  const bool late = watch && is_commander && has("robot", "commander-heard-at-rest");
+  if (late) co_return std::make_unique<HeardAtRest>(std::move(*watch), executor_, moves_);
   co_return watch;
 }
 

@@ -3,21 +3,22 @@
 // A board between an agent and its session that brings a planted fault about (plants.hpp): what the agent tells is
 // dropped or changed, and what it asks for is hidden or old.
 //
-//   PlantedBoard board(*session, "planner", "plan-not-kept");
+//   PlantedBoard board(*session, process, "planner", "plan-not-kept");
 
 #include <deque>
 #include <memory>
 #include <string>
 
 #include "blackboard/board.hpp"
+#include "blackboard/time/executor.hpp"
 
 namespace pizarra::chaos {
 
 class PlantedBoard : public Board {
  public:
-  // The board outlives it.
-  PlantedBoard(Board& board, std::string agent, std::string plant)
-      : board_(board), agent_(std::move(agent)), plant_(std::move(plant)) {}
+  // Board and executor outlive it.
+  PlantedBoard(Board& board, Executor& executor, std::string agent, std::string plant)
+      : board_(board), executor_(executor), agent_(std::move(agent)), plant_(std::move(plant)) {}
 
   Task<Result<void>> declare(std::vector<Relation> relations) override;
   Task<Result<Revision>> transact(Transaction transaction) override;
@@ -35,10 +36,12 @@ class PlantedBoard : public Board {
   bool is_dropped(const Datum& fact);
 
   Board& board_;
+  Executor& executor_;
   const std::string agent_;
   const std::string plant_;
   std::uint64_t counted_ = 0;
   Datum goal_state_;  // the newest that runs
+  bool moves_ = false;  // by the robot agent's word
 };
 
 }  // namespace pizarra::chaos

@@ -11,6 +11,7 @@ const std::vector<Plant>& plants() {
       {"motion-not-kept", "the robot agent does not persist the motion that it begins"},
       {"stop-unheard", "the robot agent does not hear of stops"},
       {"commander-unheard", "the robot agent does not hear who commands its arm"},
+      {"commander-heard-at-rest", "the robot agent hears who commands its arm once its motion has ended"},
       {"reached-too-soon", "a goal is said to be reached after the first operation"},
       {"refused-for-nothing", "a goal that is reached is said to be refused"},
       {"reached-for-refused", "a goal that is refused is said to be reached"},

@@ -4,7 +4,7 @@
 // at the seams between an agent and its board, its devices or its disk. No part of the product knows of them.
 //
 //   for (const Plant& plant : plants()) fmt::print("{} {}\n", plant.name, plant.sentence);
-//   PlantedBoard board(inner, "robot", "stop-unheard");
+//   PlantedBoard board(inner, process, "robot", "stop-unheard");
 
 #include <string>
 #include <vector>

@@ -47,7 +47,8 @@ TEST(Chaos, ObserversFindEyesThatNeverSeeACubeAndAnArmThatHeedsNoStop) {
 TEST(Chaos, ObserversSayWhatAPlantedFaultDoes) {
   const std::pair<const char*, const char*> planted[] = {
       {"--replay 1 --only stop --plant commander-unheard", "a motion begins for coordinator under (commander"},
-      {"--replay 6 --only stop --plant fingers-not-held", "the fingers move on after a stop came to the arm"}};
+      {"--replay 6 --only stop --plant fingers-not-held", "the fingers move on after a stop came to the arm"},
+      {"--replay 3 --only stop --plant commander-heard-at-rest", "the arm moves on for coordinator under (commander"}};
   for (const auto& [words, sentence] : planted) {
     const Said said = run(words);
     EXPECT_TRUE(contains(said, sentence)) << words << '\n' << said.text;
