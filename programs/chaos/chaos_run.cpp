@@ -39,10 +39,12 @@ class Play {
         narrator_(narrator),
         director_(cell, "director"),
         bystander_(cell, "bystander"),
-        observers_(cell, judge,
-                   [this](Time when, const std::string& kind, const std::string& sentence) {
-                     narrator_.say(when, kind, sentence);
-                   }),
+        observers_(
+            cell, judge,
+            [this](Time when, const std::string& kind, const std::string& sentence) {
+              narrator_.say(when, kind, sentence);
+            },
+            [this] { return begun_ != Time{} && player_.is_quiet(); }),
         context_{"director", "localhost", director_.process, *director_.board, Random(story.seed).split("director")},
         service_(context_, runtime::contract_from_text("(contract director)").value()),
         caller_(context_, service_),

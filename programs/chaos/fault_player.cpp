@@ -1,5 +1,6 @@
 #include "programs/chaos/fault_player.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lisp/writer.hpp"
@@ -13,9 +14,24 @@ constexpr Duration poll_pause = 20ms;
 constexpr Duration busy_pause = 200ms;
 constexpr Duration reset_timeout = 5s;
 constexpr int most_tries = 100;
+// The arm carries its mark before the camera, as soon as it is not held up.
+constexpr Duration camera_is_found = 90s;
 
 Duration seconds(double s) { return Duration(static_cast<Duration::rep>(std::llround(s * 1e6))); }
 Duration seconds(const Datum& s) { return seconds(s.number()); }
+
+Datum camera_pose_on(const memory::MemoryBoard* board) {
+  const std::vector<Datum> poses = facts_of(board, "(camera-pose ? ? ? ? ? ? ? ? ?)");
+  return poses.empty() ? Datum() : poses.front();
+}
+
+// How long it disturbs by itself: of most forms the last number says so. Of what hands and people do, they say when
+// they have done; the rest is done at once.
+Duration length_of(const Fault& fault) {
+  const Datum& last = fault.what[fault.what.size() - 1];
+  const bool at_once = fault.kind == "bump" || fault.kind == "misplace" || fault.kind == "hand" || !last.is_number();
+  return at_once ? Duration::zero() : seconds(last);
+}
 
 }  // namespace
 
@@ -37,6 +53,7 @@ void FaultPlayer::begin() {
 Task<void> FaultPlayer::end() {
   waiting_.clear();
   ending_ = true;
+  disturbed_until_ = cell_.time().now();
   cell_.heal();
   const Datum steady = list("fingers"_sym, "misplace"_sym, 0.0);
   co_await ask_world(steady);
@@ -53,6 +70,17 @@ Task<void> FaultPlayer::happen_in_time(const Fault& fault) {
   happen(fault);
 }
 
+bool FaultPlayer::is_quiet() const {
+  const bool nobody_acts = hands_ == 0 && said_ == 0 && alarms_ == 0;
+  return cell_.time().now() > disturbed_until_ && nobody_acts && !camera_is_sought();
+}
+
+bool FaultPlayer::camera_is_sought() const {
+  if (!bumped_at_ || cell_.time().now() > *bumped_at_ + camera_is_found) return false;
+  const Datum told = camera_pose_on(cell_.board());
+  return told == told_at_bump_ || told == Datum() || !told[7].is_symbol("measured");
+}
+
 Task<void> FaultPlayer::await_servo(const Fault::When& when) {
   while (true) {
     const InHand now = in_hand(cell_.board());
@@ -63,6 +91,7 @@ Task<void> FaultPlayer::await_servo(const Fault::When& when) {
 
 void FaultPlayer::happen(const Fault& fault) {
   ++happened_;
+  disturbed_until_ = std::max(disturbed_until_, cell_.time().now() + length_of(fault));
   tell_(write(fault_to_datum(fault)));
   const InHand now = in_hand(cell_.board());
   if (!now.operation.empty()) coverage_.hit(pair_point(fault.kind, now.operation, now.servo_state));
@@ -144,6 +173,8 @@ void FaultPlayer::do_to_camera(const Datum& what) {
 }
 
 void FaultPlayer::bump_camera(const Datum& what) {
+  bumped_at_ = cell_.time().now();
+  told_at_bump_ = camera_pose_on(cell_.board());
   for (std::size_t axis = 0; axis < 3; ++axis) camera_.at_mm[axis] += what[axis + 1].number();
   camera_.pan_deg += what[4].number();
   camera_.tilt_deg += what[5].number();

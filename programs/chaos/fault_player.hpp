@@ -7,6 +7,7 @@
 //   player.end();                         // the quiet phase: all is well again, and nobody interferes
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,10 +36,13 @@ class FaultPlayer {
   // When a hand last moved something.
   Time hand_moved() const { return hand_moved_; }
   bool hand_is_busy() const { return hands_ > 0; }
+  // Whether no fault is under way. A bump is, until the cell has measured where its camera stands.
+  bool is_quiet() const;
   // Where the camera truly stands.
   const forms::CameraPose& camera() const { return camera_; }
 
  private:
+  bool camera_is_sought() const;
   Task<void> happen_in_time(const Fault& fault);
   Task<void> await_servo(const Fault::When& when);
   void happen(const Fault& fault);
@@ -60,12 +64,15 @@ class FaultPlayer {
   const std::vector<Fault> faults_;
   const std::function<void(const std::string&)> tell_;
   forms::CameraPose camera_;
+  std::optional<Time> bumped_at_;
+  Datum told_at_bump_;  // of the camera
   Coverage coverage_;
   std::size_t happened_ = 0;
   int hands_ = 0;
   int said_ = 0;
   int alarms_ = 0;
   Time hand_moved_{};
+  Time disturbed_until_{};
   bool ending_ = false;
   std::vector<Job> waiting_;
   std::vector<Job> acting_;

@@ -1,6 +1,7 @@
 #include "programs/chaos/observers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "programs/chaos/peek.hpp"
@@ -12,6 +13,9 @@ namespace {
 constexpr Duration look_pause = 50ms;
 constexpr int looks_a_world_look = 5;
 constexpr Duration lately = 3s;
+// Of eyes that track something: ten a second are usual. Eyes that came to life, or whose board did, are asked to track
+// again before they tell looks.
+constexpr Duration looks_come_within = 400ms;
 
 // Events that are points of the coverage, recognised by words of their sentence.
 struct Telling {
@@ -30,13 +34,20 @@ constexpr Telling tellings[] = {
     {"plan", "still serves", "event plan-kept"},
 };
 
+Eigen::Vector3d camera_mm(const ChaosCell& cell) {
+  const std::array<double, 3>& at = cell.description().world_camera.at_mm;
+  return {at[0], at[1], at[2]};
+}
+
 }  // namespace
 
-Observers::Observers(ChaosCell& cell, const story::Judge& judge, Tell tell)
+Observers::Observers(ChaosCell& cell, const story::Judge& judge, Tell tell, std::function<bool()> is_quiet)
     : cell_(cell),
       judge_(judge),
       tell_(std::move(tell)),
-      arm_(cell, [this](std::string sentence) { add_unsafe(std::move(sentence)); }) {}
+      is_quiet_(std::move(is_quiet)),
+      arm_(cell, [this](std::string sentence) { add_unsafe(std::move(sentence)); }),
+      beliefs_(camera_mm(cell), judge, [this](std::string sentence) { add_unsafe(std::move(sentence)); }) {}
 
 void Observers::begin() {
   arm_.begin();
@@ -70,6 +81,27 @@ Task<void> Observers::look_at_world() {
   const Time now = cell_.time().now();
   if (facts) lately_.push_back({now, *facts});
   while (!lately_.empty() && lately_.front().when < now - lately) lately_.pop_front();
+  const Datum arm_question = list("arm"_sym, "read"_sym);
+  const Result<simulation::Message> arm = co_await cell_.world().world->handle(arm_question);
+  if (arm) look_at_beliefs(arm->head[3].number());
+}
+
+void Observers::look_at_beliefs(double opening_mm) {
+  const Time now = cell_.time().now();
+  const std::vector<Datum> looks = facts_of(cell_.board(), "(look ? ? ? ?)");
+  if (looks != looks_) looked_ = now;
+  looks_ = looks;
+  const bool is_looked_at = !looks.empty() && now - looked_ < looks_come_within;
+  beliefs_.look({.now = now,
+                 .quiet = is_looked_at && are_all_present() && is_quiet_(),
+                 .world = &newest_,
+                 .opening_mm = opening_mm,
+                 .told = told_on(cell_.board())});
+}
+
+bool Observers::are_all_present() const {
+  return std::ranges::all_of(cell_.kinds(),
+                             [&](const std::string& kind) { return cell_.runs(kind) && present_.contains(kind); });
 }
 
 bool Observers::showed_lately(const std::vector<Datum>& goal) const {

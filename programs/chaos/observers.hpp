@@ -3,13 +3,13 @@
 // Observers look at a running cell from outside and report what must never happen. No agent knows of them. They see
 // each request that reaches the arm's controller (arm_observer.hpp), the facts on the board, and the world itself.
 //
-//   Observers observers(cell, judge, tell);
+//   Observers observers(cell, judge, tell, is_quiet);
 //   observers.begin();
 //   observers.acknowledged(7);                  // the board said that it keeps (chaos-mark 7)
 //   observers.unsafe();                         // a sentence each
 //
 // Looked for here: something lost that was acknowledged as durable; a goal said to be reached that the world does not
-// show. Of motions: arm_observer.hpp.
+// show. Of motions: arm_observer.hpp. Of what is believed: belief_observer.hpp.
 
 #include <deque>
 #include <functional>
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "programs/chaos/arm_observer.hpp"
+#include "programs/chaos/belief_observer.hpp"
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
 #include "programs/chaos/world_news.hpp"
@@ -30,8 +31,8 @@ class Observers {
  public:
   using Tell = std::function<void(Time when, const std::string& kind, const std::string& sentence)>;
 
-  // All outlive it.
-  Observers(ChaosCell& cell, const story::Judge& judge, Tell tell);
+  // All outlive it. `is_quiet`: a goal was given, and no fault is under way.
+  Observers(ChaosCell& cell, const story::Judge& judge, Tell tell, std::function<bool()> is_quiet);
   Observers(const Observers&) = delete;
   Observers& operator=(const Observers&) = delete;
 
@@ -57,10 +58,13 @@ class Observers {
   void look_at_board();
   void note_event(const Datum& event);
   void look_at_presence();
+  void look_at_beliefs(double opening_mm);
+  bool are_all_present() const;
 
   ChaosCell& cell_;
   const story::Judge& judge_;
   const Tell tell_;
+  const std::function<bool()> is_quiet_;
   Coverage coverage_;
   std::vector<std::string> unsafe_;
   std::set<std::int64_t> marks_;
@@ -71,7 +75,10 @@ class Observers {
   int board_lives_ = 1;
   std::map<std::string, int> present_;  // agents, in which of their lives
   std::string arm_action_;
+  std::vector<Datum> looks_;  // the newest
+  Time looked_{};             // when it came
   ArmObserver arm_;
+  BeliefObserver beliefs_;
   Job looking_;
 };
 

@@ -89,6 +89,7 @@ Task<Result<void>> PlantedBoard::declare(std::vector<Relation> relations) {
 bool PlantedBoard::is_dropped(const Datum& fact) {
   if (has("planner", "plan-not-kept")) return fact.is_form("plan") || fact.is_form("plan-needs");
   if (has("coordinator", "goal-not-kept")) return fact.is_form("goal");
+  if (has("coordinator", "places-kept") && fact.is_form("place")) return !placed_.insert(fact[1]).second;
   if (has("robot", "motion-not-kept")) return fact.is_form("robot-motion");
   if (has("vision", "replies-lost") && fact.is_form("reply")) return ++counted_ % one_reply_in == 0;
   return false;
@@ -117,7 +118,10 @@ Task<Result<Revision>> PlantedBoard::transact(Transaction transaction) {
   for (Transaction::Step& step : transaction.steps) {
     auto* tell = std::get_if<Transaction::Tell>(&step);
     if (tell == nullptr) {
-      steps.push_back(std::move(step));
+      const auto* retract = std::get_if<Transaction::Retract>(&step);
+      const bool keeps =
+          retract != nullptr && retract->pattern.is_form("believed") && has("coordinator", "beliefs-kept");
+      if (!keeps) steps.push_back(std::move(step));
       continue;
     }
     const Datum fact = tell->fact;

@@ -7,6 +7,7 @@
 
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "blackboard/board.hpp"
@@ -41,6 +42,7 @@ class PlantedBoard : public Board {
   const std::string plant_;
   std::uint64_t counted_ = 0;
   Datum goal_state_;  // the newest that runs
+  std::set<Datum> placed_;
   bool moves_ = false;  // by the robot agent's word
 };
 

@@ -16,6 +16,8 @@ const std::vector<Plant>& plants() {
       {"refused-for-nothing", "a goal that is reached is said to be refused"},
       {"reached-for-refused", "a goal that is refused is said to be reached"},
       {"looks-old", "the coordinator takes looks of a second ago for new ones"},
+      {"places-kept", "the coordinator tells of each object where it was seen first, and no more"},
+      {"beliefs-kept", "the coordinator takes back nothing that it believed"},
       {"presence-for-ever", "the eyes' presence does not go with them"},
       {"lease-not-renewed", "the planner does not renew its lease"},
       {"requests-lost", "the robot agent drops one request in twenty"},

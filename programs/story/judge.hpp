@@ -25,6 +25,8 @@ class Judge {
   // perception section.
   static Result<Judge> make(const forms::Domain& domain, double cube_mm, const forms::EdgesMm& edges_mm = {});
 
+  double edge_mm(const std::string& name) const;
+
   // The facts that the domain's own perception rules find where everything that stands firmly or is held is seen truly.
   // A cube that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it.
   // Sorted.
@@ -45,7 +47,6 @@ class Judge {
         perception_(std::move(perception)),
         cube_mm_(cube_mm),
         edges_mm_(std::move(edges_mm)) {}
-  double edge_mm(const std::string& name) const;
   std::vector<Datum> measured(const WorldState& truth) const;
   std::string support_of(const WorldState& truth, const WorldState::Cube& loose) const;
   WorldState squared(WorldState truth) const;

@@ -21,6 +21,7 @@ WorldState::Cube cube_from_datum(const Datum& item) {
   return {.x_mm = item[2].number(),
           .y_mm = item[3].number(),
           .z_mm = item[4].number(),
+          .yaw_deg = item[5].number(),
           .gone = state.is_symbol("gone"),
           .held = state.is_symbol("held"),
           .on = state.is_form("on") ? small(state[1].text()) : "",

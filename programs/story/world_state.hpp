@@ -18,6 +18,7 @@ struct WorldState {
     double x_mm = 0;
     double y_mm = 0;
     double z_mm = 0;
+    double yaw_deg = 0;  // of its sides against the base's axes, -45..45
     bool gone = false;
     bool held = false;
     std::string on;      // the cube that it stands squarely on
