@@ -7,9 +7,9 @@
 //   observer.look({.now = now, .quiet = true, .world = &world, .opening_mm = 100,
 //                  .told = told_on(board)});                     // some times a second
 //
-// What is wrong must be right within a second in which nothing fails, nobody interferes, and the object lies still in
-// plain sight: both cameras see its whole mark, on a face that is turned to them by 35 degrees or less. So far the
-// eyes are to recognise a mark (docs/eyes.md). Facts are compared while all cubes lie so.
+// A difference is unsafe once it has lasted for a second of quiet. Nothing fails then, and nobody interferes. The
+// object lies still in plain sight: both cameras see its whole mark, on a face that is turned to them by 35 degrees or
+// less. The eyes recognise marks up to that angle (docs/eyes.md). Facts are compared while all cubes lie so.
 
 #include <Eigen/Core>
 #include <functional>

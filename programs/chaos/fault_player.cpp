@@ -25,8 +25,8 @@ Datum camera_pose_on(const memory::MemoryBoard* board) {
   return poses.empty() ? Datum() : poses.front();
 }
 
-// How long it disturbs by itself: of most forms the last number says so. Of what hands and people do, they say when
-// they have done; the rest is done at once.
+// How long a fault disturbs by itself. Most forms say it in their last number. Hands and people tell when they are
+// done. The rest is done at once.
 Duration length_of(const Fault& fault) {
   const Datum& last = fault.what[fault.what.size() - 1];
   const bool at_once = fault.kind == "bump" || fault.kind == "misplace" || fault.kind == "hand" || !last.is_number();
