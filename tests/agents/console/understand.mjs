@@ -70,7 +70,7 @@ const gone = facts.find((fact) => /gone since/.test(fact)) ?? '';
 expect(/\(look eyes 8 "TRACK" \(\)\)\s*fact \d+, by teller/.test(gone), `and one that has gone since, from the journal: ${gone}`);
 expect(facts.length === 4 && (await page.locator('#because ul ul ul > li').count()) === 2, 'each behind what it is the reason of');
 await page.setViewportSize(tall);
-await page.locator('#facts').screenshot({ path: join(pictures, 'because.png') });
+await page.locator('#because').screenshot({ path: join(pictures, 'because.png') });
 await expectAccessible(page, scratch, 'the reasons');
 expect((await text(page, '#query-count')) === '1 answer', 'the question goes on');
 
