@@ -81,42 +81,66 @@ MarkContour reduced_contour(const MarkContour& contour, cv::Point origin, int re
 bool is_large_mark(cv::Rect box) { return std::max(box.width, box.height) > large_px; }
 
 template <int words>
-bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise) {
+struct MarkPatch::Regions {
   Rows<words> inside;
-  Rows<words> grown;
-  Rows<words> around;  // within two pixels, as far as blur spreads the mark; the second is even ground on a clean mark
-  fill_inside<words>(contour, corner, size.height, inside);
-  grow<words>(inside, size.height, grown);
-  grow<words>(grown, size.height, around);
+  Rows<words> grown;   // by one pixel
+  Rows<words> around;  // within two pixels, as far as blur spreads the mark
+  // The outermost pixels around a clean mark are even ground.
+  BitRow<words> ground(int y) const { return around[y].without(grown[y]); }
+  BitRow<words> core(int y) const { return shrunk<words>(inside, y); }
+};
 
-  if (is_large_mark(mark_box)) {
-    LightMap light(size);
-    for (int y = 1; y < size.height - 1; ++y) {
-      const BitRow<words> lighter = tone == MarkTone::light ? shrunk<words>(inside, y) : around[y].without(grown[y]);
-      lighter.for_each_run([&](int first, int end) { light.add(pixels.ptr<std::uint8_t>(y), y, first, end); });
-    }
-    light.divide_out(pixels);
+// `pixels` are those of the patch; it begins at `corner` of what `contour` is in.
+template <int words>
+bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise) {
+  Regions<words> regions;
+  fill_inside<words>(contour, corner, size.height, regions.inside);
+  grow<words>(regions.inside, size.height, regions.grown);
+  grow<words>(regions.grown, size.height, regions.around);
+  const bool is_large = is_large_mark(mark_box);
+  if (is_large) even_light_out<words>(pixels, regions, tone);
+  if (!measure_levels<words>(pixels, regions, tone, noise)) return false;
+  write_values<words>(pixels, regions, tone);
+  if (is_large) fill_core<words>(regions);
+  return true;
+}
+
+template <int words>
+void MarkPatch::even_light_out(cv::Mat1b& pixels, const Regions<words>& regions, MarkTone tone) const {
+  LightMap light(size);
+  for (int y = 1; y < size.height - 1; ++y) {
+    const BitRow<words> lighter = tone == MarkTone::light ? regions.core(y) : regions.ground(y);
+    lighter.for_each_run([&](int first, int end) { light.add(pixels.ptr<std::uint8_t>(y), y, first, end); });
   }
+  light.divide_out(pixels);
+}
+
+template <int words>
+bool MarkPatch::measure_levels(const cv::Mat1b& pixels, const Regions<words>& regions, MarkTone tone, double noise) {
   GreyLevels core;
   GreyLevels ground;
   for (int y = 1; y < size.height - 1; ++y) {
     const std::uint8_t* row = pixels.ptr<std::uint8_t>(y);
     // Half the rows tell the median as well.
-    if (y % 2 == 0) shrunk<words>(inside, y).for_each_run([&](int first, int end) { core.add(row, first, end); });
-    around[y].without(grown[y]).for_each([&](int x) { ground.add(row[x]); });
+    if (y % 2 == 0) regions.core(y).for_each_run([&](int first, int end) { core.add(row, first, end); });
+    regions.ground(y).for_each([&](int x) { ground.add(row[x]); });
   }
   mark_level = core.median();
   ground_level = ground.median();
-  const int sign = tone == MarkTone::dark ? -1 : 1;
-  contrast = sign * (mark_level - ground_level);
+  contrast = tone == MarkTone::dark ? ground_level - mark_level : mark_level - ground_level;
   if (core.total() == 0 || contrast < least_contrast) return false;
   if (!core.are_near(mark_level, contrast / 3, least_core_share)) return false;
   const int ground_tolerance = std::max(contrast / 5, std::min(contrast / 3, cvRound(ground_noise * noise)));
-  if (!ground.are_near(ground_level, ground_tolerance, least_ground_share)) return false;
+  return ground.are_near(ground_level, ground_tolerance, least_ground_share);
+}
 
+// How far each pixel is from the ground towards the mark. Beyond the mark's border, what is too far off is another
+// thing.
+template <int words>
+void MarkPatch::write_values(const cv::Mat1b& pixels, const Regions<words>& regions, MarkTone tone) {
   const auto all = [](int value) { return cv::v_setall_s16(static_cast<short>(value)); };
   const cv::v_int16x8 ground_all = all(ground_level);
-  const cv::v_int16x8 sign_all = all(sign);
+  const cv::v_int16x8 sign_all = all(tone == MarkTone::dark ? -1 : 1);
   const cv::v_int16x8 stray = all(static_cast<int>(most_stray * contrast));
   const cv::v_int16x8 minus_stray = all(-static_cast<int>(most_stray * contrast));
   std::int16_t* last = values.data() + (size.height - 1) * stride;
@@ -127,8 +151,8 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
     const std::uint8_t* levels = pixels.ptr<std::uint8_t>(y);  // beyond its end is the next row
     std::int16_t* out = values.data() + y * stride;
     for (int word = 0; word < words; ++word) {
-      std::uint64_t within_bits = grown[y].bits[word];
-      std::uint64_t near_bits = around[y].bits[word];
+      std::uint64_t within_bits = regions.grown[y].bits[word];
+      std::uint64_t near_bits = regions.around[y].bits[word];
       const int end = std::min(64 * (word + 1), row_length);
       for (int x = 64 * word; x < end; x += 8, within_bits >>= 8, near_bits >>= 8) {
         const cv::v_int16x8 level = cv::v_reinterpret_as_s16(cv::v_load_expand(levels + x));
@@ -140,12 +164,15 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
       }
     }
   }
-  for (int y = 1; is_large_mark(mark_box) && y < size.height - 1; ++y) {
+}
+
+template <int words>
+void MarkPatch::fill_core(const Regions<words>& regions) {
+  for (int y = 1; y < size.height - 1; ++y) {
     std::int16_t* row = values.data() + y * stride;
-    shrunk<words>(inside, y).for_each_run(
+    regions.core(y).for_each_run(
         [&](int first, int end) { std::fill(row + first, row + end, static_cast<std::int16_t>(contrast)); });
   }
-  return true;
 }
 
 bool MarkPatch::cut(const ImageCut& from, const MarkContour& contour, MarkTone tone) {

@@ -50,9 +50,19 @@ struct MarkPatch {
   std::array<std::int16_t, most_side_px * most_side_px> values;
 
  private:
-  // `pixels` are those of the patch; it begins at `corner` of what `contour` is in.
+  template <int words>
+  struct Regions;
   template <int words>
   bool cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise);
+  template <int words>
+  void even_light_out(cv::Mat1b& pixels, const Regions<words>& regions, MarkTone tone) const;
+  // False where there is no clear mark on even ground.
+  template <int words>
+  bool measure_levels(const cv::Mat1b& pixels, const Regions<words>& regions, MarkTone tone, double noise);
+  template <int words>
+  void write_values(const cv::Mat1b& pixels, const Regions<words>& regions, MarkTone tone);
+  template <int words>
+  void fill_core(const Regions<words>& regions);
 };
 
 }  // namespace pizarra::vision
