@@ -168,6 +168,13 @@ bool asks_for_keys(const std::string& addresses) {
   return each && std::ranges::none_of(*each, wire::is_ipc);
 }
 
+Result<void> check_abroad(const std::optional<wire::ClientKeys>& keys, const std::string& addresses) {
+  if (keys && asks_for_keys(addresses)) return {};
+  return fail("no-keys",
+              "a page of another machine does what its key may, so the board must ask for keys: name an address where "
+              "it does, --board tcp://HOST:PORT, and --key");
+}
+
 int console_of_running_cell(const ConsoleChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
@@ -180,14 +187,8 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!view) return complain(view.error(), exit_usage);
   auto abroad = abroad_of(choices);
   if (!abroad) return complain(abroad.error(), exit_usage);
-  if (*abroad && (!keys->has_value() || !asks_for_keys(to->address))) {
-    const Failure open{"no-keys",
-                       "a page of another machine does what its key may, so the board must ask for keys: name an "
-                       "address where it does, --board tcp://HOST:PORT, and --key",
-                       {},
-                       {}};
-    return complain(open, exit_usage);
-  }
+  const Result<void> guarded = *abroad ? check_abroad(*keys, to->address) : Result<void>();
+  if (!guarded) return complain(guarded.error(), exit_usage);
   RealExecutor executor;
   const StopSignals signals(executor);
   const auto connect = [&](const std::string& name) {
