@@ -145,7 +145,10 @@ Played play_loop(const Disturbance& disturbance, std::uint64_t seed, bool open_l
   played.cell_s = static_cast<double>(run->simulated.count()) / 1e6;
   played.wall_s = run->wall_s;
   played.end = run->director.outcome;
-  if (run->director.refusal) played.end += fmt::format(" ({})", run->director.refusal->symbol);
+  if (run->director.refusal) {
+    const char* in_the_world = run->director.possible ? ", though a plan exists" : ", and no plan exists";
+    played.end += fmt::format(" ({}{})", run->director.refusal->symbol, in_the_world);
+  }
   if (played.end == "reached" && !played.reached) played.end += ", but not so in the world";
   played.decisions_s = watch.decisions_s();
   played.kept = watch.kept();
