@@ -11,8 +11,8 @@
 // Where the setup says so it also speaks the Foxglove WebSocket protocol at /foxglove (foxglove_session.hpp): to
 // programs, and to browsers' pages of the origins that are named, that show the reading token.
 //
-// At most 16 pages are open at once, 8 of one key, and 8 viewers. An address abroad has 64 connections at
-// most. A page whose token was taken away, or made anew, ends within two seconds.
+// At most 16 pages are open at once, 8 of one key, and 8 viewers. Another machine's address has 64 connections at most.
+// A page ends within two seconds when its token is removed or made anew.
 
 #include <functional>
 #include <map>

@@ -1,7 +1,8 @@
 #pragma once
 
-// What a page measures, each for as long as it looks: the simulated world's truth, what goes on on the board, the
-// method of the running cell and how other cells do. And what went on before the page was opened.
+// The measurements that a page shows, each taken only while the page looks at it: the simulated world's truth, the
+// traffic of the board, the method of the running cell, the state of other cells. It also tells the page what happened
+// before the page was opened.
 //
 //   PageInstruments instruments({executor, board, name, ...}, voice);
 //   instruments.show_activity(true);                 // once a second, until that is false

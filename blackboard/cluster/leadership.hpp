@@ -30,7 +30,7 @@ inline constexpr Duration suspects_after = 220ms;
 // Behind every time of an answer by the leader that said this last.
 Time time_behind(const Alive& said);
 
-// What a leader knows of how long it leads, in its machine's uptime.
+// A leader's last confirmation, by its machine's uptime: it tells until when the leader may answer.
 class Term {
  public:
   void confirmed(Duration sent, Revision up_to) {

@@ -86,7 +86,7 @@ bool Durability::concerns_durable(const store::Store& store, const Datum& body) 
 Durability::Position Durability::awaited(const store::Store& store, const Datum& body, bool durable) const {
   if (has_all()) return 0;
   if (durable || of_all_) return position();
-  // What cannot be written now is shown all the same.
+  // A board whose journal cannot be written answers all the same.
   const bool is_under_way = last_change_ > journal_->kept() && !journal_->stuck();
   const bool shows_change = is_under_way && body.is_form("ask") && body.size() > 1;
   return shows_change && asks_durable(store, body[1]) ? last_change_ : 0;

@@ -48,7 +48,7 @@ class Durability {
   Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
   // Whether the journal has all that happened.
   bool has_all() const { return journal_ == nullptr || journal_->position() <= journal_->kept(); }
-  // What the journal must have before the request is answered; 0 where the answer need not wait.
+  // The journal must be written up to this position before the request is answered; 0: the answer need not wait.
   // `durable`: what concerns_durable() says of it.
   Position awaited(const store::Store& store, const Datum& body, bool durable) const;
   // After a change of what is durable.

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a member of a log needs on this host: a program, a folder, certificates, two free ports. It is looked at before
-// etcd is started, which would say what is missing in a stack trace.
+// A member of a log needs a program, a folder, certificates and two free ports on this host. They are checked before
+// etcd is started, since etcd reports what is missing by a stack trace.
 //
 //   const Result<std::string> etcd = etcd_program();
 //   const Result<void> folder = make_member_folder("/var/lib/pizarra-etcd");

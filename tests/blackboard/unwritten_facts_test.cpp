@@ -1,4 +1,4 @@
-// What a served board shows of durable facts that its disk does not have yet.
+// A served board answers with a durable fact only when its disk has that fact.
 
 #include <condition_variable>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Who leads, where that is not known at every moment: a round in which nobody is killed would measure nothing.
+// Waits until some member leads. A round that begins without a leader would kill nobody, and measure nothing.
 //
 //   awaited([&] { return cell.leading_member(); }, ClusterCell::members, "no member leads", 10s)
 
@@ -14,7 +14,7 @@
 
 namespace pizarra::bench {
 
-// Throws that sentence where it was `nobody` for so long.
+// Throws `sentence` when `who` has answered `nobody` for the whole of `patience`.
 inline std::size_t awaited(const std::function<std::size_t()>& who, std::size_t nobody, const std::string& sentence,
                            std::chrono::milliseconds patience) {
   constexpr std::chrono::milliseconds between(50);

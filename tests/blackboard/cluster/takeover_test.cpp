@@ -246,7 +246,7 @@ void have_a_bad_moment(EtcdModel& etcd, const Boards& boards) {
   if (etcd.happens(0.02)) board.take_a_snapshot();
 }
 
-// Of what clients asked for and of the log at the end.
+// Compares what clients were acknowledged with the log at the end.
 std::vector<std::string> faults_in(const std::multiset<std::int64_t>& marks,
                                    const std::set<std::uint64_t>& acknowledged) {
   std::vector<std::string> faults;
