@@ -71,11 +71,12 @@ TEST_F(EtcdOfUnequalMembers, TakesAgainWhenTheFullOneIsFreedWhoeverIsAsked) {
 }
 
 TEST_F(EtcdOfUnequalMembers, SaysWhichOneIsFullWhoeverIsAsked) {
-  int told = 0;
-  while (told < 100 && put(fmt::format("needed-{}", told), 1 << 20)) ++told;
-  ASSERT_LT(told, 100) << "the small member gave no alarm";
-  const Result<void> made = make_space(*client_);
-  ASSERT_FALSE(made.has_value());
+  // A first alarm may come of holes in the small member's file, which can be closed.
+  Result<void> made;
+  for (int i = 0; i < 100 && made; ++i) {
+    if (!put(fmt::format("needed-{}", i), 1 << 20)) made = make_space(*client_);
+  }
+  ASSERT_FALSE(made.has_value()) << "the small member gave no alarm that lasts";
   EXPECT_TRUE(lacks_space(made.error()));
   EXPECT_TRUE(made.error().sentence.contains("at the member " + place(small_one))) << made.error().sentence;
   EXPECT_TRUE(client_->space(patience).value().refuses);
