@@ -59,6 +59,7 @@ Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, co
   const wire::ClientKeys* shown = keys && !wire::is_ipc(address) ? &*keys : nullptr;
   wire::FrameSocket::Listener listener;
   listener.let_in = [board = board.get()] {
+    board->silence_ = no_answer;
     if (!board->joined_) board->greet();
   };
   listener.refused = [board = board.get()](const Failure& failure) {

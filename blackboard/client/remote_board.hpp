@@ -154,6 +154,8 @@ class RemoteBoard : public Board {
   std::optional<Time> connect_again_;
   std::optional<Time> goodbye_;
   std::optional<Duration> in_doubt_;
+  static constexpr const char* no_answer = "the board does not answer";
+  std::string silence_ = no_answer;  // what is known of it
   bool waits_for_quorum_ = true;
   ClockOffset board_clock_;
   int pings_under_way_ = 0;

@@ -141,7 +141,10 @@ void RemoteBoard::fail_what_may_have_happened() {
 // Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
 void RemoteBoard::refused(const Failure& failure) {
   // What breaks off may come back: `unreachable` is for the timeout to say.
-  if (failure.symbol == "unreachable") return;
+  if (failure.symbol == "unreachable") {
+    silence_ = failure.sentence;
+    return;
+  }
   // A board of the first protocol cannot read the hello of another one.
   const bool may_be_of_the_first = !joined_ && failure.symbol == "bad-frame" && wire::check_protocol(1);
   if (may_be_of_the_first && !std::exchange(is_of_the_first_, true)) return greet();
@@ -240,7 +243,7 @@ void RemoteBoard::give_up_overdue(Time now) {
     fail_where([&](const Pending& pending) { return late(pending) && !pending.sent; }, unavailable(false));
     fail_where(late, unavailable(true));
   }
-  fail_where(late, {"unreachable", "the board does not answer", to_datum(address_), {}});
+  fail_where(late, {"unreachable", silence_, to_datum(address_), {}});
 }
 
 }  // namespace pizarra::client

@@ -34,7 +34,12 @@ Failure HandshakeWatch::failure_of(std::uint16_t event, std::uint32_t value) con
                                      : "the board asks for a key at this address: name one with --key FILE";
     return {"not-permitted", sentence, {}, {}};
   }
-  if (with_key_) return {"unreachable", "the board breaks off: its key may be another than board.key says", {}, {}};
+  if (with_key_) {
+    return {"unreachable",
+            "the board breaks off: its key is another than board.key says, or it uses no keys at this address",
+            {},
+            {}};
+  }
   return {"not-permitted", "the board breaks off, as one does that asks for a key: name one with --key FILE", {}, {}};
 }
 
