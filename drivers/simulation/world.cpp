@@ -74,6 +74,7 @@ struct World::Inside {
   // How the cameras look now.
   CameraConfig camera_now();
   Result<Message> bump(const Datum& request);
+  Result<Message> nudge(const Datum& request);
   Task<Result<Message>> camera(Datum request);
   Message camera_model() const;
   Message frame_message(std::uint64_t frame, bool colour) const;
@@ -82,6 +83,7 @@ struct World::Inside {
   Executor& executor;
   const WorldConfig config;
   forms::CameraPose camera_pose;  // where it was bumped to
+  ptu::HeadTurn nudged;           // beyond what the unit counts
   const FrameClock clock;
   Cell cell;
   PhysicalArm arm;
@@ -137,6 +139,7 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
   }
   if (device == "head") {
     if (!head) co_return fail("bad-request", "the cameras of this world stand on no pan-tilt unit", request);
+    if (word(request, 1) == "nudge") co_return nudge(request);
     Result<Message> said = co_await head->handle(std::move(request));
     co_return said;
   }
@@ -155,7 +158,9 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
 CameraConfig World::Inside::camera_now() {
   CameraConfig camera = config.camera;
   camera.pose = camera_pose;
-  if (head) camera.turn = {head->unit().pan_deg(), head->unit().tilt_deg()};
+  if (head) {
+    camera.turn = {head->unit().pan_deg() + nudged.pan_deg, head->unit().tilt_deg() + nudged.tilt_deg};
+  }
   return camera;
 }
 
@@ -178,6 +183,14 @@ Result<Message> World::Inside::bump(const Datum& request) {
   camera_pose.pan_deg += parts[3].number();
   camera_pose.tilt_deg += parts[4].number();
   camera_pose.roll_deg += parts[5].number();
+  return Message();
+}
+
+Result<Message> World::Inside::nudge(const Datum& request) {
+  const auto parts = request.items().subspan(2);
+  if (parts.size() != 2 || !std::ranges::all_of(parts, &Datum::is_number)) return bad_request(request);
+  nudged.pan_deg += parts[0].number();
+  nudged.tilt_deg += parts[1].number();
   return Message();
 }
 

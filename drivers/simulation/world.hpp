@@ -23,6 +23,7 @@
 //   (head send "bytes")               to the pan-tilt unit under the cameras, as over its line
 //   (head hear) -> ("bytes")          what it says next, waiting 50 ms at most; empty where it says nothing
 //   (head power on|off)               its power switch
+//   (head nudge DPAN DTILT)           somebody turns it by hand so far, which its motors do not count: for stories
 // The hand; each answers when the hand is done (0.5 to 4 s), fails `busy` meanwhile:
 //   (hand push NAME DX DY)            slides it over the table in 0.5 s
 //   (hand slide NAME DX DY SPEED)     the same at SPEED mm/s from beginning to end

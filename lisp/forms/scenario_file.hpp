@@ -16,8 +16,9 @@
 //
 // The `when`s happen in their order: each waits for the one before it. A condition is a query (blackboard/query.hpp),
 // and its variables stand for their values in the actions. Actions: (hand OPERATION ARGUMENT ...), (fingers slip),
-// (fingers slips CHANCE DRAWS SECONDS), (fingers misplace PART), (camera bump DX DY DZ DPAN DTILT DROLL), (kill AGENT),
-// (restart AGENT), (restart AGENT "HOST"), (wire CLIENT ROLE AGENT), (wait SECONDS), (goal FACT ...).
+// (fingers slips CHANCE DRAWS SECONDS), (fingers misplace PART), (camera bump DX DY DZ DPAN DTILT DROLL),
+// (head nudge DPAN DTILT), (kill AGENT), (restart AGENT), (restart AGENT "HOST"), (wire CLIENT ROLE AGENT),
+// (wait SECONDS), (goal FACT ...).
 
 #include <cstdint>
 #include <optional>

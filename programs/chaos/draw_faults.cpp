@@ -130,8 +130,13 @@ Datum arm(Draw& draw) {
   }
 }
 
-// 30 mm and 3 degrees at most, in any direction.
+// 30 mm and 3 degrees at most, in any direction. Where the cameras stand on a pan-tilt unit, that is turned as often.
 Datum bump(Draw& draw) {
+  constexpr double most_turn_deg = 2.1;
+  if (!draw.cell.head.empty() && draw.random.below(2) == 0) {
+    const double pan_deg = draw.seconds(-most_turn_deg, most_turn_deg);
+    return list(word("nudge"), pan_deg, draw.seconds(-most_turn_deg, most_turn_deg));
+  }
   constexpr double most_mm = 17;
   constexpr double most_deg = 1.7;
   std::vector<Datum> parts{word("bump")};

@@ -31,7 +31,7 @@ const std::vector<FaultClass>& fault_classes() {
       {"swap", "the eyes call two objects by each other's names"},
       {"alarm", "the arm's controller raises an alarm, which somebody resets after a while"},
       {"light", "the camera's light grows brighter or darker for a while"},
-      {"bump", "somebody knocks against the camera, which stands elsewhere from then on"},
+      {"bump", "somebody knocks against the camera or its pan-tilt unit, which stands otherwise from then on"},
   };
   return classes;
 }

@@ -175,11 +175,16 @@ void FaultPlayer::do_to_camera(const Datum& what) {
 void FaultPlayer::bump_camera(const Datum& what) {
   bumped_at_ = cell_.time().now();
   told_at_bump_ = camera_pose_on(cell_.board());
+  if (what.is_form("nudge")) return request_from_world("head"_sym, what);
   for (std::size_t axis = 0; axis < 3; ++axis) camera_.at_mm[axis] += what[axis + 1].number();
   camera_.pan_deg += what[4].number();
   camera_.tilt_deg += what[5].number();
   camera_.roll_deg += what[6].number();
-  std::vector<Datum> request{"camera"_sym};
+  request_from_world("camera"_sym, what);
+}
+
+void FaultPlayer::request_from_world(Datum device, const Datum& what) {
+  std::vector<Datum> request{std::move(device)};
   request.insert(request.end(), what.items().begin(), what.items().end());
   acting_.push_back(cell_.time().spawn(ask_world(Datum::list(std::move(request)))));
 }

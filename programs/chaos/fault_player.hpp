@@ -51,6 +51,7 @@ class FaultPlayer {
   void do_to_camera(const Datum& what);
   void bump_camera(const Datum& what);
   void do_to_arm(const Datum& what);
+  void request_from_world(Datum device, const Datum& what);
   Task<void> move_hand(Datum request);
   Task<void> borrow(Datum what);
   // The bystander says a fact, and takes it back.

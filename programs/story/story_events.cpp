@@ -71,7 +71,7 @@ Task<Result<void>> StoryEvents::ask_world(Datum action) {
 
 Task<Result<void>> StoryEvents::act(Datum action) {
   if (action.is_form("hand")) co_return co_await move_hand(action);
-  const bool of_world = action.is_form("fingers") || action.is_form("camera");
+  const bool of_world = action.is_form("fingers") || action.is_form("camera") || action.is_form("head");
   if (of_world) co_return co_await ask_world(action);
   if (action.is_form("goal")) {
     std::vector<Datum> goal(action.items().begin() + 1, action.items().end());

@@ -5,6 +5,7 @@
 
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -55,6 +56,14 @@ TEST(Chaos, ObserversSayWhatAPlantedFaultDoes) {
     const Said said = run(words);
     EXPECT_TRUE(contains(said, sentence)) << words << '\n' << said.text;
   }
+}
+
+// In this run while a block is carried: (nudge 1.07 -1.46).
+TEST(Chaos, AHeadThatIsTurnedByHandIsFoundOutAndTheGoalIsReached) {
+  const Said said = run(source_dir() + "/examples/03-moving-head/cell.scm --replay 4 --only bump");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, " fault       (bump (servo 2 STACK 1.2) (nudge ")) << said.text;
+  EXPECT_TRUE(contains(said, "the camera was moved")) << said.text;
 }
 
 // In this run its power is cut as the last goal ends.

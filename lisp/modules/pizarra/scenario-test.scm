@@ -28,6 +28,8 @@
 (check "a chance is at most 1" (complaint '(before-goal (fingers slips 1.5 2 6))) '(1 malformed (0 4 1)))
 (check "fingers do not push" (complaint '(before-goal (fingers push))) '(1 unknown-action (0 4 1)))
 (check "a camera may be bumped" (car (story '(when (a) (camera bump 10 -20 5 1 -2 0.5)))) 'ok)
+(check "a head may be nudged" (car (story '(when (a) (head nudge 2 -1)))) 'ok)
+(check "a nudge has two numbers" (complaint '(when (a) (head nudge 2))) '(1 malformed (0 4 2)))
 (check "a bump has six numbers" (complaint '(when (a) (camera bump 10 -20))) '(1 malformed (0 4 2)))
 (check "a camera does not walk" (complaint '(when (a) (camera walk))) '(1 unknown-action (0 4 2)))
 (check "an unknown expectation is refused" (complaint '(expect glory)) '(1 malformed (0 4)))

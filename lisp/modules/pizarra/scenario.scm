@@ -41,21 +41,23 @@
     ((#f) #f)
     (else (complain! node 'unknown-action "fingers know slip, slips and misplace"))))
 
-;; The same of the camera, which somebody may knock against.
-(define (camera-operation? node)
-  (let ((operation (symbol-at node 1 "what happens to the camera"))
+;; The same of the camera, and of the pan-tilt unit under it, which somebody may knock against.
+(define (knock? node operation count form)
+  (let ((what (symbol-at node 1 "what happens to it"))
         (numbers (map node-datum (drop (node-items node) (min 2 (length (node-items node)))))))
-    (cond ((not operation) #f)
-          ((not (eq? operation 'bump)) (complain! node 'unknown-action "a camera can be bumped alone"))
-          ((and (= (length numbers) 6) (every (lambda (number) (and (real? number) (<= -200 number 200))) numbers)) #t)
-          (else (complain! node 'malformed "it is (camera bump DX DY DZ DPAN DTILT DROLL)")))))
+    (cond ((not what) #f)
+          ((not (eq? what operation)) (complain! node 'unknown-action "it is ~a alone" form))
+          ((and (= (length numbers) count) (every (lambda (number) (and (real? number) (<= -200 number 200))) numbers))
+           #t)
+          (else (complain! node 'malformed "it is ~a" form)))))
 
 (define (action? node)
   (let ((head (and (pair? (node-datum node)) (car (node-datum node)))))
     (case head
       ((hand) (hand-operation? node))
       ((fingers) (fingers-operation? node))
-      ((camera) (camera-operation? node))
+      ((camera) (knock? node 'bump 6 "(camera bump DX DY DZ DPAN DTILT DROLL)"))
+      ((head) (knock? node 'nudge 2 "(head nudge DPAN DTILT)"))
       ((wait) (and (numbers-of node '((0 600))) #t))
       ((goal) (fact-forms? (node-rest node)))
       ((kill) (and (symbol-at node 1 "the agent") #t))
@@ -64,7 +66,8 @@
                       #t))
       ((wire) (and (symbol-at node 1 "the client") (symbol-at node 2 "the role") (symbol-at node 3 "the agent") #t))
       (else
-       (complain! node 'unknown-action "an action is one of hand, fingers, camera, kill, restart, wire, wait, goal")))))
+       (complain! node 'unknown-action
+                 "an action is one of hand, fingers, camera, head, kill, restart, wire, wait, goal")))))
 
 (define (actions-of nodes)
   (map node-datum (filter action? nodes)))

@@ -69,6 +69,18 @@ TEST(Truth, ABumpedCameraSeesOtherwise) {
   EXPECT_EQ(bench.outcome("(camera bump 10)"), "bad-request");
 }
 
+TEST(Truth, AHeadThatIsTurnedByHandSeesOtherwise) {
+  WorldConfig config = four_cubes();
+  config.camera.head = "ptu46-17.5";
+  Bench bench(config);
+  const Datum before = bench.ask("(where-seen circle)");
+  bench.ask("(head nudge 1.5 0)");
+  const Datum after = bench.ask("(where-seen circle)");
+  EXPECT_LT(after[0].number() - before[0].number(), -5) << "a camera that looks right sees things further left";
+  EXPECT_EQ(bench.outcome("(head nudge 1.5)"), "bad-request");
+  EXPECT_EQ(Bench(four_cubes()).outcome("(head nudge 1.5 0)"), "bad-request") << "its cameras stand on no unit";
+}
+
 TEST(Truth, ATiltedCubeIsOnNothing) {
   WorldConfig config;
   config.cubes = {{.name = "circle", .x_mm = 450, .y_mm = 0}, {.name = "cross", .x_mm = 450, .y_mm = 90}};
