@@ -1,14 +1,11 @@
-(use-modules (pizarra cell) (pizarra checks))
+(use-modules (pizarra cell-checks) (pizarra checks))
 
 ;; The value of a cell file with these words in its (camera ...), or how many complaints it has and the first one.
 (define (camera . words)
-  (let ((outcome (interpret `((cell c (camera ,@words))))))
-    (if (eq? (car outcome) 'ok)
-        (list-ref (cadr outcome) 17)
-        (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))))))
+  (cell-part 17 `(camera ,@words)))
 
 (check "a cell without words about cameras has the simulated ones"
-       (list-ref (cadr (interpret '((cell c)))) 17) '())
+       (cell-part 17) '())
 (check "one camera leaves the rest to its device" (camera '(single (device 0)))
        '(single ((device "/dev/video0")) (0 0) 0 0 colour 0 "" 0 0 0))
 (check "all can be said"
@@ -21,12 +18,10 @@
 (check "one camera says where objects are when they are learned"
        (list-ref (camera '(single (images "shots")) '(learned-at 600)) 10) 600)
 (check "the cell's own cameras have no simulated person before them"
-       (list-ref (cadr (interpret '((cell c (camera (single (device 0))))))) 8)
+       (cell-part 8 '(camera (single (device 0))))
        '(("localhost" "" robot vision planner coordinator)))
 (check "a person asked for beside them is refused"
-       (let ((outcome (interpret '((cell c (camera (single (device 0))) (host "a" (agents vision person)))))))
-         (list (car outcome) (car (cadr outcome)) (caddr (cadr outcome))))
-       '(errors unknown-agent (0 3 2 2)))
+       (complaint '(camera (single (device 0))) '(host "a" (agents vision person))) '(1 unknown-agent (0 3 2 2)))
 (check "a plug-in says all of itself" (camera '(plugin "libmycamera.so"))
        '(plugin ((plugin "libmycamera.so")) (0 0) 0 0 colour 0 "" 0 0 0))
 (check "a plug-in has no folder" (camera '(plugin "/tmp/libmycamera.so")) '(1 malformed (0 2 1 1)))
@@ -34,7 +29,7 @@
 (check "a plug-in is one file" (camera '(plugin "a.so" "b.so")) '(1 malformed (0 2 1 2)))
 (check "a plug-in takes no option" (camera '(plugin "libmycamera.so") '(rate 10)) '(1 malformed (0 2 2)))
 (check "a cell that looks through a plug-in has no simulated person"
-       (list-ref (cadr (interpret '((cell c (camera (plugin "libmycamera.so")))))) 8)
+       (cell-part 8 '(camera (plugin "libmycamera.so")))
        '(("localhost" "" robot vision planner coordinator)))
 (check "something must give images" (camera) '(1 malformed (0 2)))
 (check "an arrangement that is not known is refused" (camera '(twin (device 0))) '(1 unknown-name (0 2 1)))

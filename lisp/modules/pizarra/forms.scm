@@ -20,7 +20,8 @@
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
             numbers-of numbers-in text-of-section choice-at
-            complain-missing! refuse-repeated at-most suggestion nearest-name same-name? find-name object-name?))
+            complain-missing! refuse-repeated at-most suggestion nearest-name same-name? find-name object-name?
+            plain-name-at))
 
 (define-record-type <node>
   (make-node datum path context)
@@ -246,6 +247,18 @@
     (and (not (string-null? text))
          (letter? (string-ref text 0))
          (string-every (lambda (c) (or (letter? c) (char<=? #\0 c #\9) (char=? c #\-))) text))))
+
+;; Letters, digits and dashes, a letter first: what can name an object, a fact's argument and a file alike.
+(define (plain-name? text)
+  (and (<= 1 (string-length text) 64)
+       (char-set-contains? char-set:letter (string-ref text 0))
+       (string-every (char-set-union char-set:letter char-set:digit (char-set #\-)) text)))
+
+(define (plain-name-at node index what)
+  (let ((name (symbol-at node index what)))
+    (and name
+         (or (and (plain-name? (symbol->string name)) name)
+             (complain! (node-ref node index) 'malformed "~a has letters, digits and dashes" what)))))
 
 (define (text-of name)
   (if (symbol? name) (symbol->string name) name))

@@ -1,17 +1,14 @@
-(use-modules (pizarra cell) (pizarra checks))
+(use-modules (pizarra cell-checks) (pizarra checks))
 
 ;; The value of a cell file with these words in its arm's (gripper ...), or how many complaints it has and the first
 ;; one.
 (define (gripper . words)
-  (let ((outcome (interpret `((cell c (arm crs-f3 (gripper ,@words)))))))
-    (if (eq? (car outcome) 'ok)
-        (list-ref (cadr outcome) 19)
-        (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))))))
+  (cell-part 19 `(arm crs-f3 (gripper ,@words))))
 
 (define driver '(driver modbus "10.0.0.9"))
 
 (check "an arm without words about its gripper has its own"
-       (list-ref (cadr (interpret '((cell c (arm crs-f3))))) 19) '())
+       (cell-part 19 '(arm crs-f3)) '())
 (check "a gripper is laid out as the commonest are" (gripper driver)
        '(modbus "10.0.0.9" 502 9 (0 100) (255 0) 100 20
          ((1000 8 1) (1000 11 1) (1001 0 8) (1002 8 8) (1002 0 8)

@@ -8,7 +8,7 @@
 (define-module (pizarra scenario)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:use-module ((pizarra cell) #:select (cubes-of))
+  #:use-module ((pizarra cubes) #:select (cubes-of))
   #:export (interpret))
 
 (define hand-operations

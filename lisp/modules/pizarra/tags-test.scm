@@ -1,11 +1,8 @@
-(use-modules (pizarra cell) (pizarra checks))
+(use-modules (pizarra cell-checks) (pizarra checks))
 
 ;; The tags of a cell file, or how many complaints it has and the first one.
 (define (tags . sections)
-  (let ((outcome (interpret (list (append '(cell c) sections)))))
-    (if (eq? (car outcome) 'ok)
-        (list-ref (cadr outcome) 22)
-        (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))))))
+  (apply cell-part 22 sections))
 
 (check "a cell that names no tags looks for none" (tags) '())
 (check "a family goes with the side of its tags" (tags '(tags (apriltag-36h11 40))) '((apriltag-36h11 40)))
