@@ -11,7 +11,7 @@
 #include "programs/chaos/fault_player.hpp"
 #include "programs/chaos/observers.hpp"
 #include "programs/chaos/peek.hpp"
-#include "programs/chaos/workspace.hpp"
+#include "programs/chaos/verdict.hpp"
 #include "programs/story/recorder.hpp"
 #include "programs/story/scenario_run.hpp"
 
@@ -23,8 +23,6 @@ constexpr Duration play_pause = 50ms;
 constexpr Duration teaching_time = 120s;
 constexpr Duration goal_timeout = 5s;
 constexpr Duration mark_pause = 1s;
-constexpr Duration settle = 1500ms;
-constexpr Duration hand_was_there = 4s;
 constexpr Duration board_patience = 10s;
 
 // Gives the goals, one after another, waits for what becomes of them and judges it.
@@ -34,8 +32,6 @@ class Play {
        simulation::WorldConfig config, story::Narrator& narrator)
       : cell_(cell),
         story_(story),
-        judge_(judge),
-        config_(std::move(config)),
         narrator_(narrator),
         director_(cell, "director"),
         bystander_(cell, "bystander"),
@@ -52,7 +48,8 @@ class Play {
                      Random(story.seed).split("bystander")},
         bystanders_(standing_by_, runtime::contract_from_text("(contract bystander)").value()),
         player_(cell, bystander_, caller_, std::move(faults),
-                [this](const std::string& fault) { narrator_.say(cell_.time().now(), "fault", fault); }) {}
+                [this](const std::string& fault) { narrator_.say(cell_.time().now(), "fault", fault); }),
+        verdict_(cell.time(), judge, std::move(config), observers_, player_) {}
 
   Task<void> run() {
     co_await play();
@@ -180,36 +177,24 @@ class Play {
     return cell_.time().now() > std::max(*quiet_, begun_) + patience;
   }
 
-  // While somebody interferes it is enough that the world showed it; otherwise it must stand.
   Task<bool> judge_reached(std::vector<Datum> goal) {
-    const bool showed = observers_.showed_lately(goal);
-    const bool disturbed = player_.hand_is_busy() || cell_.time().now() - player_.hand_moved() < hand_was_there;
-    co_await sleep(cell_.time(), settle);
-    const bool stands = showed && (disturbed || observers_.showed_lately(goal));
+    const bool stands = co_await verdict_.stands(std::move(goal));
     if (!stands) observers_.add_unsafe("a goal is said to be reached, and the world does not show it");
     co_return stands;
   }
 
   bool judge_refused(const std::vector<Datum>& goal, const Datum& why) {
     result_.why = describe(failure_from_datum(why));
-    const Result<bool> possible = judge_.plan_exists(goal, workspace().within(observers_.world()));
-    if (!possible || *possible) {
+    const Verdict::Refusal refusal = verdict_.on_refusal(goal);
+    if (refusal == Verdict::Refusal::wrong) {
       failed("refused, though there is a plan: " + result_.why);
       return false;
     }
     result_.kind = RunResult::Kind::refused;
-    const Result<bool> elsewhere = judge_.plan_exists(goal, observers_.world());
-    if (!elsewhere || !*elsewhere) return true;
+    if (refusal == Verdict::Refusal::right) return true;
     result_.why += "; it lies where no camera looks or the arm does not reach";
     result_.coverage.hit("cell refused-out-of-reach");
     return true;
-  }
-
-  // As the camera stands.
-  Workspace workspace() const {
-    simulation::WorldConfig config = config_;
-    config.camera.pose = player_.camera();
-    return Workspace(config);
   }
 
   void failed(std::string why) {
@@ -235,8 +220,6 @@ class Play {
 
   ChaosCell& cell_;
   const ChaosStory& story_;
-  const story::Judge& judge_;
-  const simulation::WorldConfig config_;
   story::Narrator& narrator_;
   ChaosCell::Client director_;
   ChaosCell::Client bystander_;
@@ -247,6 +230,7 @@ class Play {
   runtime::AgentContext standing_by_;
   runtime::Service bystanders_;
   FaultPlayer player_;
+  const Verdict verdict_;
   RunResult result_;
   Time begun_{};
   std::optional<Time> quiet_;
