@@ -1,6 +1,7 @@
 // The head that the cameras stand on, where the cell has one: slides, places, speeds, resets, and to look where the
 // image is clicked.
 
+import { clickToLook } from './click_to_look.js';
 import { CommandLog } from './command_log.js';
 import { element, find } from './dom.js';
 import { fact } from './live_answers.js';
@@ -11,7 +12,7 @@ import { text } from './datum.js';
 /** @import { Connection } from './connection.js' */
 /** @import { Images } from './images.js' */
 /** @import { Permission } from './permission.js' */
-/** @import { Form, PointInImage } from './messages' */
+/** @import { Form } from './messages' */
 
 const axes = [
   { name: 'pan', label: 'Pan left / right', index: 1 },
@@ -51,23 +52,26 @@ function axisControls({ name, label }, send) {
   return { rows: [spring.row, percent.row], form, percent, controls: [spring.input, percent.input, place, go, reset] };
 }
 
-// How far off the middle a pixel is, degrees, positive to the right and upwards.
-/** @param {Form} model @param {PointInImage} at */
-function offMiddle(model, at) {
-  const [, , , , focal, cx, cy] = model;
-  /** @param {number} px */
-  const degrees = (px) => (Math.atan(px / focal) * 180) / Math.PI;
-  return { pan: degrees(at.x - cx), tilt: -degrees(at.y - cy) };
+// Where the head looks, and how fast it turns: its speeds are shown by the slides of these axes.
+/** @param {Connection} connection @param {ReturnType<typeof axisControls>[]} parts */
+function showWhere(connection, parts) {
+  const where = element('output', { 'aria-label': 'Where the head looks' }, '');
+  connection.follow('(head ?pan ?tilt ?state)', ([answer]) => {
+    const [, pan, tilt, state] = answer ? fact(answer) : [];
+    where.textContent = answer ? `pan ${pan.toFixed(1)}°, tilt ${tilt.toFixed(1)}°, ${text(state)}` : '';
+  });
+  connection.follow('(head-speed ?pan ?tilt)', ([answer]) => {
+    if (answer) axes.forEach((axis, i) => parts[i].percent.put(fact(answer)[axis.index]));
+  });
+  return where;
 }
 
 /** @param {Connection} connection @param {Permission} permission @param {Images} images @param {() => string} me */
 export function showHead(connection, permission, images, me) {
-  const panel = find('head');
   const log = new CommandLog(connection, () => 'pan-tilt', me, 'Commands that the head received, newest first');
   /** @param {string} form */
   const send = (form) => log.send(form);
   const light = element('span', { id: 'head-light', class: 'chip' }, 'no head is present');
-  const where = element('output', { 'aria-label': 'Where the head looks' }, '');
   const parts = axes.map((axis) => axisControls(axis, send));
   /** @param {string} label @param {string} form */
   const button = (label, form) => element('button', { type: 'button', onclick: () => send(form) }, label);
@@ -77,11 +81,11 @@ export function showHead(connection, permission, images, me) {
     button('Reset both', '(reset-all)'),
     button('Look ahead', '(look-ahead)'),
   ];
-  const clicks = element('input', { type: 'checkbox', id: 'click-to-look' });
+  const clicks = clickToLook(connection, images, send);
   const controls = [...buttons, clicks, ...parts.flatMap((part) => part.controls)];
   const reasons = new Reasons('why-head');
-  panel.append(
-    element('div', { class: 'row' }, light, where, ...buttons),
+  find('head').append(
+    element('div', { class: 'row' }, light, showWhere(connection, parts), ...buttons),
     reasons.note,
     element('div', { class: 'slides' }, ...parts.flatMap((part) => part.rows)),
     ...parts.map((part) => part.form),
@@ -90,25 +94,6 @@ export function showHead(connection, permission, images, me) {
     log.list,
   );
 
-  /** @type {Form | undefined} */
-  let head;
-  /** @type {Form | undefined} */
-  let model;
-  images.onPoint((at) => {
-    if (!clicks.checked || !head || !model) return false;
-    const off = offMiddle(model, at);
-    send(`(set-pan-pos ${(head[1] + off.pan).toFixed(2)})`);
-    send(`(set-tilt-pos ${(head[2] + off.tilt).toFixed(2)})`);
-    return true;
-  });
-  connection.follow('(head ?pan ?tilt ?state)', (answers) => {
-    head = answers.length ? fact(answers[0]) : undefined;
-    where.textContent = head ? `pan ${head[1].toFixed(1)}°, tilt ${head[2].toFixed(1)}°, ${text(head[3])}` : '';
-  });
-  connection.follow('(camera-model ?eyes ?width ?height ?focal ?cx ?cy ?base)', (answers) => {
-    const told = answers.length ? fact(answers[0]) : undefined;
-    model = told && [...told];
-  });
   /** @type {Form | undefined} */
   let told;
   const show = () => {
@@ -119,12 +104,8 @@ export function showHead(connection, permission, images, me) {
     reasons.set('Whatever turns the head', controls, permission.command('request') || absent);
   };
   permission.onChange(show);
-  connection.follow('(pan-tilt ?state ?trouble)', (answers) => {
-    told = answers.length ? fact(answers[0]) : undefined;
+  connection.follow('(pan-tilt ?state ?trouble)', ([answer]) => {
+    told = answer && fact(answer);
     show();
-  });
-  connection.follow('(head-speed ?pan ?tilt)', (answers) => {
-    if (!answers.length) return;
-    axes.forEach((axis, i) => parts[i].percent.put(fact(answers[0])[axis.index]));
   });
 }

@@ -1,7 +1,7 @@
 // What the eyes made of what they saw at a moment, from what the console keeps; or why there is no picture.
 
 import { clock, element, failureText } from './dom.js';
-import { drawPicture } from './images.js';
+import { drawPicture } from './image_view.js';
 
 /** @import { Connection } from './connection.js' */
 

@@ -14,21 +14,13 @@ const legend = 26; // pixels
 const serving = ['align', 'lower']; // steps of an operation
 const states = ['up', 'align x', 'align depth', 'approach', 'fine'];
 
-/** @param {Connection} connection */
-export function showServo(connection) {
-  const box = find('servo-plot');
-  /** @type {number[]} */
-  const times = [];
-  /** @type {number[][]} */
-  const errors = [[], [], []];
-  const axis = {
-    stroke: '#9fb0bd',
-    grid: { stroke: '#263642', width: 1 },
-    ticks: { show: false },
-    font: '11px system-ui',
-  };
-  /** @param {string} label @param {string} stroke */
-  const line = (label, stroke) => ({ label, stroke, width: 1.5, points: { show: false } });
+const axis = { stroke: '#9fb0bd', grid: { stroke: '#263642', width: 1 }, ticks: { show: false }, font: '11px system-ui' };
+/** @param {string} label @param {string} stroke */
+const line = (label, stroke) => ({ label, stroke, width: 1.5, points: { show: false } });
+
+// As large as its box.
+/** @param {HTMLElement} box */
+function makePlot(box) {
   // With the legend below it.
   const size = () => ({ width: Math.max(box.clientWidth, 120), height: Math.min(Math.max(box.clientHeight - legend, 60), 118) });
   const plot = new uPlot(
@@ -47,7 +39,17 @@ export function showServo(connection) {
     box,
   );
   new ResizeObserver(() => plot.setSize(size())).observe(box);
+  return plot;
+}
 
+/** @param {Connection} connection */
+export function showServo(connection) {
+  const box = find('servo-plot');
+  const plot = makePlot(box);
+  /** @type {number[]} */
+  const times = [];
+  /** @type {number[][]} */
+  const errors = [[], [], []];
   const clear = () => {
     for (const series of [times, ...errors]) series.length = 0;
   };

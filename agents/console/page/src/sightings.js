@@ -2,6 +2,7 @@
 //
 //   const seen = sightingsIn(looks, found);
 //   seen.get('circle')      what is not told is undefined
+//   followSightings(connection, (seen) => ...)
 //
 // Where several eyes tell of an object, the surest count. `covariance` is that of its place in the frame of the eyes
 // (camera_frame.js): xx xy xz yy yz zz.
@@ -9,6 +10,7 @@
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
+/** @import { Connection } from './connection.js' */
 /** @import { Answer, Datum, Form } from './messages' */
 
 /** @typedef {{ state: string, confidence?: number, range?: number, spread?: number, covariance?: number[] }} Sighting */
@@ -48,4 +50,19 @@ export function sightingsIn(looks, found) {
     if (!lookedFor.has(text(name))) addSurest(seen, text(name), { state: 'found', confidence, ...partsIn(places) });
   }
   return seen;
+}
+
+// Tells them anew whenever the eyes have looked.
+/** @param {Connection} connection @param {(seen: Map<string, Sighting>) => void} changed */
+export function followSightings(connection, changed) {
+  /** @type {Record<'looks' | 'found', Answer[]>} */
+  const told = { looks: [], found: [] };
+  /** @param {'looks' | 'found'} name @param {string} query */
+  const follow = (name, query) =>
+    connection.follow(query, (answers) => {
+      told[name] = answers;
+      changed(sightingsIn(told.looks, told.found));
+    });
+  follow('looks', '(look ?eyes ?frame ?text ?of)');
+  follow('found', '(found ?eyes ?name ?frame ?confidence ?second ?margin ?others ?places)');
 }

@@ -1,16 +1,14 @@
 // What happened in the last minutes or hours, until now or until the moment that is shown: the picture, and below it
 // what was opened in it.
 
-import { clipped, clock, eachFrame, element } from './dom.js';
-import { fact } from './live_answers.js';
-import { toldBy } from './provenance.js';
+import { eachFrame, element } from './dom.js';
+import { OpenedMarks } from './opened_marks.js';
 import { WorkChanges } from './work_changes.js';
 import { entryMarks, goalMarks, refusalMarks, servoMarks, sightingMarks } from './work_marks.js';
 import { WorkPicture } from './work_picture.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { WorkEntries } from './work_entries.js' */
-/** @import { Mark } from './work_marks.js' */
 /** @import { Answer } from './messages' */
 
 /** @type {[name: string, length: number][]} */
@@ -20,26 +18,13 @@ const spans = [
   ['1 hour', 3600e6],
   ['8 hours', 8 * 3600e6],
 ];
-const mostOpened = 20;
 const goesOn = 5000; // ms between two drawings of a time in which nothing happens
 
 // `entryOf` makes the story's entry of a fact of the story.
 /** @param {Connection} connection @param {WorkEntries} entries @param {(answer: Answer) => HTMLDetailsElement} entryOf */
 export function showWork(connection, entries, entryOf) {
-  const opened = element('div', { class: 'timeline', id: 'opened', hidden: true });
-  /** @param {Mark} mark */
-  const otherOf = ({ answer, label }) =>
-    element('details', {}, element('summary', {}, element('time', {}, clock(answer.facts[0].when)), clipped(label)), element('p', { class: 'quiet' }, toldBy(answer.ids[0], answer.facts[0])));
-  /** @param {Mark[]} marks */
-  const open = (marks) => {
-    const made = marks.slice(0, mostOpened).map((mark) => (fact(mark.answer)[0].name === 'event' ? entryOf(mark.answer) : otherOf(mark)));
-    const more = marks.length > mostOpened ? [element('p', { class: 'quiet' }, `and ${marks.length - mostOpened} more`)] : [];
-    const close = element('button', { type: 'button', class: 'small', onclick: () => (opened.hidden = true) }, 'Close');
-    opened.replaceChildren(close, ...made, ...more);
-    opened.hidden = false;
-    made[0].open = true;
-  };
-  const picture = new WorkPicture(open);
+  const opened = new OpenedMarks(entryOf);
+  const picture = new WorkPicture((marks) => opened.open(marks));
   const choice = element(
     'select',
     { 'aria-label': 'How much of the past' },
@@ -80,7 +65,7 @@ export function showWork(connection, entries, entryOf) {
     { 'aria-label': 'Over time' },
     element('div', { class: 'row' }, element('h2', {}, 'Over time'), element('label', {}, 'The last ', choice)),
     picture.panel,
-    opened,
+    opened.panel,
   );
   return { panel, draw };
 }
