@@ -82,7 +82,7 @@ await page.click('#agents summary:has-text("Refused")');
 const refusal = page.locator('#refusals tbody tr:has-text("undeclared-relation")');
 await refusal.waitFor();
 const refused = await refusal.innerText();
-expect(/console-\d+-\d+\s+undeclared-relation\s+1\s.*nobody-told/s.test(refused), `who was refused what, once: ${refused}`);
+expect(/^this page\s+undeclared-relation\s+1\s.*nobody-told/s.test(refused), `who was refused what, once: ${refused}`);
 await expectAccessible(page, scratch, 'the refusals');
 expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
 expect((await served.end()) === 0, 'it ends in order');

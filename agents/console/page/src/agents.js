@@ -2,6 +2,7 @@
 // method.
 
 import { clipped, element, find } from './dom.js';
+import { asComponents } from './names.js';
 import { fact } from './live_answers.js';
 import { showMethod } from './method.js';
 import { showProcesses } from './processes.js';
@@ -21,8 +22,8 @@ function load(agent, restarts) {
   return [busy, again].filter(Boolean).join(', ');
 }
 
-/** @param {Connection} connection @param {Activity} activity */
-export function showAgents(connection, activity) {
+/** @param {Connection} connection @param {Activity} activity @param {() => string} me */
+export function showAgents(connection, activity, me) {
   const list = element('div', { class: 'timeline' });
   /** @type {Map<string, Form>} */
   const contracts = new Map();
@@ -37,14 +38,16 @@ export function showAgents(connection, activity) {
     const who = element('span', { class: 'quiet' });
     const does = element('span', { class: 'quiet load' });
     const offers = element('pre', {});
-    const made = element('details', { 'data-agent': name }, element('summary', {}, element('strong', {}, clipped(name, 64)), who, does), offers);
-    rows.set(name, { made, who, does, offers });
+    const label = element('strong', { title: name });
+    const made = element('details', { 'data-agent': name }, element('summary', {}, label, who, does), offers);
+    rows.set(name, { made, label, who, does, offers });
     return rows.get(name);
   };
   const draw = () => {
     const names = present.slice(0, 64).map((agent) => {
       const name = text(agent[1]);
-      const { who, does, offers } = rowOf(name);
+      const { label, who, does, offers } = rowOf(name);
+      label.textContent = clipped(asComponents(name, me()), 64);
       who.textContent = `${text(agent[2])} on ${clipped(text(agent[3]), 64)}`;
       does.textContent = load(busy.get(name), processes.restarts.get(name));
       const form = contracts.get(name);
@@ -55,7 +58,7 @@ export function showAgents(connection, activity) {
     list.replaceChildren(...names.map((name) => rows.get(name).made));
   };
   const processes = showProcesses(connection, () => draw());
-  find('agents').append(list, processes.panel, showRefusals(connection, activity), showServed(connection), showMethod(connection));
+  find('agents').append(list, processes.panel, showRefusals(connection, activity, me), showServed(connection), showMethod(connection, me));
   activity.shownIn(list, (sample) => {
     busy = new Map((sample?.agents ?? []).map((agent) => [agent.name, agent]));
     draw();

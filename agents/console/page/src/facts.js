@@ -42,8 +42,8 @@ function follower(connection, table, count, wrong) {
   };
 }
 
-/** @param {Connection} connection @param {Activity} activity */
-export function showFacts(connection, activity) {
+/** @param {Connection} connection @param {Activity} activity @param {() => string} me */
+export function showFacts(connection, activity, me) {
   const questions = new RelationQuestions(connection);
   const table = new AnswerTable(connection);
   const field = { id: 'query', spellcheck: 'false', list: questions.list.id, placeholder: '(on ?x ?y)', 'aria-label': 'Question' };
@@ -64,6 +64,7 @@ export function showFacts(connection, activity) {
       input.value = questions.of(name) ?? '';
       form.requestSubmit();
     },
+    me,
   );
   find('facts').append(form, wrong, table.because, table.panel, relations);
 }

@@ -50,8 +50,8 @@ showHead(connection, permission, images, () => hands.me);
 showEyes({ connection, permission, images, roles }, () => hands.me);
 showDrive({ connection, permission, hands, axes });
 const activity = new Activity(connection);
-showFacts(connection, activity);
-showAgents(connection, activity);
+showFacts(connection, activity, () => hands.me);
+showAgents(connection, activity, () => hands.me);
 showCells(connection);
 
 connection.onArm = scene.moveArm;

@@ -1,6 +1,7 @@
 // The method of the thesis on the running cell, as `./pizarra method --live` has it: Divide, Wrap, Connect, and what is
 // wrong.
 
+import { asComponents } from './names.js';
 import { drawn, element, failureText } from './dom.js';
 import { table } from './tables.js';
 
@@ -121,8 +122,12 @@ function report(seen) {
   ];
 }
 
-/** @param {Connection} connection */
-export function showMethod(connection) {
+// As people call them.
+/** @param {Method} seen @param {string} me @returns {Method} */
+const withPagesNamed = (seen, me) => JSON.parse(JSON.stringify(seen), (_, value) => (typeof value === 'string' ? asComponents(value, me) : value));
+
+/** @param {Connection} connection @param {() => string} me */
+export function showMethod(connection, me) {
   const note = element('span', { class: 'quiet', role: 'status', id: 'method-note' });
   const seen = element('div', { id: 'method' });
   const button = element('button', { type: 'button', id: 'method-look' }, `Look for ${seconds} s`);
@@ -130,7 +135,7 @@ export function showMethod(connection) {
     button.disabled = true;
     note.textContent = 'looking at who asks, answers, tells and watches …';
     try {
-      const found = await connection.method(seconds);
+      const found = withPagesNamed(await connection.method(seconds), me());
       seen.replaceChildren(...report(found).filter(Boolean));
       note.textContent = `seen for ${found.seconds} s`;
     } catch (failure) {

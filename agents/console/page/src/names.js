@@ -3,6 +3,7 @@
 //
 //   nameOf('console-812-2', 'console-812-1')            page 2
 //   nameOf('anna/console-812-3', 'console-812-1')       anna, page 3
+//   asComponents('console-812-2 → robot', 'console-812-1')       console page 2 → robot
 
 export const you = 'you';
 
@@ -15,3 +16,11 @@ export function nameOf(client, me) {
   const elsewhere = console === me.match(page)?.[2] ? '' : ` of console ${console}`;
   return `${key ? `${key}, ` : ''}page ${number}${elsewhere}`;
 }
+
+// The same in a text that names components of the cell, of which a page is one.
+/** @param {string} text @param {string} me */
+export const asComponents = (text, me) =>
+  text.replace(/(?<![\w./-])(?:[\w.-]+\/)?console-\d+-\d+(?![\w-])/g, (client) => {
+    if (client === me) return 'this page';
+    return client.includes('/') ? nameOf(client, me) : `console ${nameOf(client, me)}`;
+  });

@@ -1,6 +1,7 @@
 // The relations of the board: what stands, who tells them, how many watch, and how long their facts are under way. A name
 // asks for all of it.
 
+import { asComponents } from './names.js';
 import { element } from './dom.js';
 import { table } from './tables.js';
 
@@ -25,8 +26,8 @@ function headline({ revision, facts, transactions_per_second: rate, journey }) {
 }
 
 // `ask` asks for all of a relation; its answer says whether that is known how.
-/** @param {Activity} activity @param {(name: string) => boolean} canAsk @param {(name: string) => void} ask */
-export function showRelations(activity, canAsk, ask) {
+/** @param {Activity} activity @param {(name: string) => boolean} canAsk @param {(name: string) => void} ask @param {() => string} me */
+export function showRelations(activity, canAsk, ask, me) {
   const note = element('p', { class: 'quiet', id: 'activity-note' }, '…');
   const relations = table({ id: 'relations' }, heads);
   // A button stays the same one while its row is drawn anew: what is pressed is then clicked.
@@ -55,7 +56,7 @@ export function showRelations(activity, canAsk, ask) {
           one.watches,
           spread(one.told_us),
           spread(one.delivered_us),
-          one.tellers.join(' '),
+          asComponents(one.tellers.join(', '), me()),
         ]),
     );
   };
