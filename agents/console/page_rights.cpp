@@ -11,25 +11,27 @@ namespace pizarra::console {
 
 namespace {
 
-// The relations that a word of the page tells and reads by the page's own session.
+// What a person does by a word of the page, and the relations that the page's own session tells and reads for it.
 struct Needs {
   std::string_view word;
+  std::string_view deed;
   std::vector<std::string_view> tell;
   std::vector<std::string_view> read = {};
 };
 
 // Whoever asks an agent withdraws the request, and takes the reply away.
 const std::vector<Needs>& needs_of_words() {
-  static const std::vector<Needs> needs = {{"request", {"request", "reply"}, {"agent", "reply"}},
-                                           {"goal", {"request", "reply"}, {"agent", "reply"}},
-                                           {"stop", {"stop"}},
-                                           {"clear-stops", {"stop", "commander"}},
-                                           {"command", {"commander"}},
-                                           {"take-over", {"commander"}},
-                                           {"let-go", {"commander"}},
-                                           {"ask-for", {"commander-wanted"}},
-                                           {"ask-no-more", {"commander-wanted"}},
-                                           {"jog", {"hold", "request", "reply"}, {"agent", "reply"}}};
+  static const std::vector<Needs> needs = {
+      {"request", "ask an agent to do anything", {"request", "reply"}, {"agent", "reply"}},
+      {"goal", "give goals", {"request", "reply"}, {"agent", "reply"}},
+      {"stop", "stop the arm", {"stop"}},
+      {"clear-stops", "clear a stop", {"stop", "commander"}},
+      {"command", "take the arm in hand", {"commander"}},
+      {"take-over", "take the arm over", {"commander"}},
+      {"let-go", "let the arm go", {"commander"}},
+      {"ask-for", "ask another for the arm", {"commander-wanted"}},
+      {"ask-no-more", "ask another for the arm", {"commander-wanted"}},
+      {"jog", "move the arm", {"hold", "request", "reply"}, {"agent", "reply"}}};
   return needs;
 }
 
@@ -45,12 +47,13 @@ std::optional<std::string_view> first_not_in(const std::vector<std::string>& lis
 
 std::map<std::string, std::string> PageRights::refused() const {
   std::map<std::string, std::string> refused;
-  const auto refuse = [&](std::string_view word, std::string_view verb, std::optional<std::string_view> relation) {
-    if (relation) refused.emplace(word, fmt::format("this page's key may not {} facts of {}", verb, *relation));
+  const auto refuse = [&](const Needs& needs, std::string_view verb, std::optional<std::string_view> relation) {
+    if (!relation) return;
+    refused.emplace(needs.word, fmt::format("your key may not {} (it lacks: {} {})", needs.deed, verb, *relation));
   };
   for (const Needs& needs : needs_of_words()) {
-    refuse(needs.word, "tell", first_not_in(tell_, needs.tell));
-    refuse(needs.word, "read", first_not_in(read_, needs.read));
+    refuse(needs, "tell", first_not_in(tell_, needs.tell));
+    refuse(needs, "read", first_not_in(read_, needs.read));
   }
   return refused;
 }

@@ -197,7 +197,9 @@ Task<void> Session::say_goodbye() { [[maybe_unused]] const Result<void> left = c
 Task<void> Session::open() {
   const Result<void> present = co_await service_.start();
   if (!present) {
-    voice_.close(1011, "the board refuses this page: " + present.error().sentence);
+    const bool barred = present.error().symbol == "not-permitted";
+    const std::string what = barred ? "your key may not open a page" : "the board refuses this page";
+    voice_.close(1011, fmt::format("{} ({})", what, present.error().sentence));
     co_return;
   }
   co_await declare_wishes();

@@ -128,15 +128,15 @@ const off = async (tab, note, control, reason) => {
   expect(reason.test(said) && (await guest.isVisible(note)), `${control} is off: ${said}`);
   expect((await guest.getAttribute(control, 'aria-describedby')) === note.slice(1), 'and points to its reason');
 };
-await off('', '#why-want', '#go', /Go.*may not tell.*request/);
-await off('#tab-story', '#why-not-asked', '#why', /may not tell.*request/);
-await off('#tab-eyes', '#why-eyes', '#training', /Training.*may not tell.*request/);
-await off('#tab-drive', '#why-take', '#take-arm', /may not tell.*commander/);
-await off('', '#why-take', '#ask-for-arm', /may not tell.*commander-wanted/);
-await off('', '#why-drive', '.jog[data-jog=up]', /Jogs.*may not tell/);
-await off('', '#why-drive', '#drive button:text-is("Monitor")', /Questions.*may not tell.*request/);
+await off('', '#why-want', '#go', /Go: your key may not give goals \(it lacks: tell request\)/);
+await off('#tab-story', '#why-not-asked', '#why', /may not ask an agent to do anything \(it lacks: tell request\)/);
+await off('#tab-eyes', '#why-eyes', '#training', /Training.*may not ask an agent to do anything \(it lacks: tell request\)/);
+await off('#tab-drive', '#why-take', '#take-arm', /may not take the arm in hand \(it lacks: tell commander\)/);
+await off('', '#why-take', '#ask-for-arm', /may not ask another for the arm \(it lacks: tell commander-wanted\)/);
+await off('', '#why-drive', '.jog[data-jog=up]', /Jogs.*may not .*\(it lacks: tell/);
+await off('', '#why-drive', '#drive button:text-is("Monitor")', /Questions.*may not ask an agent to do anything \(it lacks: tell request\)/);
 await guest.screenshot({ path: join(pictures, 'guest.png') });
-await off('#tab-head', '#why-head', '#click-to-look', /may not tell.*request/);
+await off('#tab-head', '#why-head', '#click-to-look', /may not ask an agent to do anything \(it lacks: tell request\)/);
 expect(await guest.isEnabled('#stop'), 'STOP is not');
 await expectAccessible(guest, scratch, 'a page that may do little');
 // Whatever a page shows, the board holds it to its key.
@@ -151,7 +151,7 @@ expect(/^guest, page \d/.test(await text(page, '#stopped-by')), 'and who may onl
 
 const mute = await visit();
 await logIn(mute, mutes);
-await mute.waitForFunction(() => /the key mute may not/.test(document.getElementById('state').textContent));
+await mute.waitForFunction(() => /your key may not open a page \(the key mute may not tell facts of agent/.test(document.getElementById('state').textContent));
 expect(true, `a page that the board refuses says why: ${await text(mute, '#state')}`);
 
 await guest.click('#log-out');

@@ -107,7 +107,7 @@ TEST_F(ConsoleTest, SaysToAPageThatTheBoardRefusesWhichRightItLacks) {
   });
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->close_code(), 1011);
-  EXPECT_TRUE(has(refused->payload, "the key mute may not tell facts of agent!"));
+  EXPECT_TRUE(has(refused->payload, "your key may not open a page (the key mute may not tell facts of agent!"));
 }
 
 // As a board is for a key that may stop the arm and look at everything.
@@ -150,9 +150,9 @@ TEST_F(ConsoleTest, SaysInItsHelloWhatTheKeyOfThePageDoesNotPermit) {
   };
   reopen([&](Console::Setup& setup) { setup.board = guest; });
   const std::string said = hello();
-  EXPECT_TRUE(has(said, R"("goal":"this page's key may not tell facts of request")"));
-  EXPECT_TRUE(has(said, R"("command":"this page's key may not tell facts of commander")"));
-  EXPECT_TRUE(has(said, R"("jog":"this page's key may not tell facts of hold")"));
+  EXPECT_TRUE(has(said, "\"goal\":\"your key may not give goals (it lacks: tell request)\""));
+  EXPECT_TRUE(has(said, "\"command\":\"your key may not take the arm in hand (it lacks: tell commander)\""));
+  EXPECT_TRUE(has(said, "\"jog\":\"your key may not move the arm (it lacks: tell hold)\""));
   EXPECT_EQ(said.find("\"stop\":"), std::string::npos) << said;
 }
 
