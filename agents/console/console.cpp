@@ -274,6 +274,7 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
   setup.kept = kept_.get();
   setup.instruments = &setup_.instruments;
   setup.key = session.key;
+  setup.page_version = page_.version();
   setup.connect = [this, key = session.key](const std::string& as) { return setup_.board(as, key); };
   pages_.emplace(number,
                  Page{session.number, session.key, std::make_unique<Session>(std::move(setup), std::move(socket))});

@@ -19,11 +19,15 @@ constexpr ServedFile served[] = {{"/", "index.html", "text/html; charset=utf-8"}
                                  {"/icon.svg", "icon.svg", "image/svg+xml"}};
 
 constexpr ReadLimits page_limits{.bytes = 4 << 20};
+constexpr ReadLimits version_limits{.bytes = 64};
 
 }  // namespace
 
 Result<PageFiles> PageFiles::read(const std::string& folder) {
   PageFiles page;
+  const Result<std::string> version = read_text_file(folder + "/version", version_limits);
+  if (!version) return fail(version);
+  page.version_ = version->substr(0, version->find('\n'));
   for (const ServedFile& file : served) {
     Result<std::string> text = read_text_file(folder + "/" + file.file, page_limits);
     if (!text) return fail(text);

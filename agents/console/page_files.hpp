@@ -4,6 +4,7 @@
 //
 //   const Result<PageFiles> page = PageFiles::read(folder);
 //   const PageFile* file = page->find("/");          // nothing where there is no such file
+//   page->version()                                  // by which a page that was loaded before knows that it is another
 
 #include <map>
 #include <string>
@@ -23,8 +24,10 @@ class PageFiles {
   // Failure: unreadable-file.
   static Result<PageFiles> read(const std::string& folder);
   const PageFile* find(std::string_view path) const;
+  const std::string& version() const { return version_; }
 
  private:
+  std::string version_;
   std::map<std::string, PageFile, std::less<>> files_;
 };
 

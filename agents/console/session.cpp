@@ -41,7 +41,8 @@ std::string refused_text(const PageRights& rights) {
 }
 
 // `truth`: whether there is any to lay over what is believed.
-std::string hello_text(const CellView& cell, int page, const std::string& name, const PageRights& rights, bool truth) {
+std::string hello_text(const Session::Setup& setup, const PageRights& rights, bool truth) {
+  const CellView& cell = setup.cell;
   std::string arms;
   std::string axes;
   for (const auto& [arm, model] : cell.arms) {
@@ -59,12 +60,11 @@ std::string hello_text(const CellView& cell, int page, const std::string& name, 
                          at.at_mm[0], at.at_mm[1], at.at_mm[2], at.pan_deg, at.tilt_deg, at.roll_deg, cell.head);
   }
   return fmt::format(
-      "{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"axes\":{{{}}},\"reaches\":{{{}}},\"camera\":{},\"cube\":{:"
-      ".1f},\"truth\":{"
-      "},\"mayNot\":{{{}}},"
+      "{{\"hello\":{{\"version\":{},\"name\":{},\"cell\":{},\"arms\":[{}],\"axes\":{{{}}},\"reaches\":{{{}}},"
+      "\"camera\":{},\"cube\":{:.1f},\"truth\":{},\"mayNot\":{{{}}},"
       "\"images\":{{\"path\":\"/socket/{}\",\"lanes\":{}}}}}}}",
-      json_string(name), json_string(cell.name), arms, axes, reaches, camera, cell.cube_mm, truth, refused_text(rights),
-      page, PageImages::max_lanes);
+      json_string(setup.page_version), json_string(setup.name), json_string(cell.name), arms, axes, reaches, camera,
+      cell.cube_mm, truth, refused_text(rights), setup.number, PageImages::max_lanes);
 }
 
 }  // namespace
@@ -204,7 +204,7 @@ Task<void> Session::open() {
   }
   co_await declare_wishes();
   const PageRights rights = co_await rights_of(context_.board);
-  voice_.say(hello_text(setup_.cell, setup_.number, setup_.name, rights, instruments_->may_see_truth()));
+  voice_.say(hello_text(setup_, rights, instruments_->may_see_truth()));
   beating_ = setup_.executor.spawn(keep_beating());
 }
 

@@ -30,8 +30,8 @@
 //   (look STREAM), (look-away STREAM)            images, on the lanes that it opens (page_images.hpp), of a stream
 //                               whose fact it may read
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
-// and is told, as JSON (change_text.hpp): {"hello":...} (with what it may not do: page_rights.hpp), {"watch":N,...} (of
-// the past with "past":TIME-US),
+// and is told, as JSON (change_text.hpp): {"hello":...} (with the version of the page that is
+// served, and what it may not do: page_rights.hpp), {"watch":N,...} (of the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
 // {"work":"servo","changes":[...]} some at a time,
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; a picture
@@ -89,6 +89,7 @@ class Session {
     KeptChanges* kept = nullptr;
     const Instruments* instruments = nullptr;
     std::string key = {};                    // whose the page is; empty: the console's own
+    std::string page_version = {};           // of the page's files that are served
     Instruments::Connect connect = nullptr;  // others on the board with this page's rights
   };
 

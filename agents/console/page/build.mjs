@@ -2,6 +2,7 @@
 // Running the console needs none of it. `node build.mjs FOLDER` writes elsewhere, for the test that compares.
 
 import { build } from 'esbuild';
+import { createHash } from 'node:crypto';
 import { copyFile, mkdir, readFile, writeFile } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,9 +11,11 @@ const here = dirname(fileURLToPath(import.meta.url));
 const out = resolve(process.argv[2] ?? join(here, 'built'));
 
 await mkdir(out, { recursive: true });
-await build({
+const unknown = 'version-of-this-page';
+const { outputFiles } = await build({
   entryPoints: [join(here, 'src/main.js')],
-  outfile: join(out, 'console.js'),
+  write: false,
+  define: { PAGE_VERSION: JSON.stringify(unknown) },
   absWorkingDir: here,
   bundle: true,
   minify: true,
@@ -20,7 +23,13 @@ await build({
   target: ['chrome110', 'firefox115'],
   legalComments: 'inline',
 });
+const script = outputFiles[0].text;
 const styles = [join(here, 'node_modules/uplot/dist/uPlot.min.css'), join(here, 'src/console.css')];
 const texts = await Promise.all(styles.map((file) => readFile(file, 'utf8')));
+const page = await readFile(join(here, 'src/index.html'), 'utf8');
+// A page knows the version that it was loaded as, and the console the one that it serves.
+const version = createHash('sha256').update([script, page, ...texts].join('\n')).digest('hex').slice(0, 16);
+await writeFile(join(out, 'console.js'), script.replaceAll(unknown, version));
+await writeFile(join(out, 'version'), `${version}\n`);
 await writeFile(join(out, 'console.css'), texts.join('\n'));
 for (const file of ['index.html', 'icon.svg']) await copyFile(join(here, 'src', file), join(out, file));

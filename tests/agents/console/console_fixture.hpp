@@ -81,6 +81,17 @@ class ConsoleTest : public testing::Test {
     return answer.substr(begin, answer.find(';', begin) - begin);
   }
 
+  // What a page is told first.
+  std::string hello() {
+    return serve([port = port_, own = cookie()] {
+      RawClient client(port);
+      client.send(request_text(port, "GET", "/socket", upgrade_headers(own)));
+      client.read_head();
+      const auto frame = client.read_frame();
+      return frame ? frame->payload : std::string("nothing");
+    });
+  }
+
   // Said hello to.
   std::unique_ptr<RawClient> page(const std::string& cookie, int receive_bytes = 0) {
     return serve([=, port = port_] {

@@ -133,16 +133,14 @@ class Guest : public PassingBoard {
   }
 };
 
+TEST_F(ConsoleTest, SaysInItsHelloWhichVersionOfThePageItServes) {
+  const std::string built = source_dir() + "/agents/console/page/built";
+  const std::string version = PageFiles::read(built)->version();
+  EXPECT_TRUE(has(PageFiles::read(built)->find("/console.js")->text, version));
+  EXPECT_TRUE(has(hello(), fmt::format("\"version\":\"{}\"", version)));
+}
+
 TEST_F(ConsoleTest, SaysInItsHelloWhatTheKeyOfThePageDoesNotPermit) {
-  const auto hello = [this] {
-    return serve([port = port_, own = cookie()] {
-      RawClient client(port);
-      client.send(request_text(port, "GET", "/socket", upgrade_headers(own)));
-      client.read_head();
-      const auto frame = client.read_frame();
-      return frame ? frame->payload : std::string("nothing");
-    });
-  };
   EXPECT_TRUE(has(hello(), "\"mayNot\":{}")) << "no key is asked for";
   const Console::BoardMaker guest = [this](const std::string& name,
                                            const std::string&) -> Result<std::unique_ptr<Board>> {

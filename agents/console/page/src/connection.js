@@ -13,11 +13,12 @@ import { Questions } from './questions.js';
 import { read, sym, write } from './datum.js';
 import { Requests } from './requests.js';
 import { Silence } from './silence.js';
+import { isOutdated } from './version.js';
 
 /** @import { Listener } from './live_answers.js' */
 /** @import { Arm, Cell, Datum, Hello, Message, Method, Picture, Pulse, Reply } from './messages' */
 /** @import { Line } from './questions.js' */
-/** @typedef {'connecting' | 'live' | 'silent' | 'lost' | 'refused'} State */
+/** @typedef {'connecting' | 'live' | 'silent' | 'lost' | 'refused' | 'outdated'} State */
 
 const firstPause = 500; // milliseconds until a lost connection is tried again
 const longestPause = 4000;
@@ -114,6 +115,7 @@ export class Connection {
   /** @param {Hello} hello */
   #greet(hello) {
     this.#pause = firstPause;
+    if (isOutdated(String(hello.version))) return this.onState('outdated');
     this.onHello(hello);
     this.onState('live');
     this.#silence.begin();

@@ -7,7 +7,14 @@ import { clipped, find } from './dom.js';
 /** @import { Permission } from './permission.js' */
 
 /** @type {Record<State, string>} */
-const said = { connecting: 'connecting', live: 'live', silent: 'silent', lost: 'no connection', refused: 'no session' };
+const said = {
+  connecting: 'connecting',
+  live: 'live',
+  silent: 'silent',
+  lost: 'no connection',
+  refused: 'no session',
+  outdated: 'of another version',
+};
 const commanding = ['want', 'eyes', 'drive', 'head'];
 
 /** @param {Permission} permission */

@@ -19,6 +19,7 @@ export type Point = [x: number, y: number, z: number];
 export type Camera = { at: Point; pan: number; tilt: number; roll: number; head: boolean };
 export type Reach = { height: number; parts: [from: number, to: number][] };
 export type Hello = {
+  version: string; // of the page that the console serves
   name: string;
   cell: string;
   arms: string[];
