@@ -1,10 +1,10 @@
 // node lost_line.mjs PIZARRA-CELL SCRATCH: a line that falls silent in mid-jog, and then brings at once what was stuck on
 // it: the arm stops by itself, and does not move for what comes late. A page that is there without that line sees it.
 
-import { connect, createServer } from 'node:net';
 import { join } from 'node:path';
 import { expect, here, launch, openPage, ownFolder, start } from './browser.mjs';
 import { distance, Driving, jogs } from './driving.mjs';
+import { losingLine } from './losing_line.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const folder = ownFolder();
@@ -12,25 +12,13 @@ const served = start([cell, 'console', join(here, 'unattended.scm')], folder);
 const address = await served.line;
 const { port } = new URL(address);
 
-// What goes through it waits while the line is lost.
-const links = new Set();
-const relay = createServer({ noDelay: true }, (near) => {
-  const far = connect({ host: '127.0.0.1', port: Number(port), noDelay: true });
-  for (const end of [near, far]) {
-    links.add(end);
-    end.on('error', () => end.destroy());
-    end.on('close', () => links.delete(end));
-  }
-  near.pipe(far).pipe(near);
-});
-await new Promise((listening) => relay.listen(0, '127.0.0.1', listening));
-const lose = () => links.forEach((end) => end.pause());
-const restore = () => links.forEach((end) => end.resume());
+const line = await losingLine(Number(port));
+const { lose, restore } = line;
 
-const browser = await launch(scratch, [`--host-resolver-rules=MAP 127.0.0.1:${port} 127.0.0.1:${relay.address().port}`]);
+const browser = await launch(scratch, [`--host-resolver-rules=MAP 127.0.0.1:${port} 127.0.0.1:${line.port}`]);
 const page = await openPage(browser, address);
 await page.waitForSelector('body[data-state=live]');
-expect(links.size > 0, 'the page comes by the line that will be lost');
+expect(line.count() > 0, 'the page comes by the line that will be lost');
 const driving = new Driving(page);
 await driving.begin();
 expect((await driving.driven('Ready', '(ready)')) === 'true', 'READY');
@@ -107,7 +95,7 @@ await witness.waitForSelector('#stopped', { state: 'hidden' });
 
 // A line that ends for good: what stands under the page goes with it.
 await moving();
-for (const end of links) end.destroy();
+line.cut();
 await seen('arm\\s*stopped');
 await witness.waitForSelector('#arm-chip', { state: 'hidden' });
 expect(true, 'a connection that ends stops the arm, and lets it go');
@@ -116,7 +104,7 @@ expect((await page.getAttribute('body', 'data-state')) === 'live', 'the page tha
 expect(await page.isHidden('#line-note'), 'what it shows is new');
 
 for (const each of [page, witness]) expect(each.troubles.length === 0, `nothing went wrong: ${each.troubles.join('; ')}`);
-relay.close();
+line.end();
 for (const each of [browser, direct]) await each.close();
 expect((await served.end()) === 0, 'it ends in order');
 process.exit(0);
