@@ -15,7 +15,7 @@ namespace pizarra::programs {
 
 namespace {
 
-constexpr Duration first_sample = 500ms;
+constexpr Duration first_sample = 100ms;  // long enough for a rate, short enough for who waits for it
 constexpr Duration longest_answer = 2s;
 constexpr std::size_t most_cells = 200;  // on a page
 constexpr std::size_t longest_text_of_cell = 200;

@@ -7,7 +7,29 @@ import { begin, expect, expectAccessible, source, tall, text } from './browser.m
 const [cell, scratch] = process.argv.slice(2);
 const { page, picture, end } = await begin(scratch, [cell, 'up', join(source, 'examples/01-blocks/cell.scm'), '--console']);
 
-await page.click('#tab-facts');
+// From opening the view to its rows: the quickest of some, as the machine may be busy elsewhere.
+const opened = () =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        const rows = document.querySelector('#relations tbody');
+        rows.replaceChildren();
+        const began = performance.now();
+        const seen = new MutationObserver(() => {
+          seen.disconnect();
+          done(performance.now() - began);
+        });
+        seen.observe(rows, { childList: true });
+        document.getElementById('tab-facts').click();
+      }),
+  );
+let quickest = Infinity;
+for (let i = 0; i < 5; ++i) {
+  await page.click('#tab-story');
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  quickest = Math.min(quickest, await opened());
+}
+expect(quickest < 400, `the relations stand ${quickest.toFixed(0)} ms after their view was opened`);
 await page.waitForFunction(() => /revision \d+, \d+ facts, [\d.]+ transactions\/s; a fact is committed after/.test(document.getElementById('activity-note').textContent));
 const row = (name) => page.locator(`#relations tr:has(button:text-is("${name}"))`);
 await row('arm-joints').waitFor();
