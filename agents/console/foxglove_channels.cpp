@@ -16,7 +16,8 @@ namespace {
 enum : std::size_t { tf, scene, story, facts };
 
 constexpr double metres = 0.001;
-constexpr double object_size_m = 0.06;
+// A place is told, and no size: a ball marks it.
+constexpr double ball_m = 0.03;
 
 constexpr std::string_view transform_schema =
     R"({"title":"foxglove.FrameTransform","type":"object","properties":{"timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},"parent_frame_id":{"type":"string"},"child_frame_id":{"type":"string"},"translation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"rotation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}})";
@@ -102,14 +103,14 @@ std::string pose_json(const Datum& place) {
 std::string entity_json(const Fact& fact) {
   const std::string name(fact.datum[1].text());
   const std::string pose = pose_json(fact.datum);
-  const std::string cube = fmt::format(R"({{"pose":{},"size":{},"color":{{"r":0.9,"g":0.9,"b":0.9,"a":0.8}}}})", pose,
-                                       vector_json(object_size_m, object_size_m, object_size_m));
+  const std::string ball = fmt::format(R"({{"pose":{},"size":{},"color":{{"r":0.9,"g":0.9,"b":0.9,"a":0.8}}}})", pose,
+                                       vector_json(ball_m, ball_m, ball_m));
   const std::string label = fmt::format(
       R"({{"pose":{},"billboard":true,"font_size":14,"scale_invariant":true,"color":{{"r":1,"g":0.7,"b":0.2,"a":1}},"text":{}}})",
       pose, json_string(name));
   return fmt::format(
-      R"({{"deletions":[],"entities":[{{"timestamp":{},"frame_id":"base","id":{},"lifetime":{{"sec":0,"nsec":0}},"frame_locked":false,"metadata":[],"arrows":[],"cubes":[{}],"spheres":[],"cylinders":[],"lines":[],"triangles":[],"texts":[{}],"models":[]}}]}})",
-      time_json(fact.when), json_string(name), cube, label);
+      R"({{"deletions":[],"entities":[{{"timestamp":{},"frame_id":"base","id":{},"lifetime":{{"sec":0,"nsec":0}},"frame_locked":false,"metadata":[],"arrows":[],"cubes":[],"spheres":[{}],"cylinders":[],"lines":[],"triangles":[],"texts":[{}],"models":[]}}]}})",
+      time_json(fact.when), json_string(name), ball, label);
 }
 
 std::string deletion_json(const Fact& fact, Time when) {

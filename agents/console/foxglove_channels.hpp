@@ -4,7 +4,7 @@
 // made of facts. Lengths are metres there; the frame is `base`.
 //
 //   /tf       foxglove.FrameTransform   where each arm's grip is, from arm-pose
-//   /scene    foxglove.SceneUpdate      the objects where they are believed to be, from place
+//   /scene    foxglove.SceneUpdate      a ball where each object is believed to be, from place
 //   /story    foxglove.Log              from event
 //   /facts    pizarra.Fact              every fact that is followed, told or gone, as its text
 //   /camera, /annotated   foxglove.CompressedImage   what the eyes see and what they make of it, live alone

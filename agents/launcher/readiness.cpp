@@ -73,7 +73,7 @@ Task<Result<void>> await_devices(LocalCell& cell, Board& board, std::vector<std:
     std::string why = reason_of(ended);
     if (!ended) why = co_await trouble_of(device, board);
     const std::string sentence =
-        fmt::format("{} has not come to its {} within {} s{}", agent, device.name, seconds, why);
+        fmt::format("{} has not reached its {} within {} s{}", agent, device.name, seconds, why);
     co_return fail("no-device", sentence, Datum::symbol(agent));
   }
   co_return {};

@@ -117,7 +117,7 @@ Result<void> Script::move(std::span<const Datum> arguments) {
 Result<void> Script::path(std::span<const Datum> arguments) {
   if (arguments.empty()) return fail("bad-action", "it is (path VARIABLE ...)");
   for (const Datum& name : arguments) {
-    if (!name.is_symbol()) return fail("bad-action", "a path leads through learned variables", name);
+    if (!name.is_symbol()) return fail("bad-action", "a path takes names of learned variables alone", name);
     const Result<arm::Joints> joints = find_variable(variables_, name.text());
     if (!joints) return fail(joints);
     const Result<void> moved = path_.joints_to(*joints);

@@ -45,7 +45,7 @@ void Holds::see(const Change& change) {
   heard_.wake_all();
 }
 
-// Who holds on says so itself.
+// A hold counts only if its holder told it.
 void Holds::add(const Fact& fact) {
   if (!fact.datum[2].is_symbol(fact.teller)) return;
   const auto known = holds_.find(fact.teller);

@@ -47,7 +47,7 @@ Result<Motion> clamped_line(const arm::ArmModel& model, const arm::Joints& from,
   if (!mm) return fail(mm);
   ToolPath path(model, from, model.track_along_x ? ToolPath::Track::helps : ToolPath::Track::stays);
   const LineEnd end = path.line_by(along * *mm);
-  // That is no end of its reach.
+  // A singular pose on the way is a failure, and not the end of the reach.
   if (end.ended_by && end.ended_by->symbol == "singular") return fail(*end.ended_by);
   return Motion{path.waypoints(), end.ended_by && path.waypoints().empty()};
 }

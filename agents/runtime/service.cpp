@@ -274,7 +274,7 @@ Task<Result<Revision>> Service::deliver(Datum reply) {
 // restarted has forgotten both.
 Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
   const Query replied = query_for(list("reply"_sym, request[1], "?result"_sym));
-  Result<Answer> answer = fail("timeout", "there was no time to ask");
+  Result<Answer> answer = fail("timeout", "the time was over before the request was sent");
   while (context_.executor.now() < deadline) {
     const LeaseId presence = service_.presence();
     Transaction telling;

@@ -51,7 +51,7 @@ json compare_json(const KeyValues::Compare& compare) {
   return form;
 }
 
-std::unexpected<Failure> not_understood() { return fail("unavailable", "etcd answered what is not understood"); }
+std::unexpected<Failure> not_understood() { return fail("unavailable", "etcd gave an answer that is not understood"); }
 
 bool is_list_of_objects(const json& list) {
   return list.is_array() && std::ranges::all_of(list, [](const json& each) { return each.is_object(); });

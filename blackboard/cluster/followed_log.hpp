@@ -23,8 +23,6 @@ namespace pizarra::cluster {
 
 class FollowedLog {
  public:
-  // Replies are remembered for longer than any client waits for them.
-  static constexpr Duration replies_kept = 20s;
   // Entries may be large, or the line slow: half as many are asked for after an answer that did not come in time, and
   // one more after each that did. The leader's word may be among them.
   static constexpr std::size_t most_at_once = 128;
@@ -51,7 +49,7 @@ class FollowedLog {
   std::vector<journal::RememberedReply> replies() const;
   const LogWeight& weight() const { return weight_; }
 
-  // What a snapshot of it is: text of lines.
+  // As a snapshot of it: lines of text.
   std::string text() const;
 
  private:

@@ -93,7 +93,7 @@ Result<void> Leadership::say(KeyValues& key_values, const Alive& alive, Duration
     const Result<Alive> own = value.key == keys_.alive() ? alive_from(value.value) : fail("none", "");
     if (own && own->epoch == epoch_.number) alive_ = *own;
   }
-  return fail("unavailable", "an earlier sign of life went through late");
+  return fail("unavailable", "a sign of life that had seemed lost was written after all");
 }
 
 }  // namespace pizarra::cluster

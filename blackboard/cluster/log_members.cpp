@@ -31,7 +31,7 @@ Result<std::unique_ptr<EtcdMembers>> EtcdMembers::open(const LogAddress& others,
 
 // One after another, until one answers.
 Result<std::vector<LogMember>> EtcdMembers::members() {
-  Result<std::string> answer = fail("unavailable", "there are no others");
+  Result<std::string> answer = fail("unavailable", "the log has one member, and no other can be asked");
   for (std::size_t asked = 0; asked < count_ && !answer; ++asked) answer = between_->read(asked, "/members", patience);
   if (!answer) return fail(answer);
   return etcd_json::members_from(*answer);

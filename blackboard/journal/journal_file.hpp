@@ -40,8 +40,6 @@ struct History {
 
 class JournalFile : public Log {
  public:
-  // Replies are remembered for longer than any client waits for them.
-  static constexpr Duration replies_kept = 20s;
   // The rows that compaction takes in one slice, so that a board's next acknowledgement need not wait for more.
   static constexpr std::size_t largest_slice = 256 << 10;
 

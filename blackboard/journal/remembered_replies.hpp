@@ -16,9 +16,13 @@
 #include <string_view>
 #include <vector>
 
+#include "blackboard/time/clock.hpp"
 #include "lisp/datum.hpp"
 
 namespace pizarra::journal {
+
+// Longer than any client waits for them.
+constexpr Duration replies_kept = 20s;
 
 struct RememberedReply {
   std::uint64_t session = 0;

@@ -3,6 +3,7 @@
 #include "blackboard/server/in_doubt.hpp"
 #include "blackboard/store/index_maker.hpp"
 #include "blackboard/store/store.hpp"
+#include "blackboard/watch/commit_looks.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
 namespace pizarra::server {
@@ -11,7 +12,6 @@ namespace {
 
 // What a message takes whatever it asks for.
 constexpr std::size_t looks_a_message = 64;
-constexpr std::size_t bytes_a_look = 64;
 
 // Messages that a client must be able to send at any time to keep what it has.
 bool overtakes(const Datum& message) {
@@ -230,7 +230,7 @@ void BoardServer::go_on(wire::SessionId id) {
     if (!workload_.has_room()) return workload_.wait(session->client(), id);
     const Postponed::Message next = session->postponed.next();
     const std::size_t before = workload_.for_requests();
-    workload_.spend(looks_a_message + weigh(next.datum).bytes / bytes_a_look);
+    workload_.spend(looks_a_message + weigh(next.datum).bytes / watch::CommitLooks::bytes_a_look);
     perform(id, *session, next);
     workload_.spend(workload_.for_requests() - before);
   }

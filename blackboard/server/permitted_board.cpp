@@ -6,6 +6,7 @@
 #include "blackboard/memory/own_permissions.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
+#include "blackboard/watch/commit_looks.hpp"
 #include "blackboard/watch/watch_queue.hpp"
 #include "blackboard/wire/answer_form.hpp"
 
@@ -106,9 +107,8 @@ Result<Datum> PermittedBoard::ask(const Client& client, const Datum& body, std::
   if (!query) return fail(query);
   const Result<Answers> answers = answers_for(client, *query, examined);
   // To say them takes as long as to look at some more facts that are none.
-  constexpr std::size_t looks_an_answer = 8;
   if (!answers) return fail(answers);
-  examined += looks_an_answer * answers->answers.size();
+  examined += watch::CommitLooks::looks_an_answer * answers->answers.size();
   return wire::answers_to_datum(*answers);
 }
 

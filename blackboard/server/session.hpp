@@ -19,7 +19,7 @@ struct Session {
   std::optional<wire::PublicKey> key;
   Time heard{};
   ServedWatches watches;
-  bool holds = false;  // what it watches, and answers questions from it
+  bool holds = false;  // copies of what it watches, from which it answers questions itself
   Answered done;
   Answered refused;                // and not done
   store::IndexTicket awaited = 0;  // by its watches, or the first of what is postponed

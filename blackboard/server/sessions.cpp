@@ -1,6 +1,7 @@
 #include "blackboard/server/sessions.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <stdexcept>
 #include <sys/random.h>
 
@@ -66,8 +67,11 @@ Result<void> Sessions::check_room(const std::string& teller, const wire::PublicK
   });
   const std::size_t most_of_its = key != nullptr ? most_of_a_key : most_of_a_name;
   if (own < static_cast<std::ptrdiff_t>(most_of_its)) return {};
-  if (key != nullptr) return fail("too-large", "too many clients come with the key " + key->name);
-  return fail("too-large", "too many clients are called " + teller, to_datum(teller));
+  if (key != nullptr)
+    return fail("too-large",
+                fmt::format("{} clients with the key {} are here, and no more may come", most_of_its, key->name));
+  return fail("too-large", fmt::format("{} clients are called {}, and no more may come", most_of_its, teller),
+              to_datum(teller));
 }
 
 bool Sessions::end(wire::SessionId id) {

@@ -133,7 +133,7 @@ class Search {
     ++looks_;
     return looking_.at_one_more();
   }
-  // One for each fact takes no longer than the fact.
+  // The first comparison of each fact is free: it costs less than the fact did.
   bool look_at_comparison() { return ++comparisons_ <= looks_ || look(); }
 
   bool extend_by_fact(std::size_t step, const Bindings& bindings) {

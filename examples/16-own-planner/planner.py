@@ -116,7 +116,7 @@ def next_operation(number, facts):
         if needs[index] <= holds:
             rest = [[Symbol(word) for word in action.name] for action in plan[index:]]
             return index, rest, forms(needs[index]), forms(needs[min(index + 1, len(plan))])
-    raise Failure("off-plan", "no end of the plan serves", number)
+    raise Failure("off-plan", "no remaining part of the plan fits what holds now", number)
 
 
 agent.main()

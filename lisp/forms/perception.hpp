@@ -19,7 +19,7 @@ namespace pizarra::forms {
 // Names with their number of arguments.
 using Arities = std::vector<std::pair<std::string, std::size_t>>;
 
-// Of each cube that is known its edge, by its name.
+// The edge of each known cube, by its name.
 using EdgesMm = std::map<std::string, double, std::less<>>;
 
 // ((NAME ARITY) ...), as the Scheme modules take them.

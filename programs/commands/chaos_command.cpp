@@ -251,12 +251,14 @@ void add_chaos_command(CLI::App& app, int& status) {
   word->add_option("--plant", choices->plant, "Plant this fault into the cell, or `all` one after another, and find it")
       ->check(plant_fault)
       ->type_name("NAME");
-  word->add_option("--coverage", choices->coverage,
-                   "Write how many runs failed, were unsafe and hung, and how often each point was come to")
+  word->add_option(
+          "--coverage", choices->coverage,
+          "Write to this file how many runs failed, were unsafe and hung, and how often each point was reached")
       ->excludes(replay);
-  word->add_option("--reference", choices->reference,
-                   "A file of --coverage of the same runs: the status says whether no more fail, are unsafe or hang, "
-                   "and each point that it has five times or more is come to still")
+  word->add_option(
+          "--reference", choices->reference,
+          "A file of --coverage of the same runs. The status is 1 if more runs fail, are unsafe or hang, or if a "
+          "point that it counts five times or more is no longer reached")
       ->check(CLI::ExistingFile)
       ->excludes(replay);
   word->add_flag("--no-shrink", choices->no_shrink, "Leave out to look for the fewest faults that still fail");

@@ -175,8 +175,8 @@ TEST(Method, WhatAPageOrAProgramReadsIsRead) {
 TEST(Method, TheConsolesContractHasWhatItsPagesFollow) {
   const std::set<std::string> reads =
       names_in(list("contract"_sym, "console"_sym, form(console::reads_of_pages)), "reads");
-  // `follow('(place ?name ...)'` and `ask([sym('place'), ...`, of now alone or not, and of what a role's server tells.
-  const std::regex following(R"((?:follow(?:Always)?\((?:'[a-z]+', )?'\(|ask\(\[sym\(')([a-z-]+)[ '])");
+  // `follow('(place ?name ...)'`, of now alone or not, and of what a role's server tells; `query = [sym('place'), ...`.
+  const std::regex following(R"((?:follow(?:Always)?\((?:'[a-z]+', )?'\(|query = \[sym\(')([a-z-]+)[ '])");
   std::set<std::string> followed;
   for (const auto& file : std::filesystem::directory_iterator(source_dir() + "/agents/console/page/src")) {
     std::ifstream in(file.path());

@@ -139,7 +139,7 @@ Result<Eigen::Vector3d> Aims::free_spot_for(const Datum& target) {
 }
 
 Result<Aim> Aims::at(const Datum& target) {
-  if (!scene_.view()) return fail("unseen", "the camera has not said how it projects");
+  if (!scene_.view()) return fail("unseen", "the camera has not told its focal length and centre yet");
   const Result<Eigen::Vector3d> grip = this->grip();
   if (!grip) return fail(grip);
   if (target.is_symbol()) {

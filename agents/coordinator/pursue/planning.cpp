@@ -16,7 +16,7 @@ Facts facts_of(const Datum& facts) { return {facts.items().begin(), facts.items(
 // A planner that died meanwhile leaves the request to its successor, or, where another stands in, to that.
 Task<Result<Datum>> Planning::ask(Datum operation, Duration patience) {
   const Time deadline = context_.executor.now() + options_.absence_patience;
-  Result<Datum> reply = fail("replaced", "nobody was asked");
+  Result<Datum> reply = fail("replaced", "no planner could be asked");
   while (true) {
     const bool here = co_await roles_.wait_for("planner", deadline);
     const Datum planner = Datum::symbol(roles_.holder("planner").server);

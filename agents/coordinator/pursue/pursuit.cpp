@@ -89,7 +89,7 @@ Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {
   if (!planned) co_return fail(planned);
   const Result<std::optional<NextOperation>> plan = co_await plan_.next(goal.number);
   if (!plan) co_return fail(plan);
-  if (!*plan) co_return fail("off-plan", "the first plan did not serve to begin with");
+  if (!*plan) co_return fail("off-plan", "the first plan does not fit what holds");
   const NextOperation first = **plan;
   vigil_.rest();
   for (std::size_t i = 0; i < first.rest.size(); ++i) {
@@ -132,7 +132,8 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     if (!recovered) co_return recovered;
     co_await search_.await_steady(objects);
   }
-  co_return fail("gave-up", "the goal was not reached in a great many operations");
+  co_return fail("gave-up",
+                 fmt::format("the goal was not reached in {} rounds of looking, choosing and acting", most_rounds));
 }
 
 Task<Result<std::optional<NextOperation>>> Pursuit::choose(Goal goal, Progress& progress) {

@@ -251,7 +251,7 @@ Task<Result<Datum>> PlannerAgent::State::next_operation(std::int64_t number, Dat
   if (!runs) co_return fail("not-ready", "no plan of this number runs: make-plan comes first", Datum::integer(number));
   const RunningPlan::Facts facts_now(holding.items().begin(), holding.items().end());
   const std::optional<std::size_t> next = plan->next(facts_now);
-  if (!next) co_return fail("off-plan", "no end of the plan serves from what holds now", Datum::integer(number));
+  if (!next) co_return fail("off-plan", "no remaining part of the plan fits what holds now", Datum::integer(number));
   co_return plan->from(*next);
 }
 

@@ -11,7 +11,7 @@
 namespace pizarra::planner {
 
 struct Nearness {
-  // Of no use where this was cancelled.
+  // Its parts are incomplete if this was cancelled.
   explicit Nearness(
       const Problem& problem, const std::function<bool()>& cancelled = [] { return false; })
       : compact(problem), invariants(problem, compact, cancelled), estimate(compact, invariants, cancelled) {}

@@ -24,7 +24,7 @@ Result<void> GroundFacts::check() const {
   Key keys = task_.predicates.size() + 1;
   for (std::size_t i = 0; i < arity; ++i) {
     if (keys > std::numeric_limits<Key>::max() / (task_.objects.size() + 1)) {
-      return fail("too-large", "too many objects for facts with so many arguments");
+      return fail("too-large", "there are too many objects for predicates with so many arguments");
     }
     keys *= task_.objects.size() + 1;
   }

@@ -15,7 +15,7 @@
 
 namespace pizarra::planner {
 
-// Of every parameter: an object.
+// The object of each parameter, by its index.
 using Binding = std::vector<std::size_t>;
 
 class GroundFacts {

@@ -25,7 +25,7 @@ class StateTeller {
   // idle, capturing, learning, finding, tracking
   std::string_view mode() const;
   Task<void> tell();
-  // Of this only who holds what.
+  // Only which client holds which mode.
   Task<void> tell_holders();
   bool has_news() const { return told_drops_ != camera_.drops(); }
 

@@ -10,7 +10,7 @@
 
 namespace pizarra::vision {
 
-// As Likeness has them; infinite of what matches nothing.
+// The two doubts of a Likeness; infinite where nothing matches.
 struct ShapeDoubt {
   double doubt = std::numeric_limits<double>::infinity();
   double unlearned = std::numeric_limits<double>::infinity();

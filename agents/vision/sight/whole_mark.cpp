@@ -224,7 +224,7 @@ void WholeMark::follow(const SeenMark& mark, Time captured) {
   looked_at_ = captured;
   if (held) return;
   for (std::size_t i = 0; i < seen.size(); ++i) follow(axes_[i], now[i], seen[i], by_covering[i], seconds, frame);
-  // Where it went unseen is no unrest.
+  // How far it moved while it was hidden says nothing of how restless it is.
   const double moved = was_hidden ? 0 : norm_of(seen[0].moved, seen[1].moved);
   unrest_ = std::max((1 - gain(unrest_rate, frame)) * unrest_, moved);
   followed_ = captured;

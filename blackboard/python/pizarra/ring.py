@@ -76,7 +76,7 @@ class RingGuest:
             self._socket.connect("\0" + door)
             owner = struct.unpack("3i", self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12))[1]
             if owner not in (0, os.geteuid()):
-                raise PermissionError("another user has this door")
+                raise PermissionError("the process that shows these images belongs to another user")
             self._socket.setblocking(False)
             self._socket.send(stream.encode())
             self._epoll.register(self._socket, select.EPOLLIN)

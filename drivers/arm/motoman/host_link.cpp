@@ -68,7 +68,7 @@ Task<Result<std::uint32_t>> HostLink::alarm_code() {
 Task<Result<MotomanPulses>> HostLink::pulses() {
   const Result<std::vector<double>> told = co_await ask("RPOSJ", "", robot_axes);
   if (!told) co_return fail(told);
-  if (told->size() > most_axes_told) co_return fail("bad-reply", "the controller tells of over 12 axes");
+  if (told->size() > most_axes_told) co_return fail("bad-reply", "the controller tells more than 12 axes");
   MotomanPulses pulses{};
   for (std::size_t axis = 0; axis < std::min(told->size(), pulses.size()); ++axis) {
     const Result<std::int32_t> count = whole_number((*told)[axis], fmt::format("axis {}", axis + 1));

@@ -122,7 +122,9 @@ Task<Result<std::string>> UniversalArm::identify() {
   if (!told) co_return fail(told);
   programs_ = std::max(programs_, state_.marker / 2);
   const bool stands = std::abs(degrees(state_.joints_rad[wrist_2]) - wrist_2_deg) <= wrist_2_slack_deg;
-  if (!stands) co_return fail("unknown-arm", "wrist 2 does not stand at -90 degrees", to_datum(wrist_2 + 1));
+  if (!stands)
+    co_return fail("unknown-arm", "wrist 2 does not stand at -90 degrees: turn it there by the pendant",
+                   to_datum(wrist_2 + 1));
   co_return type;
 }
 

@@ -76,7 +76,7 @@ told.tell();
 await until(() => heard.get('/scene').some(({ deletions }) => deletions.some(({ id }) => id === 'square')));
 const scene = heard.get('/scene').flatMap(({ entities }) => entities);
 expect(scene.map(({ id }) => id).join() === 'cross,circle,square', 'objects come to stand in the scene, and go');
-expect(Math.abs(scene[1].cubes[0].pose.position.x - 0.4) < 1e-9, 'in metres');
+expect(Math.abs(scene[1].spheres[0].pose.position.x - 0.4) < 1e-9, 'in metres');
 const poses = 31;
 await until(() => heard.get('/tf').length === poses);
 const moved = heard.get('/tf');

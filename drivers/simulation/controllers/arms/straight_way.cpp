@@ -23,7 +23,7 @@ Result<StraightWay> straight_way(const arm::ArmModel& model, const arm::Joints& 
   const Eigen::Quaterniond turning(to.linear());
   const double length_mm = (to.translation() - begin.translation()).norm();
   const double steps_needed = std::ceil(std::max(length_mm / step_mm, turned.angularDistance(turning) / step_rad));
-  if (!(steps_needed <= most_steps)) return fail("unreachable", "the line is too long");
+  if (!(steps_needed <= most_steps)) return fail("unreachable", "the straight way is too long");
   const int steps = std::max(1, static_cast<int>(steps_needed));
   StraightWay way{{}, 1};
   double seconds = 0;
