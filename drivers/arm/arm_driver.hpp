@@ -9,6 +9,10 @@
 // may mend: the pendant, a hold, an alarm, servos that are off), busy, joint-limit, not-finite, bad-joints,
 // disconnected; refused (the controller's own code as subject).
 //
+//   const Result<void> control = co_await driver.take_control();
+//   const Result<void> begun = co_await driver.start_move({joints}, 0.1);      // at a tenth of the axes' speeds
+//   const Result<ArmReading> now = co_await driver.read();                     // until it moves no more
+//
 // Any of an arm's lines may fall silent by itself. stop() goes out at once by every line that still takes something,
 // and states_heard() goes on counting, whatever read() or identify() wait for. So the robot agent notices by
 // states_heard() that the arm moves unseen, and ends that by stop() (agents/robot/silence.hpp).

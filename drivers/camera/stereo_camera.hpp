@@ -2,6 +2,11 @@
 
 // A pair of cameras that look the same way, a base line apart. One implementation a device; the simulated one is in
 // drivers/simulation/, video_camera.hpp has the others.
+//
+// Lifecycle: open(), and again after a failure; then next(), with the time of the frame before.
+//
+//   const Result<StereoModel> model = co_await camera.open();
+//   const Result<StereoFrame> frame = co_await camera.next(after, false);     // grey alone; waits for it
 
 #include <cstdint>
 #include <memory>

@@ -6,6 +6,10 @@
 // Lifecycle: connect() whenever somebody takes control, which alone activates it or resets its fault; start() and
 // read() at any time. Every call ends within a second or two, connect() within ten. Failures: not-finite, disconnected,
 // bad-reply; refused, whose subject is the gripper's code; not-in-control, where it has a fault or cannot be activated.
+//
+//   const Result<void> ready = co_await gripper.connect();
+//   const Result<void> begun = co_await gripper.start(40);
+//   const Result<GripperReading> now = co_await gripper.read();      // until it moves no more; gripped: it holds it
 
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"

@@ -8,6 +8,10 @@
 // again.
 //
 // Other failures: out-of-range (with the axis as subject), not-finite, refused (the unit's own words).
+//
+//   const Result<PanTiltRange> range = co_await unit.connect();
+//   const Result<void> begun = co_await unit.move_to(PanTiltAxis::pan, 8);
+//   const Result<PanTiltReading> now = co_await unit.read();         // until it moves no more
 
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"

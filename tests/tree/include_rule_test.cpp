@@ -137,6 +137,31 @@ TEST(IncludeRule, EachRoomOfTheEyesIncludesOnlyTheRoomsItStandsOn) {
   expect_rooms("agents/vision/", may);
 }
 
+TEST(IncludeRule, EachRoomOfTheDriversIncludesOnlyTheRoomsItStandsOn) {
+  const Rooms may = {{"line", {}},         {"camera", {}},
+                     {"plugin", {}},       {"arm", {"line"}},
+                     {"gripper", {"arm"}}, {"ptu", {"line"}},
+                     {"pddl_planner", {}}, {"simulation", {"line", "arm", "camera", "gripper", "ptu"}}};
+  expect_rooms("drivers/", may);
+}
+
+TEST(IncludeRule, EachProgramIncludesOnlyTheRoomsItStandsOn) {
+  const Rooms may = {{"command_line", {}},
+                     {"story", {}},
+                     {"method", {}},
+                     {"chaos", {"story"}},
+                     {"commands", {"command_line", "story", "method", "chaos"}},
+                     {"agent", {"command_line"}},
+                     {"board", {"command_line"}},
+                     {"door", {"command_line"}},
+                     {"emulate", {"command_line"}},
+                     {"keys", {"command_line"}},
+                     {"plan", {"command_line"}},
+                     {"plugin", {"command_line"}},
+                     {"scheme", {"command_line"}}};
+  expect_rooms("programs/", may);
+}
+
 TEST(IncludeRule, TheSimulatedWorldIsReachedByDriversThePersonAndTheLauncherAlone) {
   for (const auto& [from, to] : own_includes()) {
     if (!to.starts_with("drivers/simulation/")) continue;
