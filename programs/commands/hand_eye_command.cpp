@@ -12,7 +12,7 @@
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
-#include "programs/commands/hand_eye.hpp"
+#include "programs/hand_eye/hand_eye.hpp"
 #include "programs/story/output_file.hpp"
 
 namespace pizarra::programs {
@@ -40,38 +40,39 @@ void print_line(const HandEyeChoices& choices, const std::string& line) {
   std::fflush(stdout);
 }
 
-Task<void> keep(Task<Result<HandEyeResult>> finding, Result<HandEyeResult>& found) {
+Task<void> keep(Task<Result<hand_eye::HandEyeResult>> finding, Result<hand_eye::HandEyeResult>& found) {
   found = co_await std::move(finding);
 }
 
-Result<HandEyeResult> finished(Executor& executor, Task<Result<HandEyeResult>> finding) {
-  Result<HandEyeResult> found = fail("interrupted", "the calibration did not end");
+Result<hand_eye::HandEyeResult> finished(Executor& executor, Task<Result<hand_eye::HandEyeResult>> finding) {
+  Result<hand_eye::HandEyeResult> found = fail("interrupted", "the calibration did not end");
   const Job job = executor.spawn(keep(std::move(finding), found));
   executor.run_until([&job] { return job.done(); });
   return found;
 }
 
 // The cell's own arm and eyes, where both are simulated: in virtual time, in this process.
-Result<HandEyeResult> find_in_simulation(const HandEyeChoices& choices, forms::CellDescription description,
-                                         const arm::ArmModel& arm, const HandEye::Tell& tell) {
+Result<hand_eye::HandEyeResult> find_in_simulation(const HandEyeChoices& choices, forms::CellDescription description,
+                                                   const arm::ArmModel& arm, const hand_eye::HandEye::Tell& tell) {
   description.objects_directory.clear();
   const Result<simulation::WorldConfig> config = launcher::world_config(description, choices.seed);
   if (!config) return fail(config);
   VirtualExecutor executor;
   launcher::LocalCell cell(executor, description, choices.seed);
   const std::unique_ptr<Board> board = cell.board().view("hand-eye");
-  HandEye hand_eye(executor, *board, cell.description(), arm, choices.poses, tell);
-  return finished(executor, find_in_local_cell(cell, *board, hand_eye));
+  hand_eye::HandEye hand_eye(executor, *board, cell.description(), arm, choices.poses, tell);
+  return finished(executor, hand_eye::find_in_local_cell(cell, *board, hand_eye));
 }
 
-Result<HandEyeResult> find_in_running_cell(const HandEyeChoices& choices, const forms::CellDescription& description,
-                                           const arm::ArmModel& arm, const HandEye::Tell& tell) {
+Result<hand_eye::HandEyeResult> find_in_running_cell(const HandEyeChoices& choices,
+                                                     const forms::CellDescription& description,
+                                                     const arm::ArmModel& arm, const hand_eye::HandEye::Tell& tell) {
   const Result<Destination> to = destination({.board = {}, .cell = choices.running, .key = choices.key});
   if (!to) return fail(to);
   RealExecutor executor;
   const auto board = client::keyed_board(executor, to->address, to->key, "hand-eye");
   if (!board) return fail(board);
-  HandEye hand_eye(executor, **board, description, arm, choices.poses, tell);
+  hand_eye::HandEye hand_eye(executor, **board, description, arm, choices.poses, tell);
   return finished(executor, hand_eye.run());
 }
 
@@ -85,8 +86,8 @@ std::string axis_words(const forms::HeadAxis& axis) {
                      axis.at_mm[2], axis.along[0], axis.along[1], axis.along[2]);
 }
 
-void print_head(const HandEyeChoices& choices, const HandEyeResult& found) {
-  const HandEyeResult::Head& head = *found.head;
+void print_head(const HandEyeChoices& choices, const hand_eye::HandEyeResult& found) {
+  const hand_eye::HandEyeResult::Head& head = *found.head;
   const forms::HeadAxes& axes = *found.camera.pose.axes;
   if (choices.json) {
     fmt::print(
@@ -103,7 +104,7 @@ void print_head(const HandEyeChoices& choices, const HandEyeResult& found) {
       axis_words(axes.pan), axis_words(axes.tilt), head.sure_mm, head.sure_deg);
 }
 
-void print_result(const HandEyeChoices& choices, const HandEyeResult& found) {
+void print_result(const HandEyeChoices& choices, const hand_eye::HandEyeResult& found) {
   const forms::CameraPose& pose = found.camera.pose;
   if (choices.json) {
     fmt::print(
@@ -122,9 +123,10 @@ void print_result(const HandEyeChoices& choices, const HandEyeResult& found) {
       found.camera.sure_deg);
 }
 
-int keep_result(const HandEyeChoices& choices, const forms::CellDescription& cell, const HandEyeResult& found) {
+int keep_result(const HandEyeChoices& choices, const forms::CellDescription& cell,
+                const hand_eye::HandEyeResult& found) {
   const std::string out = choices.out.empty() ? cell.camera_pose_file : choices.out;
-  const std::string text = write_believed_camera(found.camera);
+  const std::string text = hand_eye::write_believed_camera(found.camera);
   if (out.empty()) {
     print_line(choices, "in the cell file: " + text.substr(0, text.size() - 1));
     return exit_reached;
@@ -141,9 +143,9 @@ int run_hand_eye(const HandEyeChoices& choices) {
   if (!cell) return complain_as(style_of(choices), cell.error(), exit_usage);
   const Result<arm::ArmModel> arm = arm::read_arm_file(cell->arm_file);
   if (!arm) return complain_as(style_of(choices), arm.error(), exit_usage);
-  const HandEye::Tell tell = [&choices](const std::string& line) { print_line(choices, line); };
+  const hand_eye::HandEye::Tell tell = [&choices](const std::string& line) { print_line(choices, line); };
   const bool simulated = cell->arm_line.protocol.empty() && cell->eyes.is_simulated() && choices.running.empty();
-  const Result<HandEyeResult> found =
+  const Result<hand_eye::HandEyeResult> found =
       simulated ? find_in_simulation(choices, *cell, *arm, tell) : find_in_running_cell(choices, *cell, *arm, tell);
   if (!found) return complain_as(style_of(choices), found.error(), exit_failed);
   print_result(choices, *found);

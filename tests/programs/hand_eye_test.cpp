@@ -1,4 +1,4 @@
-#include "programs/commands/hand_eye.hpp"
+#include "programs/hand_eye/hand_eye.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "lisp/guile/interpret.hpp"
-#include "programs/commands/head_angles.hpp"
+#include "programs/hand_eye/head_angles.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 namespace {
 
 const coordinator::CameraModel model;
@@ -257,4 +257,4 @@ TEST(HandEye, FindsTheAxesOfTheSimulatedHeadWithinAMillimetreAndATenthOfADegree)
 }
 
 }  // namespace
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

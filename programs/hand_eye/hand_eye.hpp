@@ -17,11 +17,11 @@
 #include "agents/launcher/local_cell.hpp"
 #include "agents/runtime/roles.hpp"
 #include "lisp/forms/cell_file.hpp"
-#include "programs/commands/hand_eye_poses.hpp"
-#include "programs/commands/hand_eye_solution.hpp"
-#include "programs/commands/turned_head.hpp"
+#include "programs/hand_eye/hand_eye_poses.hpp"
+#include "programs/hand_eye/hand_eye_solution.hpp"
+#include "programs/hand_eye/turned_head.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 class HandEye {
  public:
@@ -69,4 +69,4 @@ class HandEye {
 // The same in a simulated cell of this process: its agents are started, and the person teaches the eyes.
 Task<Result<HandEyeResult>> find_in_local_cell(launcher::LocalCell& cell, Board& board, HandEye& hand_eye);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

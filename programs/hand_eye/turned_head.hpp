@@ -11,7 +11,7 @@
 #include "drivers/ptu/head_axes.hpp"
 #include "drivers/ptu/pan_tilt_driver.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 class TurnedHead {
  public:
@@ -31,4 +31,4 @@ class TurnedHead {
   runtime::Caller& caller_;
 };
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

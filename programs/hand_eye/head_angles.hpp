@@ -10,7 +10,7 @@
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "drivers/ptu/pan_tilt_driver.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 // At most `wanted`; the middle is none of them. `mark_mm` in the base frame. `margin_mm`: how far the mark must be from
 // the edge of the view, since nobody knows yet where that is.
@@ -18,4 +18,4 @@ std::vector<ptu::HeadTurn> angles_to_turn_to(const forms::CameraPose& pose, cons
                                              const Eigen::Vector3d& mark_mm, const ptu::PanTiltRange& range,
                                              double margin_mm, std::size_t wanted);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -8,7 +8,7 @@
 
 #include "agents/coordinator/geometry/camera_pose.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 struct HeadFit {
   coordinator::MountedCamera camera;
@@ -22,4 +22,4 @@ struct HeadFit {
 HeadFit fit_head(const coordinator::MountedCamera& guess, std::span<const coordinator::MarkPair> pairs,
                  const coordinator::CameraModel& model);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

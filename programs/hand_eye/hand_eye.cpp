@@ -1,4 +1,4 @@
-#include "programs/commands/hand_eye.hpp"
+#include "programs/hand_eye/hand_eye.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include "agents/launcher/agent_factory.hpp"
 #include "agents/launcher/readiness.hpp"
 #include "lisp/numbers.hpp"
-#include "programs/commands/head_angles.hpp"
+#include "programs/hand_eye/head_angles.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 namespace {
 
@@ -274,4 +274,4 @@ Task<Result<HandEyeResult>> find_in_local_cell(launcher::LocalCell& cell, Board&
   co_return co_await hand_eye.run();
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -1,13 +1,13 @@
-#include "programs/commands/hand_eye_poses.hpp"
+#include "programs/hand_eye/hand_eye_poses.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "lisp/numbers.hpp"
-#include "programs/commands/spread_out.hpp"
+#include "programs/hand_eye/spread_out.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coord
   return ordered;
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 template <class Thing, class Apart>
 std::vector<Thing> spread_out(const std::vector<Thing>& things, std::size_t wanted, const Apart& apart) {
@@ -23,4 +23,4 @@ std::vector<Thing> spread_out(const std::vector<Thing>& things, std::size_t want
   return chosen;
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -1,4 +1,4 @@
-#include "programs/commands/hand_eye_solution.hpp"
+#include "programs/hand_eye/hand_eye_solution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include "lisp/numbers.hpp"
 #include "lisp/writer.hpp"
-#include "programs/commands/head_fit.hpp"
+#include "programs/hand_eye/head_fit.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 namespace {
 
@@ -210,4 +210,4 @@ std::string write_believed_camera(const forms::BelievedCamera& camera) {
   return write(Datum::list(std::move(section))) + "\n";
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -1,6 +1,6 @@
-#include "programs/commands/turned_head.hpp"
+#include "programs/hand_eye/turned_head.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 namespace {
 
@@ -46,4 +46,4 @@ Task<Result<ptu::HeadTurn>> TurnedHead::turn_to(ptu::HeadTurn turn) {
   co_return fail("still-turning", "the pan-tilt unit does not come to rest");
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -1,10 +1,10 @@
-#include "programs/commands/head_angles.hpp"
+#include "programs/hand_eye/head_angles.hpp"
 
 #include <cmath>
 
-#include "programs/commands/spread_out.hpp"
+#include "programs/hand_eye/spread_out.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::vector<ptu::HeadTurn> angles_to_turn_to(const forms::CameraPose& pose, cons
   return spread_out(possible, wanted, turned_apart);
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

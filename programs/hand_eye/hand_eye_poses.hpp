@@ -11,7 +11,7 @@
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 struct CarriedPose {
   Eigen::Vector3d grip_mm;
@@ -31,4 +31,4 @@ std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coord
                                            const Eigen::Vector3d& mark_mm, const CarryingRoom& room, double margin_mm,
                                            std::size_t wanted);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

@@ -13,7 +13,7 @@
 
 #include "agents/coordinator/geometry/camera_pose.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 constexpr const char* hand_mark = "end-effector";
 
@@ -50,4 +50,4 @@ Result<HandEyeResult> solve_head(const HandEyeResult& unturned, const SeenPairs&
 // As a file for a cell's (camera-pose ... (file ...)).
 std::string write_believed_camera(const forms::BelievedCamera& camera);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye

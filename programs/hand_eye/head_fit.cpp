@@ -1,9 +1,9 @@
-#include "programs/commands/head_fit.hpp"
+#include "programs/hand_eye/head_fit.hpp"
 
 #include "agents/coordinator/geometry/mark_fit.hpp"
 #include "lisp/numbers.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::hand_eye {
 
 namespace {
 
@@ -79,4 +79,4 @@ HeadFit fit_head(const coordinator::MountedCamera& guess, std::span<const coordi
           .error_px = fit.error_px};
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::hand_eye
