@@ -89,4 +89,8 @@ std::string refusal_text(std::int64_t request, const Failure& failure) {
   return failed_text("reply", request, failure);
 }
 
+std::string of_the_past(std::string text, const std::string& past) {
+  return past.empty() ? text : fmt::format("{{\"past\":{},{}", past, text.substr(1));
+}
+
 }  // namespace pizarra::console

@@ -32,4 +32,7 @@ std::string failed_watch_text(std::int64_t watch, const Failure& failure);
 std::string reply_text(std::int64_t request, const Datum& values);
 std::string refusal_text(std::int64_t request, const Failure& failure);
 
+// One of these texts with the moment of which it is, "past", in microseconds; as it is where that is empty: now.
+std::string of_the_past(std::string text, const std::string& past);
+
 }  // namespace pizarra::console

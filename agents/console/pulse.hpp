@@ -16,6 +16,8 @@
 
 namespace pizarra::console {
 
+inline double milliseconds(Duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
+
 class Pulse {
  public:
   static constexpr Duration quick = 50ms;  // while an arm is in the page's hands

@@ -41,40 +41,22 @@
 // 256 kB of it, has its watches wait: the board resynchronises them.
 
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "agents/console/page_images.hpp"
-#include "agents/console/page_instruments.hpp"
+#include "agents/console/cell_view.hpp"
+#include "agents/console/image_feed.hpp"
+#include "agents/console/instruments.hpp"
+#include "agents/console/kept_changes.hpp"
+#include "agents/console/page_board.hpp"
 #include "agents/console/page_voice.hpp"
 #include "agents/console/picture_store.hpp"
-#include "agents/console/pulse.hpp"
-#include "agents/console/reach_outline.hpp"
-#include "agents/runtime/service.hpp"
-#include "blackboard/time/latch.hpp"
-#include "drivers/arm/arm_model.hpp"
-#include "lisp/forms/camera_pose.hpp"
+#include "agents/console/truth_feed.hpp"
 
 namespace pizarra::console {
 
-// What is known of the cell from its file: nothing of it is on the board.
-struct CellView {
-  std::string name;
-  std::map<std::string, arm::ArmModel> arms;         // by their agents' names
-  std::optional<forms::CameraPose> camera;           // in the base frame
-  bool head = false;                                 // a unit turns it from there, and tells by how much
-  double cube_mm = 60;                               // the length of what is drawn as a cube
-  std::map<std::string, ReachOutline> reaches = {};  // of these arms, at the height of a cube's middle
-};
-
 class Session {
  public:
-  static constexpr std::size_t max_watches = 64;
-  static constexpr std::size_t max_requests = 16;
-
   struct Setup {
     Executor& executor;
     ImageFeeds& images;
@@ -99,7 +81,7 @@ class Session {
   ~Session();
 
   // One more connection of the page, for its images, while it takes one.
-  bool takes_lane() const { return !leaving_ && images_->takes_lane(); }
+  bool takes_lane() const;
   void add_lane(UpgradedSocket socket);
   // As if the page had gone.
   void leave();
@@ -108,98 +90,22 @@ class Session {
 
  private:
   struct Verb;
-  using Number = std::int64_t;
-  // A jog that the page holds on to. The page's word counts while it is younger than the deadline.
-  struct Jog {
-    Number number;  // of the request
-    Datum robot;
-    Duration deadline;
-    bool released = false;
-  };
+  struct Parts;
 
   void hear(std::string_view message);
   bool hear_on_lane(const Datum& form);
-  // False where it is refused.
-  bool begin_request(Number number, Task<void> task);
-
-  void follow(const Datum& form);
-  void watch(const Datum& form);
-  void unwatch(const Datum& form);
-  void ask(const Datum& form);
-  void then(const Datum& form);
-  void picture(const Datum& form);
-  void request(const Datum& form);
-  void goal(const Datum& form);
-  void stop(const Datum& form);
-  void clear_stops(const Datum& form);
-  void command(const Datum& form);
-  void take_over(const Datum& form);
-  void let_go(const Datum& form);
-  void ask_for(const Datum& form);
-  void ask_no_more(const Datum& form);
-  void stamp(const Datum& form);
-  void jog(const Datum& form);
-  void hold_on(const Datum& form);
-  void release(const Datum& form);
-  void look(const Datum& form);
-  void look_away(const Datum& form);
-  void heard(const Datum& form);
-
   Task<void> open();
   Task<void> run_out();
   Task<void> close_board();
-  Task<void> say_goodbye();
-  Task<void> start_watch(Number number, Query query, bool when_declared);
-  Task<void> send_changes(Number number, std::unique_ptr<Watch> watch);
-  Task<void> ask_now(Number number, Query query);
-  Task<void> ask_then(Number number, Query query);
-  Task<void> show_kept(Number number, std::string stream, Time moment);
-  Task<void> look_if_readable(std::string stream);
-  void say_arms(const std::vector<Answer>& answers, const std::string& past);
-  Task<void> follow_arms();
-  Task<void> ask_agent(Number number, std::string agent, Datum operation);
-  Task<Result<Datum>> answer_of(std::string agent, Datum operation);
-  Task<void> keep_beating();
-  Task<void> follow_hands();
-  Task<void> jog_while_held(Number number, Datum robot, Datum direction, Duration deadline);
-  Task<Result<Revision>> tell_hold(Datum robot);
-  Task<void> renew_hold(Datum robot);
-  Task<void> take_hold_back(Datum robot);
-  Task<void> pursue(Number number, std::string text);
-  Task<void> say_end_of_goal(Number number, Datum goal, std::string text);
-  Task<bool> being_taught();
-  Task<void> declare_wishes();
-  Task<void> tell_stop(Number number, std::string reason);
-  Task<void> change_board(Number number, Transaction transaction, Failure otherwise);
 
   Setup setup_;
-  runtime::AgentContext context_;
-  runtime::Service service_;
-  runtime::Caller caller_;
-  bool leaving_ = false;
-  Executor::TimerId going_timer_ = 0;  // of a page that was dismissed
-  Pulse pulse_;
-  bool in_hand_ = false;  // an arm is
-  WaitList hands_changed_;
-  std::optional<Jog> jog_;
-  Number newest_jog_ = 0;
-  Number newest_stop_ = 0;
-  std::int64_t holds_told_ = 0;
-  std::unique_ptr<PageImages> images_;
+  PageBoard board_;
   PageVoice voice_;
-  std::unique_ptr<PageInstruments> instruments_;
+  std::unique_ptr<Parts> parts_;       // none: the page has left
+  Executor::TimerId going_timer_ = 0;  // of a page that was dismissed
   Job opening_;
   Job running_out_;
-  Job arms_;
-  Job beating_;
-  Job hands_;
-  Job holding_;     // the newest hold on its way to the board
-  Job letting_go_;  // its end
   Job closing_;
-  std::map<std::string, Job> looks_;
-  std::map<Number, Job> watches_;
-  std::map<Number, Job> requests_;
-  std::vector<Job> stopping_;
 };
 
 }  // namespace pizarra::console

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "agents/console/pulse.hpp"
 #include "lisp/reader.hpp"
 #include "tests/agents/console/console_fixture.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/console/page_images.hpp"
 #include "tests/agents/console/console_fixture.hpp"
 #include "tests/blackboard/passing_board.hpp"
 

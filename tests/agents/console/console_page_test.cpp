@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "agents/console/change_text.hpp"
+#include "agents/console/numbered_requests.hpp"
 #include "blackboard/boards_own.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -248,7 +249,7 @@ TEST_F(ConsoleTest, TellsAStopWhateverElseIsInHand) {
   ASSERT_TRUE(run(executor_, here_->tell(list("agent"_sym, "robot"_sym, "robot"_sym, "localhost"))));
   const auto client = page(cookie());
   const std::string answer = serve([&] {
-    for (std::size_t i = 0; i < Session::max_requests; ++i) {
+    for (std::size_t i = 0; i < NumberedRequests::most; ++i) {
       client->send_frame(RawClient::text, fmt::format("(request {} robot (home))", i + 100));
     }
     client->send_frame(RawClient::text, "(stop 1 \"a hand\")");
