@@ -14,7 +14,7 @@ namespace {
 
 // The facts that a person typed: alone, or within the `goal` that a prompt wants around them.
 Result<Datum> goal_form(const std::string& text) {
-  const ReadLimits limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
+  const ReadLimits limits{.bytes = web::WebSocket::max_message, .depth = 32, .elements = 4000};
   const Result<Source> source = read_source(text, "goal", limits);
   if (!source) return fail(source);
   const std::vector<Datum>& typed = source->data();

@@ -16,7 +16,7 @@ constexpr std::string_view bearer = "Bearer ";
 constexpr std::size_t web_socket_key_size = 24;
 constexpr std::string_view lanes_path = "/socket/";
 
-HttpAnswer plain(unsigned status, std::string sentence) {
+web::HttpAnswer plain(unsigned status, std::string sentence) {
   return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
 }
 
@@ -29,23 +29,23 @@ std::string content_policy(const std::vector<std::string>& sockets) {
       fmt::join(sockets, " "));
 }
 
-bool asks_for_web_socket(const HttpRequest& request) {
+bool asks_for_web_socket(const web::HttpRequest& request) {
   return request.method == "GET" && (request.upgrade == "websocket" || request.upgrade == "WebSocket") &&
          request.web_socket_version == "13" && request.web_socket_key.size() == web_socket_key_size;
 }
 
 // Nothing: a page that was let in asks for one.
-std::optional<HttpAnswer> why_no_connection(const HttpRequest& request,
-                                            const std::optional<Access::Admitted>& session) {
+std::optional<web::HttpAnswer> why_no_connection(const web::HttpRequest& request,
+                                                 const std::optional<Access::Admitted>& session) {
   if (!session) return plain(403, "no session: open the address that the console printed");
   if (!asks_for_web_socket(request)) return plain(426, "here is a WebSocket alone");
   if (request.origin.empty()) return plain(403, "only the page may connect");
   return std::nullopt;
 }
 
-HttpAnswer web_socket_answer(const HttpRequest& request) {
-  HttpAnswer answer{.status = 101};
-  answer.headers = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", web_socket_accept(request.web_socket_key)}};
+web::HttpAnswer web_socket_answer(const web::HttpRequest& request) {
+  web::HttpAnswer answer{.status = 101};
+  answer.headers = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", web::web_socket_accept(request.web_socket_key)}};
   return answer;
 }
 
@@ -54,7 +54,7 @@ HttpAnswer web_socket_answer(const HttpRequest& request) {
 Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   Result<PageFiles> page = PageFiles::read(setup.page_folder);
   if (!page) return fail(page);
-  HttpServer::Place place{.port = setup.port};
+  web::HttpServer::Place place{.port = setup.port};
   Access::Door door;
   if (setup.abroad) {
     const Abroad& abroad = *setup.abroad;
@@ -63,8 +63,8 @@ Result<std::unique_ptr<Console>> Console::open(Setup setup) {
   }
   std::unique_ptr<Console> console(new Console(std::move(setup), std::move(*page)));
   Console* self = console.get();
-  auto server = HttpServer::listen(self->setup_.executor, place,
-                                   [self](const HttpRequest& request) { return self->answer(request); });
+  auto server = web::HttpServer::listen(self->setup_.executor, place,
+                                        [self](const web::HttpRequest& request) { return self->answer(request); });
   if (!server) return fail(server);
   console->server_ = std::move(*server);
   door.port = console->server_->port();
@@ -136,7 +136,7 @@ Task<void> Console::close() {
   co_await wiring_->leave();
 }
 
-HttpAnswer Console::answer(const HttpRequest& request) {
+web::HttpAnswer Console::answer(const web::HttpRequest& request) {
   if (!access_->is_own_host(request.host)) return with_headers(plain(421, "this is no name of this server"));
   if (request.path == "/foxglove" && setup_.foxglove) return with_headers(open_viewer(request));
   const bool foreign = !request.origin.empty() && !access_->is_own_origin(request.origin, request.host);
@@ -151,7 +151,7 @@ HttpAnswer Console::answer(const HttpRequest& request) {
 }
 
 // POST /session with `Authorization: Bearer TOKEN`.
-HttpAnswer Console::exchange(const HttpRequest& request) {
+web::HttpAnswer Console::exchange(const web::HttpRequest& request) {
   if (request.method != "POST") return plain(405, "a token is exchanged by POST");
   if (request.origin.empty()) return plain(403, "a token is exchanged by the page alone");
   const std::string_view shown = request.authorization;
@@ -159,7 +159,7 @@ HttpAnswer Console::exchange(const HttpRequest& request) {
   const std::optional<std::string> cookie = access_->exchange(shown.substr(bearer.size()), setup_.executor.now());
   if (!cookie) return plain(403, "this token is wrong, or has been used");
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Access::session_length).count();
-  HttpAnswer answer{.status = 204};
+  web::HttpAnswer answer{.status = 204};
   answer.headers.emplace_back(
       "Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/socket; Max-Age={}{}", access_->cookie_name(),
                                 *cookie, seconds, setup_.abroad ? "; Secure" : ""));
@@ -168,7 +168,7 @@ HttpAnswer Console::exchange(const HttpRequest& request) {
 }
 
 // The cookie is sent to /socket alone. Every page of the session ends.
-HttpAnswer Console::log_out(const HttpRequest& request) {
+web::HttpAnswer Console::log_out(const web::HttpRequest& request) {
   if (request.origin.empty()) return plain(403, "only the page may log out");
   const std::optional<std::uint64_t> session = access_->forget(request.cookies);
   for (const auto& [number, page] : pages_) {
@@ -177,17 +177,17 @@ HttpAnswer Console::log_out(const HttpRequest& request) {
   return {.status = 204};
 }
 
-HttpAnswer Console::open_page(const HttpRequest& request) {
+web::HttpAnswer Console::open_page(const web::HttpRequest& request) {
   if (request.method == "DELETE") return log_out(request);
   const std::optional<Access::Admitted> session = access_->admitted(request.cookies, setup_.executor.now());
-  if (std::optional<HttpAnswer> why = session ? why_no_page(session->key) : std::nullopt) return std::move(*why);
-  if (std::optional<HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
-  HttpAnswer answer = web_socket_answer(request);
-  answer.upgraded = [this, session = *session](UpgradedSocket socket) { admit(std::move(socket), session); };
+  if (std::optional<web::HttpAnswer> why = session ? why_no_page(session->key) : std::nullopt) return std::move(*why);
+  if (std::optional<web::HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
+  web::HttpAnswer answer = web_socket_answer(request);
+  answer.upgraded = [this, session = *session](web::UpgradedSocket socket) { admit(std::move(socket), session); };
   return answer;
 }
 
-std::optional<HttpAnswer> Console::why_no_page(const std::string& key) const {
+std::optional<web::HttpAnswer> Console::why_no_page(const std::string& key) const {
   if (pages_.size() >= max_pages) return plain(503, fmt::format("{} pages are open already: close one", max_pages));
   if (key.empty()) return std::nullopt;
   const auto own = std::ranges::count_if(pages_, [&](const auto& entry) { return entry.second.key == key; });
@@ -207,17 +207,17 @@ Task<void> Console::end_pages_without_token() {
 }
 
 // /socket/N is one more connection of page N, for its images: where that is a page of the same session.
-HttpAnswer Console::open_lane(const HttpRequest& request) {
+web::HttpAnswer Console::open_lane(const web::HttpRequest& request) {
   const std::optional<Access::Admitted> session = access_->admitted(request.cookies, setup_.executor.now());
-  if (std::optional<HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
+  if (std::optional<web::HttpAnswer> why = why_no_connection(request, session)) return std::move(*why);
   const auto page = std::ranges::find_if(pages_, [&](const auto& entry) {
     return request.path.substr(lanes_path.size()) == std::to_string(entry.first) &&
            entry.second.session == session->number;
   });
   if (page == pages_.end()) return plain(404, "there is no such page of this session");
   if (!page->second.live->takes_lane()) return plain(503, "this page has all its connections");
-  HttpAnswer answer = web_socket_answer(request);
-  answer.upgraded = [this, number = page->first](UpgradedSocket socket) {
+  web::HttpAnswer answer = web_socket_answer(request);
+  answer.upgraded = [this, number = page->first](web::UpgradedSocket socket) {
     const auto still = pages_.find(number);
     if (still != pages_.end()) still->second.live->add_lane(std::move(socket));
   };
@@ -225,7 +225,7 @@ HttpAnswer Console::open_lane(const HttpRequest& request) {
 }
 
 // A program names no origin; a page does, and only those that were named are let in.
-HttpAnswer Console::open_viewer(const HttpRequest& request) {
+web::HttpAnswer Console::open_viewer(const web::HttpRequest& request) {
   const std::vector<std::string>& origins = setup_.foxglove->origins;
   const bool welcome = request.origin.empty() || std::ranges::find(origins, request.origin) != origins.end();
   if (!welcome) return plain(403, "pages of this origin are not let in: name it with --foxglove-origin");
@@ -235,13 +235,13 @@ HttpAnswer Console::open_viewer(const HttpRequest& request) {
     return plain(400, fmt::format("here is {} alone", FoxgloveSession::protocol));
   }
   if (viewers_.size() >= max_viewers) return plain(503, "too many viewers are here");
-  HttpAnswer answer = web_socket_answer(request);
+  web::HttpAnswer answer = web_socket_answer(request);
   answer.headers.emplace_back("Sec-WebSocket-Protocol", FoxgloveSession::protocol);
-  answer.upgraded = [this](UpgradedSocket socket) { admit_viewer(std::move(socket)); };
+  answer.upgraded = [this](web::UpgradedSocket socket) { admit_viewer(std::move(socket)); };
   return answer;
 }
 
-void Console::admit_viewer(UpgradedSocket socket) {
+void Console::admit_viewer(web::UpgradedSocket socket) {
   if (viewers_.size() >= max_viewers) return;
   const int number = next_page_++;
   const std::string name = fmt::format("{}-{}", setup_.name, number);
@@ -254,7 +254,7 @@ void Console::admit_viewer(UpgradedSocket socket) {
   viewers_.emplace(number, std::make_unique<FoxgloveSession>(std::move(setup), std::move(socket)));
 }
 
-void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
+void Console::admit(web::UpgradedSocket socket, const Access::Admitted& session) {
   if (why_no_page(session.key)) return;
   const int number = next_page_++;
   // As a board calls one that comes with that key.
@@ -280,7 +280,7 @@ void Console::admit(UpgradedSocket socket, const Access::Admitted& session) {
                  Page{session.number, session.key, std::make_unique<Session>(std::move(setup), std::move(socket))});
 }
 
-HttpAnswer Console::with_headers(HttpAnswer answer) const {
+web::HttpAnswer Console::with_headers(web::HttpAnswer answer) const {
   std::vector<std::string> sockets;
   const std::vector<std::string> loopback{"127.0.0.1", "localhost"};
   for (const std::string& each : setup_.abroad ? setup_.abroad->hosts : loopback) {

@@ -23,11 +23,11 @@
 
 #include "agents/console/access.hpp"
 #include "agents/console/foxglove_session.hpp"
-#include "agents/console/http_server.hpp"
 #include "agents/console/page_files.hpp"
 #include "agents/console/picture_keeper.hpp"
 #include "agents/console/session.hpp"
 #include "agents/console/wiring.hpp"
+#include "drivers/web/http_server.hpp"
 
 namespace pizarra::console {
 
@@ -90,19 +90,19 @@ class Console {
   Result<void> keep_pictures();
   Result<void> keep_changes();
   Result<void> tell_wiring();
-  HttpAnswer answer(const HttpRequest& request);
-  HttpAnswer exchange(const HttpRequest& request);
-  HttpAnswer open_page(const HttpRequest& request);
-  HttpAnswer open_lane(const HttpRequest& request);
-  HttpAnswer open_viewer(const HttpRequest& request);
-  HttpAnswer log_out(const HttpRequest& request);
+  web::HttpAnswer answer(const web::HttpRequest& request);
+  web::HttpAnswer exchange(const web::HttpRequest& request);
+  web::HttpAnswer open_page(const web::HttpRequest& request);
+  web::HttpAnswer open_lane(const web::HttpRequest& request);
+  web::HttpAnswer open_viewer(const web::HttpRequest& request);
+  web::HttpAnswer log_out(const web::HttpRequest& request);
   // Nothing: one more page of that key may be opened.
-  std::optional<HttpAnswer> why_no_page(const std::string& key) const;
+  std::optional<web::HttpAnswer> why_no_page(const std::string& key) const;
   Task<void> end_pages_without_token();
   std::string host() const;
-  void admit(UpgradedSocket socket, const Access::Admitted& session);
-  void admit_viewer(UpgradedSocket socket);
-  HttpAnswer with_headers(HttpAnswer answer) const;
+  void admit(web::UpgradedSocket socket, const Access::Admitted& session);
+  void admit_viewer(web::UpgradedSocket socket);
+  web::HttpAnswer with_headers(web::HttpAnswer answer) const;
 
   Setup setup_;
   PageFiles page_;
@@ -111,7 +111,7 @@ class Console {
   std::unique_ptr<PictureKeeper> keeper_;
   std::unique_ptr<KeptChanges> kept_;
   std::unique_ptr<Wiring> wiring_;
-  std::unique_ptr<HttpServer> server_;
+  std::unique_ptr<web::HttpServer> server_;
   std::unique_ptr<Access> access_;
   int next_page_ = 1;
   Event emptied_;

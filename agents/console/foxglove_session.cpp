@@ -79,12 +79,12 @@ bool FoxgloveSession::is_offered(std::string_view protocols) {
   return false;
 }
 
-FoxgloveSession::FoxgloveSession(Setup setup, UpgradedSocket socket)
+FoxgloveSession::FoxgloveSession(Setup setup, web::UpgradedSocket socket)
     : setup_(std::move(setup)), room_(setup_.executor) {
-  WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
-                           .room = [this] { room_.set(); },
-                           .ended = setup_.ended};
-  socket_ = std::make_unique<WebSocket>(setup_.executor, std::move(socket), std::move(events));
+  web::WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
+                                .room = [this] { room_.set(); },
+                                .ended = setup_.ended};
+  socket_ = std::make_unique<web::WebSocket>(setup_.executor, std::move(socket), std::move(events));
   say(fmt::format(R"({{"op":"serverInfo","name":{},"capabilities":[],"supportedEncodings":[],"metadata":{{}}}})",
                   json_string("Pizarra " + setup_.cell)));
   say(advertisement());
@@ -92,7 +92,7 @@ FoxgloveSession::FoxgloveSession(Setup setup, UpgradedSocket socket)
 
 FoxgloveSession::~FoxgloveSession() = default;
 
-void FoxgloveSession::say(std::string text) { socket_->send(WebSocket::Class::control, std::move(text)); }
+void FoxgloveSession::say(std::string text) { socket_->send(web::WebSocket::Class::control, std::move(text)); }
 
 void FoxgloveSession::refuse(std::string_view sentence) {
   constexpr int error = 2;
@@ -198,7 +198,7 @@ Task<void> FoxgloveSession::follow_images(Numbers numbers) {
 
 std::unique_ptr<ImageFeeds::Look> FoxgloveSession::look(const Numbers& numbers, const std::string& stream) {
   auto look = setup_.images.look(stream, [this, numbers](const std::shared_ptr<const ImageFeeds::Picture>& picture) {
-    const bool taken_in = socket_->waiting() < WebSocket::low_mark;
+    const bool taken_in = socket_->waiting() < web::WebSocket::low_mark;
     if (taken_in) send(numbers, picture->captured, foxglove_image(picture->captured, picture->jpeg));
   });
   look->want(ImageFeeds::Size::full);
@@ -206,7 +206,7 @@ std::unique_ptr<ImageFeeds::Look> FoxgloveSession::look(const Numbers& numbers, 
 }
 
 Task<void> FoxgloveSession::room() {
-  while (socket_->waiting() >= WebSocket::low_mark) {
+  while (socket_->waiting() >= web::WebSocket::low_mark) {
     room_.reset();
     co_await room_.wait();
   }
@@ -243,7 +243,7 @@ void FoxgloveSession::send(const Numbers& numbers, Time when, std::string_view m
   std::string bytes(1, '\1');
   append_little_endian(bytes, numbers.subscription);
   append_little_endian(bytes, static_cast<std::uint64_t>(when.time_since_epoch().count()) * 1000);
-  socket_->send(WebSocket::Class::images, bytes.append(message));
+  socket_->send(web::WebSocket::Class::images, bytes.append(message));
 }
 
 }  // namespace pizarra::console

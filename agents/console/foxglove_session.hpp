@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "agents/console/image_feed.hpp"
-#include "agents/console/web_socket.hpp"
 #include "blackboard/board.hpp"
 #include "blackboard/time/latch.hpp"
+#include "drivers/web/web_socket.hpp"
 
 namespace pizarra::console {
 
@@ -40,7 +40,7 @@ class FoxgloveSession {
     std::function<void()> ended;  // this may be destroyed
   };
 
-  FoxgloveSession(Setup setup, UpgradedSocket socket);
+  FoxgloveSession(Setup setup, web::UpgradedSocket socket);
   FoxgloveSession(const FoxgloveSession&) = delete;
   FoxgloveSession& operator=(const FoxgloveSession&) = delete;
   ~FoxgloveSession();
@@ -68,7 +68,7 @@ class FoxgloveSession {
 
   Setup setup_;
   Event room_;
-  std::unique_ptr<WebSocket> socket_;
+  std::unique_ptr<web::WebSocket> socket_;
   std::map<std::uint32_t, std::vector<Job>> subscriptions_;
 };
 

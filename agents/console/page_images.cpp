@@ -31,17 +31,17 @@ bool PageImages::look(const std::string& name) {
 
 void PageImages::look_away(const std::string& name) { streams_.erase(name); }
 
-void PageImages::add_lane(UpgradedSocket socket) {
+void PageImages::add_lane(web::UpgradedSocket socket) {
   if (!takes_lane()) return;
   const auto lane = lanes_.emplace(lanes_.end());
-  WebSocket::Events events{.text = [this, lane](std::string_view message) { hear(*lane, message); },
-                           .room = [] {},
-                           .ended =
-                               [this, lane] {
-                                 lanes_.erase(lane);
-                                 send_what_waits();
-                               }};
-  lane->socket = std::make_unique<WebSocket>(executor_, std::move(socket), std::move(events));
+  web::WebSocket::Events events{.text = [this, lane](std::string_view message) { hear(*lane, message); },
+                                .room = [] {},
+                                .ended =
+                                    [this, lane] {
+                                      lanes_.erase(lane);
+                                      send_what_waits();
+                                    }};
+  lane->socket = std::make_unique<web::WebSocket>(executor_, std::move(socket), std::move(events));
   send_what_waits();
 }
 
@@ -126,9 +126,9 @@ void PageImages::send(Lane& lane, const std::string& name, Stream& stream) {
   lane.stream = name;
   lane.bytes = picture->jpeg.size();
   lane.sent = stream.sent;
-  lane.socket->send(WebSocket::Class::images, fmt::format("(image {} {} {} {} {})\n{}", name, picture->number,
-                                                          picture->captured.time_since_epoch().count(), picture->width,
-                                                          picture->height, picture->jpeg));
+  lane.socket->send(web::WebSocket::Class::images, fmt::format("(image {} {} {} {} {})\n{}", name, picture->number,
+                                                               picture->captured.time_since_epoch().count(),
+                                                               picture->width, picture->height, picture->jpeg));
 }
 
 // Light images where they wait for the line, and full ones, which are several times larger, where light ones hardly

@@ -23,7 +23,7 @@
 
 #include "agents/console/image_feed.hpp"
 #include "agents/console/pulse.hpp"
-#include "agents/console/web_socket.hpp"
+#include "drivers/web/web_socket.hpp"
 #include "lisp/datum.hpp"
 
 namespace pizarra::console {
@@ -46,7 +46,7 @@ class PageImages {
   bool look(const std::string& stream);
   void look_away(const std::string& stream);
   bool takes_lane() const { return lanes_.size() < max_lanes; }
-  void add_lane(UpgradedSocket socket);
+  void add_lane(web::UpgradedSocket socket);
 
  private:
   static constexpr Duration too_long = 150ms;
@@ -56,7 +56,7 @@ class PageImages {
     std::unique_ptr<ImageFeeds::Look> look;
   };
   struct Lane {
-    std::unique_ptr<WebSocket> socket;
+    std::unique_ptr<web::WebSocket> socket;
     std::string stream = {};  // of the image that is under way; empty: none is
     std::size_t bytes = 0;
     Time sent{};

@@ -10,7 +10,7 @@ namespace pizarra::console {
 
 namespace {
 
-constexpr ReadLimits query_limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
+constexpr ReadLimits query_limits{.bytes = web::WebSocket::max_message, .depth = 32, .elements = 4000};
 
 }  // namespace
 

@@ -4,12 +4,12 @@
 
 namespace pizarra::console {
 
-PageVoice::PageVoice(Executor& executor, UpgradedSocket socket, Events events)
+PageVoice::PageVoice(Executor& executor, web::UpgradedSocket socket, Events events)
     : room_(executor),
       socket_(executor, std::move(socket),
               {.text = std::move(events.text), .room = [this] { room_.set(); }, .ended = std::move(events.ended)}) {}
 
-void PageVoice::say(std::string text) { socket_.send(WebSocket::Class::control, std::move(text)); }
+void PageVoice::say(std::string text) { socket_.send(web::WebSocket::Class::control, std::move(text)); }
 
 void PageVoice::refuse(std::int64_t request, std::string symbol, std::string sentence) {
   say(refusal_text(request, Failure{std::move(symbol), std::move(sentence), {}, {}}));
@@ -18,10 +18,10 @@ void PageVoice::refuse(std::int64_t request, std::string symbol, std::string sen
 void PageVoice::say_fact(std::string text) {
   unheard_.push_back(text.size());
   unheard_bytes_ += text.size();
-  socket_.send(WebSocket::Class::facts, std::move(text));
+  socket_.send(web::WebSocket::Class::facts, std::move(text));
 }
 
-void PageVoice::show(std::string picture) { socket_.send(WebSocket::Class::images, std::move(picture)); }
+void PageVoice::show(std::string picture) { socket_.send(web::WebSocket::Class::images, std::move(picture)); }
 
 bool PageVoice::heard(std::int64_t count) {
   if (count < 0 || static_cast<std::size_t>(count) > unheard_.size()) return false;

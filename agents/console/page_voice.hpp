@@ -14,9 +14,9 @@
 #include <string>
 #include <string_view>
 
-#include "agents/console/web_socket.hpp"
 #include "blackboard/time/latch.hpp"
 #include "blackboard/time/task.hpp"
+#include "drivers/web/web_socket.hpp"
 
 namespace pizarra::console {
 
@@ -29,7 +29,7 @@ class PageVoice {
     std::function<void(std::string_view message)> text;
     std::function<void()> ended;
   };
-  PageVoice(Executor& executor, UpgradedSocket socket, Events events);
+  PageVoice(Executor& executor, web::UpgradedSocket socket, Events events);
 
   void say(std::string text);
   void refuse(std::int64_t request, std::string symbol, std::string sentence);
@@ -40,7 +40,7 @@ class PageVoice {
   bool heard(std::int64_t count);
   bool is_behind() const { return unheard_bytes_ >= max_unheard_bytes; }
   // Whether nothing keeps a stamp from going at once.
-  bool is_free() const { return socket_.waiting() < WebSocket::low_mark; }
+  bool is_free() const { return socket_.waiting() < web::WebSocket::low_mark; }
   Task<void> room();
   // As of a WebSocket.
   void close(unsigned short code, std::string_view reason) { socket_.close(code, reason); }
@@ -49,7 +49,7 @@ class PageVoice {
   Event room_;
   std::deque<std::size_t> unheard_;  // messages of facts, by their bytes
   std::size_t unheard_bytes_ = 0;
-  WebSocket socket_;
+  web::WebSocket socket_;
 };
 
 }  // namespace pizarra::console

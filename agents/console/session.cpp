@@ -22,7 +22,7 @@ namespace pizarra::console {
 namespace {
 
 constexpr Duration longest_farewell = 1s;
-constexpr ReadLimits message_limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
+constexpr ReadLimits message_limits{.bytes = web::WebSocket::max_message, .depth = 32, .elements = 4000};
 
 }  // namespace
 
@@ -136,7 +136,7 @@ std::span<const Session::Verb> Session::Verb::all() {
   return verbs;
 }
 
-Session::Session(Setup setup, UpgradedSocket socket)
+Session::Session(Setup setup, web::UpgradedSocket socket)
     : setup_(std::move(setup)),
       board_(setup_.executor, setup_.name, std::move(setup_.board)),
       voice_(setup_.executor, std::move(socket),
@@ -150,7 +150,7 @@ Session::~Session() { setup_.executor.cancel(going_timer_); }
 
 bool Session::takes_lane() const { return parts_ != nullptr && parts_->images.takes_lane(); }
 
-void Session::add_lane(UpgradedSocket socket) {
+void Session::add_lane(web::UpgradedSocket socket) {
   if (takes_lane()) parts_->images.add_lane(std::move(socket));
 }
 

@@ -75,14 +75,14 @@ class Session {
     Instruments::Connect connect = nullptr;  // others on the board with this page's rights
   };
 
-  Session(Setup setup, UpgradedSocket socket);
+  Session(Setup setup, web::UpgradedSocket socket);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
   ~Session();
 
   // One more connection of the page, for its images, while it takes one.
   bool takes_lane() const;
-  void add_lane(UpgradedSocket socket);
+  void add_lane(web::UpgradedSocket socket);
   // As if the page had gone.
   void leave();
   // It is told why, and has gone a second later at most.

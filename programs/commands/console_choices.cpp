@@ -22,7 +22,7 @@ Result<std::string> read_pem(const std::string& path) {
 
 CLI::Validator ip_address_check() {
   const auto check = [](const std::string& text) {
-    if (console::is_ip_address(text)) return std::string();
+    if (web::is_ip_address(text)) return std::string();
     return fmt::format("'{}' is no IP address, as 0.0.0.0 or ::; a port stands behind --port", text_of_bytes(text));
   };
   return {check, "ADDRESS"};

@@ -23,22 +23,22 @@ Result<std::string> pem(const cluster::LogAddress& log, const char* name) {
 
 }  // namespace
 
-Result<std::unique_ptr<console::HttpServer>> say_no_data(Executor& executor, const std::string& own,
-                                                         const cluster::LogAddress& log) {
+Result<std::unique_ptr<web::HttpServer>> say_no_data(Executor& executor, const std::string& own,
+                                                     const cluster::LogAddress& log) {
   const Result<std::string> certificate = pem(log, "server.crt");
   if (!certificate) return fail(certificate);
   const Result<std::string> key = pem(log, "server.key");
   if (!key) return fail(key);
   const cluster::HostPort at = cluster::host_and_port(own);
-  return console::HttpServer::listen(executor,
-                                     {.address = at.host == "localhost" ? "127.0.0.1" : at.host,
-                                      .port = at.port,
-                                      .certificate = *certificate,
-                                      .certificate_key = *key},
-                                     [word = word_of(log)](const console::HttpRequest& request) {
-                                       if (request.path != place_of_word) return console::HttpAnswer{.status = 404};
-                                       return console::HttpAnswer{.type = "text/plain", .body = word};
-                                     });
+  return web::HttpServer::listen(executor,
+                                 {.address = at.host == "localhost" ? "127.0.0.1" : at.host,
+                                  .port = at.port,
+                                  .certificate = *certificate,
+                                  .certificate_key = *key},
+                                 [word = word_of(log)](const web::HttpRequest& request) {
+                                   if (request.path != place_of_word) return web::HttpAnswer{.status = 404};
+                                   return web::HttpAnswer{.type = "text/plain", .body = word};
+                                 });
 }
 
 bool says_no_data(cluster::EtcdClient& between, std::size_t member, const cluster::LogAddress& log) {

@@ -138,10 +138,10 @@ TEST(IncludeRule, EachRoomOfTheEyesIncludesOnlyTheRoomsItStandsOn) {
 }
 
 TEST(IncludeRule, EachRoomOfTheDriversIncludesOnlyTheRoomsItStandsOn) {
-  const Rooms may = {{"line", {}},         {"camera", {}},
-                     {"plugin", {}},       {"arm", {"line"}},
-                     {"gripper", {"arm"}}, {"ptu", {"line"}},
-                     {"pddl_planner", {}}, {"simulation", {"line", "arm", "camera", "gripper", "ptu"}}};
+  const Rooms may = {
+      {"line", {}},      {"web", {}},          {"camera", {}},
+      {"plugin", {}},    {"arm", {"line"}},    {"gripper", {"arm"}},
+      {"ptu", {"line"}}, {"pddl_planner", {}}, {"simulation", {"line", "arm", "camera", "gripper", "ptu"}}};
   expect_rooms("drivers/", may);
 }
 

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "agents/console/access.hpp"
-#include "agents/console/http_server.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/tokens.hpp"
+#include "drivers/web/http_server.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra::console {
@@ -126,8 +126,9 @@ TEST_F(AccessFromAbroad, MakesATokenForAKeyWhoseSecretIsThere) {
 
 TEST(AServerAbroad, ListensWithACertificateAndItsKeyAlone) {
   RealExecutor executor;
-  const auto refused = [&](const HttpServer::Place& place) {
-    const auto server = HttpServer::listen(executor, place, [](const HttpRequest&) { return HttpAnswer{}; });
+  const auto refused = [&](const web::HttpServer::Place& place) {
+    const auto server =
+        web::HttpServer::listen(executor, place, [](const web::HttpRequest&) { return web::HttpAnswer{}; });
     return server ? std::string() : server.error().sentence;
   };
   EXPECT_NE(refused({"127.0.0.1", 0, "no certificate", "no key"}).find("no such pair"), std::string::npos);

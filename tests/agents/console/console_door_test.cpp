@@ -38,9 +38,10 @@ TEST_F(ConsoleTest, RefusesWhatAnotherOriginsPageHasABrowserAsk) {
 }
 
 TEST_F(ConsoleTest, TellsAnAddressThatHasItsShareOfConnectionsSo) {
-  HttpServer::Place place;
+  web::HttpServer::Place place;
   place.max_of_address = 2;
-  const auto server = HttpServer::listen(executor_, place, [](const HttpRequest&) { return HttpAnswer{}; }).value();
+  const auto server =
+      web::HttpServer::listen(executor_, place, [](const web::HttpRequest&) { return web::HttpAnswer{}; }).value();
   const auto ask = [&](RawClient& client) {
     return serve([&, port = server->port()] {
       client.send(request_text(port, "GET", "/", {}));

@@ -369,12 +369,12 @@ TEST_F(ConsoleTest, ClosesWhoLeavesItsAnswersUnread) {
   int ends[2];
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
   {
-    WebSocket socket(executor_, UpgradedSocket(nullptr, ends[0], ""),
-                     {.text = [](std::string_view) {}, .room = [] {}, .ended = [] {}});
+    web::WebSocket socket(executor_, web::UpgradedSocket(nullptr, ends[0], ""),
+                          {.text = [](std::string_view) {}, .room = [] {}, .ended = [] {}});
     const std::string answer(100'000, 'x');
-    for (int i = 0; i < 10; ++i) socket.send(WebSocket::Class::control, answer);
+    for (int i = 0; i < 10; ++i) socket.send(web::WebSocket::Class::control, answer);
     EXPECT_EQ(socket.waiting(), 10 * answer.size()) << "so much may wait";
-    for (int i = 0; i < 1000; ++i) socket.send(WebSocket::Class::control, answer);
+    for (int i = 0; i < 1000; ++i) socket.send(web::WebSocket::Class::control, answer);
     EXPECT_EQ(socket.waiting(), 0u) << "nothing of it is kept";
     std::string got(200, '\0');
     ssize_t size = 0;

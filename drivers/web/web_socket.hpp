@@ -17,11 +17,11 @@
 #include <string>
 #include <string_view>
 
-#include "agents/console/http_server.hpp"
+#include "drivers/web/http_server.hpp"
 
 struct wslay_event_context;
 
-namespace pizarra::console {
+namespace pizarra::web {
 
 class WebSocket {
  public:
@@ -88,4 +88,4 @@ class WebSocket {
 // What a server answers to Sec-WebSocket-Key.
 std::string web_socket_accept(std::string_view key);
 
-}  // namespace pizarra::console
+}  // namespace pizarra::web

@@ -1,4 +1,4 @@
-#include "agents/console/http_server.hpp"
+#include "drivers/web/http_server.hpp"
 
 #include <arpa/inet.h>
 #include <cassert>
@@ -12,7 +12,7 @@
 
 #include "lisp/outside_text.hpp"
 
-namespace pizarra::console {
+namespace pizarra::web {
 
 namespace {
 
@@ -221,4 +221,4 @@ void HttpServer::run() {
   timer_ = executor_.call_at(executor_.now() + std::chrono::milliseconds(milliseconds), [this] { run(); });
 }
 
-}  // namespace pizarra::console
+}  // namespace pizarra::web

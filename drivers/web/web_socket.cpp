@@ -1,4 +1,4 @@
-#include "agents/console/web_socket.hpp"
+#include "drivers/web/web_socket.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -13,7 +13,7 @@
 
 #include "lisp/shortened.hpp"
 
-namespace pizarra::console {
+namespace pizarra::web {
 
 namespace {
 
@@ -250,4 +250,4 @@ std::string web_socket_accept(std::string_view key) {
   return out;
 }
 
-}  // namespace pizarra::console
+}  // namespace pizarra::web

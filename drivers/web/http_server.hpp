@@ -25,7 +25,7 @@
 struct MHD_Daemon;
 struct MHD_UpgradeResponseHandle;
 
-namespace pizarra::console {
+namespace pizarra::web {
 
 // In figures, of IPv4 or IPv6.
 bool is_ip_address(const std::string& text);
@@ -113,4 +113,4 @@ class HttpServer {
   Executor::TimerId timer_ = 0;
 };
 
-}  // namespace pizarra::console
+}  // namespace pizarra::web
