@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 
 namespace pizarra::console {
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::repl {

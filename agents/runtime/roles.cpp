@@ -236,12 +236,12 @@ Task<Result<Holder>> holder_of(Board& board, std::string client, Role role) {
 }
 
 Task<Result<Holder>> present_holder_of(AgentContext& context, std::string client, Role role) {
-  const Time deadline = context.executor.now() + Service::presence_lease;
+  const Time deadline = context.executor.now() + Presence::lease_length;
   while (true) {
     const Result<Holder> holder = co_await holder_of(context.board, client, role);
     const bool settled = !holder || holder->is_present() || context.executor.now() >= deadline;
     if (settled) co_return holder;
-    co_await sleep(context.executor, Service::presence_renewal / 5);
+    co_await sleep(context.executor, Presence::renewal / 5);
   }
 }
 

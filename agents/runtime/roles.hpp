@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "blackboard/time/latch.hpp"
 
 namespace pizarra::runtime {

@@ -14,7 +14,7 @@
 #include <memory>
 #include <set>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "agents/scheme/allowance.hpp"
 #include "lisp/forms/agent_program.hpp"
 

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <fmt/format.h>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
 #include "programs/chaos/fault.hpp"

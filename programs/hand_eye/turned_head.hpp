@@ -7,7 +7,7 @@
 //
 // Failures: no-head (no unit says what its limits are), still-turning, and the agent's.
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "drivers/ptu/head_axes.hpp"
 #include "drivers/ptu/pan_tilt_driver.hpp"
 

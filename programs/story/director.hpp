@@ -8,7 +8,7 @@
 //   executor.run_until([&] { return job.done(); });
 //   director.report().met();
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "programs/story/director_report.hpp"
 #include "programs/story/expectations.hpp"
 #include "programs/story/narrator.hpp"

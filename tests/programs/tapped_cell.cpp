@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 
 namespace pizarra::programs {
 

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "agents/runtime/caller.hpp"
 #include "agents/runtime/naming.hpp"
 #include "tests/blackboard/wall.hpp"
 

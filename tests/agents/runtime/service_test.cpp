@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <optional>
 
+#include "agents/runtime/caller.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
@@ -231,7 +232,7 @@ TEST_F(Runtime, PresenceGoesWithinTheLeaseOfADeathAndFreesTheName) {
   EXPECT_EQ(count("(agent adder adder ?)"), 1u);
   EXPECT_EQ(count("(contract adder ?)"), 1u);
   adder.reset();
-  executor.run_for(Service::presence_lease + 100ms);
+  executor.run_for(Presence::lease_length + 100ms);
   EXPECT_EQ(count("(agent adder ? ?)"), 0u);
   EXPECT_EQ(count("(contract adder ?)"), 0u);
   begin();

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "agents/vision/marks/tag_detection.hpp"
 #include "blackboard/memory/memory_board.hpp"

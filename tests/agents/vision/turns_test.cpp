@@ -1,6 +1,7 @@
 // Many clients who ask for much at once: each has its turn, whatever the others ask for.
 
 #include <fmt/format.h>
+#include <set>
 
 #include "tests/agents/vision/vision_life.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"

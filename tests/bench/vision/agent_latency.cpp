@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "agents/vision/database/object_database.hpp"
 #include "tests/bench/measure.hpp"
 #include "tests/bench/vision/learned_marks.hpp"

@@ -10,7 +10,7 @@
 #include <opencv2/videoio.hpp>
 #include <zmq.hpp>
 
-#include "agents/runtime/service.hpp"
+#include "agents/runtime/caller.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/simulation/socket_link.hpp"

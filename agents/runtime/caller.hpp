@@ -1,0 +1,38 @@
+#pragma once
+
+// Asks another agent for something and waits for the reply's `ok` elements as a list.
+//
+//   Caller caller(context, service);
+//   Result<Datum> answer = co_await caller.call("vision", operation, 10s);
+//
+// Failures: those of the agent, and `timeout` (the request is then withdrawn). Request ids are NAME-PRESENCE-COUNT,
+// unique on one board. Who asks is present: a request goes when the presence of its caller lapses. A program that
+// offers nothing has a Service with an empty contract.
+
+#include <functional>
+#include <string>
+
+#include "agents/runtime/service.hpp"
+
+namespace pizarra::runtime {
+
+class Caller {
+ public:
+  // Whether nobody waits for the answer any more; asked about once a second.
+  using GiveUp = std::function<bool()>;
+
+  Caller(AgentContext& context, const Service& service) : context_(context), service_(service) {}
+  // The ID of a request to come, for a caller that names it to others.
+  Datum next_id();
+  // Under the given ID, or one of its own. Given up, the request is withdrawn and the failure is `replaced`.
+  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout, GiveUp give_up = {}, Datum id = {});
+
+ private:
+  Task<Result<Answer>> ask(Datum request, Time deadline, GiveUp give_up);
+
+  AgentContext& context_;
+  const Service& service_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace pizarra::runtime
