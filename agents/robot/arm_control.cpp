@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "agents/robot/motion.hpp"
 #include "blackboard/time/pace.hpp"
-#include "drivers/arm/meeting.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::robot {
@@ -24,21 +24,34 @@ std::unexpected<Failure> refused(Failure why) {
 
 }  // namespace
 
+ArmControl::ArmControl(runtime::AgentContext& context, ArmConnection& arm, const std::optional<Room>& room,
+                       double told_per_s, ArmFacts& facts)
+    : context_(context),
+      arm_(arm),
+      guard_(arm.model(), room),
+      facts_(facts),
+      tell_period_(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / told_per_s))),
+      look_now_(context.executor),
+      ended_(context.executor) {
+  arm_.on_reading = [this](const arm::ArmReading& reading) { guard(reading); };
+}
+
 InHand::~InHand() {
   if (control_ != nullptr) control_->let_go();
 }
 
 Result<InHand> ArmControl::take_in_hand(const Datum& request) {
-  if (released_by_.empty()) {
-    Result<InHand> in_hand = occupy(request[3]);
-    if (in_hand) request_ = request[1];
-    return in_hand;
+  const std::string& released_by = arm_.released_by();
+  if (!released_by.empty()) {
+    return refused({"not-in-control", released_by + " released control of the arm", Datum::symbol(released_by), {}});
   }
-  return refused({"not-in-control", released_by_ + " released control of the arm", Datum::symbol(released_by_), {}});
+  Result<InHand> in_hand = occupy(request[3]);
+  if (in_hand) request_ = request[1];
+  return in_hand;
 }
 
 Result<InHand> ArmControl::occupy(Datum operation) {
-  if (!connected_) return fail("disconnected", why_lost_);
+  if (!arm_.is_there()) return fail("disconnected", arm_.why_lost());
   if (running_) return fail(busy());
   running_ = std::move(operation);
   ++motions_;
@@ -60,73 +73,10 @@ void ArmControl::let_go() {
   ended_.wake_all();
 }
 
-Task<Result<arm::ArmReading>> ArmControl::find() {
-  const Result<arm::ArmMeeting> met = co_await arm::meet_arm(context_.executor, driver_, model_);
-  if (!met) co_return fail(met);
-  if (met->was_stopped) found_moving_ = true;
-  facts_.set_reading(model_, met->reading);
-  co_return met->reading;
-}
-
-Task<Result<void>> ArmControl::connect() {
-  const Result<arm::ArmReading> found = co_await find();
-  if (!found) co_return fail(found);
-  const bool in_trouble = found->trouble && found->trouble->kind != arm::ArmTrouble::Kind::off;
-  if (!known_ && !in_trouble && released_by_.empty()) {
-    const Result<void> on = co_await switch_on();
-    if (!on) co_return on;
-  }
-  known_ = true;
-  if (found_moving_) {
-    facts_.set_arm("stopped", "STOPPED_AT_RESTART");
-  } else if (!released_by_.empty()) {
-    facts_.set_arm("stopped", "(release-control)");
-  } else {
-    facts_.set_arm("idle");
-  }
-  found_moving_ = false;
-  connected_ = true;
-  co_return {};
-}
-
-// One that gives no control is monitored all the same.
-Task<Result<void>> ArmControl::switch_on() {
-  const Result<void> control = co_await driver_.power_up();
-  if (!control && control.error().symbol != "not-in-control") co_return control;
-  const Result<arm::ArmReading> reading = co_await driver_.read();
-  if (!reading) co_return fail(reading);
-  facts_.set_reading(model_, *reading);
-  co_return Result<void>();
-}
-
-Task<Result<void>> ArmControl::get_control() {
-  const Result<void> control = co_await driver_.take_control();
-  if (!control) co_return control;
-  const Result<arm::ArmReading> reading = co_await read();
-  if (!reading) co_return fail(reading);
-  facts_.set_arm("idle");
-  released_by_.clear();
-  co_return Result<void>();
-}
-
-Task<Result<void>> ArmControl::release_control() {
-  facts_.set_arm("stopped", "(release-control)");
-  Result<void> released = co_await driver_.release_control();
-  co_return released;
-}
-
-void ArmControl::lose(const Failure& why) {
-  connected_ = false;
-  why_lost_ = fmt::format("the arm cannot be commanded: {}", why.sentence);
-  facts_.forget_reading();
-  facts_.set_trouble(arm::ArmTrouble{arm::ArmTrouble::Kind::fault, {why.symbol, why_lost_, why.subject, {}}});
-  facts_.set_arm("fault");
-}
-
 Task<void> ArmControl::look() {
-  if (!connected_) {
-    const Result<void> again = co_await connect();
-    if (!again) lose(again.error());
+  if (!arm_.is_there()) {
+    const Result<void> again = co_await arm_.connect();
+    if (!again) arm_.lose(again.error());
   } else {
     co_await look_at_rest();
   }
@@ -138,26 +88,19 @@ Task<void> ArmControl::look() {
 
 Task<void> ArmControl::look_at_rest() {
   const std::uint64_t motion = motions_;
-  const Result<arm::ArmReading> reading = co_await driver_.read();
+  const Result<arm::ArmReading> reading = co_await arm_.driver().read();
   // Of a motion that began meanwhile it says nothing that is wrong.
   if (motions_ != motion) co_return;
   if (!reading) {
-    lose(reading.error());
+    arm_.lose(reading.error());
     co_return;
   }
-  facts_.set_reading(model_, *reading);
-  // Some controllers move, or say so, while they brake.
-  const bool braking = braked_at_ && context_.executor.now() - *braked_at_ < braking_time;
-  const bool stray = arm::moves_for_nobody(*reading) && !braking;
+  facts_.set_reading(arm_.model(), *reading);
+  const bool stray = arm::moves_for_nobody(*reading) && !arm_.is_braking();
   if (!stray) co_return;
   facts_.set_arm("stopped", "MOVED_BY_ITSELF");
-  const Result<void> braked = co_await brake();
-  if (!braked) lose(braked.error());
-}
-
-Task<Result<void>> ArmControl::brake() {
-  braked_at_ = context_.executor.now();
-  return driver_.stop();
+  const Result<void> braked = co_await arm_.brake();
+  if (!braked) arm_.lose(braked.error());
 }
 
 Task<void> ArmControl::keep_watch() {
@@ -168,7 +111,7 @@ Task<void> ArmControl::keep_watch() {
   while (true) {
     if (!early) {
       const Duration beat = pace.pause();
-      next = context_.executor.now() + (connected_ ? beat : reconnect_pause);
+      next = context_.executor.now() + (arm_.is_there() ? beat : reconnect_pause);
     }
     early = co_await look_now_.wait(next);
     const Time now = context_.executor.now();
@@ -180,15 +123,10 @@ Task<void> ArmControl::keep_watch() {
   }
 }
 
-Task<Result<arm::ArmReading>> ArmControl::read() {
-  if (!known_) co_return fail("disconnected", why_lost_);
-  const Result<arm::ArmReading> reading = co_await driver_.read();
-  if (reading) facts_.set_reading(model_, *reading);
-  if (reading && running_) {
-    std::optional<Failure> wrong = guard_.look(reading->at.value_or(context_.executor.now()), *reading);
-    if (wrong) stop_at_once(std::move(*wrong));
-  }
-  co_return reading;
+void ArmControl::guard(const arm::ArmReading& reading) {
+  if (!running_) return;
+  std::optional<Failure> wrong = guard_.look(reading.at.value_or(context_.executor.now()), reading);
+  if (wrong) stop_at_once(std::move(*wrong));
 }
 
 // Polls until the arm (or the gripper) stands, telling on the way.
@@ -200,11 +138,11 @@ Task<Result<arm::ArmReading>> ArmControl::until_ended(bool gripper, Duration lon
   while (true) {
     const Duration pause = pace.pause();
     co_await sleep(context_.executor, pause);
-    const Result<arm::ArmReading> reading = co_await read();
+    const Result<arm::ArmReading> reading = co_await arm_.read();
     const Time now = context_.executor.now();
     if (!reading) {
       if (now - heard < patience) continue;
-      lose(reading.error());
+      arm_.lose(reading.error());
       co_return fail(reading);
     }
     const bool unknown = gripper && reading->gripper_trouble;
@@ -214,8 +152,8 @@ Task<Result<arm::ArmReading>> ArmControl::until_ended(bool gripper, Duration lon
     const bool moving = gripper ? reading->gripper_moving : reading->moving;
     if (!moving) co_return reading;
     if (now - begun > longest) {
-      const Result<void> halting = co_await brake();
-      if (!halting) lose(halting.error());
+      const Result<void> halting = co_await arm_.brake();
+      if (!halting) arm_.lose(halting.error());
       co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
     }
     tell_where_due(tell_at);
@@ -241,15 +179,15 @@ Task<void> ArmControl::tell_on_the_way() {
 
 Task<Result<void>> ArmControl::follow(arm::Joints from, std::vector<arm::Joints> waypoints, double speed) {
   const arm::Joints target = waypoints.back();
-  const Duration longest = longest_time(from, waypoints, speed);
+  const Duration longest = longest_time(arm_.model(), from, waypoints, speed);
   if (stop_requested_) co_return stopped();
   std::function<void(Failure)> on_silence = [this](Failure why) { stop_at_once(std::move(why)); };
-  const Silence silence(context_.executor, driver_, std::move(on_silence));
-  const Result<void> started = co_await driver_.start_move(std::move(waypoints), speed);
+  const Silence silence(context_.executor, arm_.driver(), std::move(on_silence));
+  const Result<void> started = co_await arm_.driver().start_move(std::move(waypoints), speed);
   if (!started) co_return refused(started.error());
   // A stop may have come before there was anything to stop.
   if (stop_requested_) {
-    const Result<void> halting = co_await brake();
+    const Result<void> halting = co_await arm_.brake();
     if (!halting) co_return halting;
   }
   const Result<arm::ArmReading> ended = co_await until_ended(false, longest);
@@ -278,14 +216,14 @@ Task<Result<void>> ArmControl::begin_grip(double opening_mm) {
     const Time deadline = context_.executor.now() + poll_period;
     const bool now = co_await answered.wait(deadline);
     if (now) break;
-    const Result<arm::ArmReading> reading = co_await read();
+    const Result<arm::ArmReading> reading = co_await arm_.read();
     if (reading) tell_where_due(tell_at);
   }
   co_return *begun;
 }
 
 Task<void> ArmControl::start_gripper(double opening_mm, std::optional<Result<void>>& begun, Event& answered) {
-  begun = co_await driver_.start_gripper(opening_mm);
+  begun = co_await arm_.driver().start_gripper(opening_mm);
   answered.set();
 }
 
@@ -306,8 +244,8 @@ std::unexpected<Failure> ArmControl::stopped() const {
 }
 
 void ArmControl::stop_at_once(Failure why) {
-  if (!running_ && connected_) {
-    braked_at_.reset();
+  if (!running_ && arm_.is_there()) {
+    arm_.forget_braking();
     look_now_.wake_all();
   }
   if (!running_ || why_stopped_) return;
@@ -321,7 +259,7 @@ Task<void> ArmControl::obey() {
   const std::uint64_t motion = motions_;
   Result<void> obeyed = co_await stop();
   while (!obeyed) {
-    lose(obeyed.error());
+    arm_.lose(obeyed.error());
     co_await sleep(context_.executor, poll_period);
     if (!running_ || motions_ != motion) co_return;
     obeyed = co_await stop();
@@ -332,17 +270,17 @@ Task<Result<void>> ArmControl::stop(Datum asked) {
   const std::uint64_t motion = motions_;
   stop_requested_ = running_.has_value();
   stop_asked_ = std::move(asked);
-  const Result<void> stopping = co_await brake();
+  const Result<void> stopping = co_await arm_.brake();
   if (!stopping) co_return stopping;
   if (gripping_) {
     // Fingers stop by being sent to where they are.
-    const Result<arm::ArmReading> reading = co_await read();
+    const Result<arm::ArmReading> reading = co_await arm_.read();
     if (!reading) co_return fail(reading);
     if (!reading->gripper_trouble) {
       const double opening_mm = reading->opening_mm;
-      const Result<void> held = co_await driver_.start_gripper(opening_mm);
+      const Result<void> held = co_await arm_.driver().start_gripper(opening_mm);
       // A gripper that dies just now is not the arm.
-      const Result<arm::ArmReading> after = co_await read();
+      const Result<arm::ArmReading> after = co_await arm_.read();
       const bool gripper_is_gone = after && after->gripper_trouble;
       if (!held && !gripper_is_gone) co_return held;
     }
@@ -353,24 +291,6 @@ Task<Result<void>> ArmControl::stop(Datum asked) {
     if (!woken) co_return fail("timeout", "the arm was told to stop and has not", *running_);
   }
   co_return {};
-}
-
-// Three times what the axes need, for their acceleration, and some seconds for the controller.
-Duration ArmControl::longest_time(const arm::Joints& from, const std::vector<arm::Joints>& waypoints,
-                                  double speed) const {
-  double seconds = 0;
-  arm::Joints at = from;
-  for (const arm::Joints& to : waypoints) {
-    double slowest = 0;
-    for (std::size_t axis = 0; axis < to.size(); ++axis) {
-      slowest = std::max(slowest, std::abs(to[axis] - at[axis]) / (model_.axes[axis].speed * speed));
-    }
-    seconds += slowest;
-    at = to;
-  }
-  const double waypoint_s = 0.1;
-  seconds = 10 + 3 * seconds + waypoint_s * static_cast<double>(waypoints.size()) / speed;
-  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
 
 }  // namespace pizarra::robot

@@ -223,4 +223,21 @@ Result<double> amount_in(const Datum& given, double low, double high, std::strin
   return fail("out-of-range", fmt::format("{} is not within {:g} to {:g} {}", write(given), low, high, unit), given);
 }
 
+Duration longest_time(const arm::ArmModel& model, const arm::Joints& from, const std::vector<arm::Joints>& waypoints,
+                      double speed) {
+  double seconds = 0;
+  arm::Joints at = from;
+  for (const arm::Joints& to : waypoints) {
+    double slowest = 0;
+    for (std::size_t axis = 0; axis < to.size(); ++axis) {
+      slowest = std::max(slowest, std::abs(to[axis] - at[axis]) / (model.axes[axis].speed * speed));
+    }
+    seconds += slowest;
+    at = to;
+  }
+  const double waypoint_s = 0.1;
+  seconds = 10 + 3 * seconds + waypoint_s * static_cast<double>(waypoints.size()) / speed;
+  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
 }  // namespace pizarra::robot

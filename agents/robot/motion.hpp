@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "agents/robot/work_volume.hpp"
+#include "blackboard/time/clock.hpp"
 #include "drivers/arm/kinematics.hpp"
 
 namespace pizarra::robot {
@@ -40,6 +41,11 @@ Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, c
 // Whether the waypoints stay in the arm's room once they are in it. Failure `out-of-room`: the subject is where not.
 Result<void> check_room(const arm::ArmModel& model, const std::optional<Room>& room, const arm::Joints& from,
                         const std::vector<arm::Joints>& waypoints);
+
+// After which a motion through the waypoints has gone wrong: three times what the axes need, for their acceleration,
+// and some seconds for the controller.
+Duration longest_time(const arm::ArmModel& model, const arm::Joints& from, const std::vector<arm::Joints>& waypoints,
+                      double speed);
 
 // The joints of a learned variable; the failure names the nearest.
 Result<arm::Joints> find_variable(const ArmVariables& variables, std::string_view name);

@@ -35,7 +35,8 @@ RobotAgent::State::State(runtime::AgentContext given, arm::ArmDriver& driver, ar
       model(std::move(described)),
       room(options.room),
       facts(context, service),
-      control(context, driver, model, room, options.told_per_s, facts),
+      connection(context.executor, driver, model, facts),
+      control(context, connection, room, options.told_per_s, facts),
       reflex(context, control),
       holds(context, control),
       service(context, contract_in(options.context)) {}
@@ -57,7 +58,7 @@ Task<void> RobotAgent::stand_still() {
   int stood = 0;
   while (state_->control.running() && stood < looks) {
     co_await sleep(state_->context.executor, look_pause);
-    const Result<arm::ArmReading> reading = co_await state_->control.read();
+    const Result<arm::ArmReading> reading = co_await state_->connection.read();
     const bool stands = reading && !reading->moving && !reading->gripper_moving;
     stood = stands ? stood + 1 : 0;
   }
@@ -66,7 +67,7 @@ Task<void> RobotAgent::stand_still() {
 Task<Result<void>> RobotAgent::State::run() {
   // At once: what an earlier life of this agent began may go on, and its name is taken for as long as its lease. One
   // that is not there yet is waited for below.
-  [[maybe_unused]] const Result<arm::ArmReading> found = co_await control.find();
+  [[maybe_unused]] const Result<arm::ArmReading> found = co_await connection.find();
   const Result<void> started = co_await service.start();
   if (!started) co_return started;
   const Result<void> restored = co_await restore();
@@ -124,7 +125,7 @@ Task<Result<void>> RobotAgent::State::restore() {
   const Datum released = released_fact(any);
   const Result<std::vector<Fact>> releases = co_await known(released);
   if (!releases) co_return fail(releases);
-  for (const Fact& fact : *releases) control.set_released(std::string(fact.datum[2].text()));
+  for (const Fact& fact : *releases) connection.set_released(std::string(fact.datum[2].text()));
   const Datum any_motion = motion_fact(any, any);
   const Result<std::vector<Fact>> motions = co_await known(any_motion);
   if (!motions) co_return fail(motions);
@@ -141,14 +142,14 @@ Task<Result<void>> RobotAgent::State::restore() {
 // Waits a while for a controller that starts together with this agent.
 Task<Result<void>> RobotAgent::State::connect() {
   const Time deadline = context.executor.now() + connecting_time;
-  Result<void> connected = co_await control.connect();
+  Result<void> connected = co_await connection.connect();
   while (!connected) {
     if (connected.error().symbol == "unknown-arm") co_return connected;
     if (context.executor.now() >= deadline) break;
     co_await sleep(context.executor, connecting_pause);
-    connected = co_await control.connect();
+    connected = co_await connection.connect();
   }
-  if (!connected) control.lose(connected.error());
+  if (!connected) connection.lose(connected.error());
   co_return co_await facts.tell_surely();
 }
 

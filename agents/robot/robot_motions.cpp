@@ -16,7 +16,7 @@ Task<Result<Datum>> RobotAgent::State::move(Fact request) {
   const Datum operation = request.datum[3];
   const Result<InHand> in_hand = control.take_in_hand(request.datum);
   if (!in_hand) co_return fail(in_hand);
-  const Result<arm::ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await connection.read();
   if (!reading) co_return fail(reading);
   const arm::Joints at = reading->joints;
   Result<Motion> motion = plan_motion(model, operation, at, variables);
@@ -45,7 +45,7 @@ Task<Result<Datum>> RobotAgent::State::jog(Fact request) {
   if (!in_hand) co_return fail(in_hand);
   const Result<void> held = co_await holds.await(request.teller, deadline);
   if (!held) co_return fail(held);
-  const Result<arm::ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await connection.read();
   if (!reading) co_return fail(reading);
   const arm::Joints at = reading->joints;
   Result<Motion> motion = plan_jog(model, room, operation[1].text(), at);
@@ -95,7 +95,7 @@ Task<Result<Datum>> RobotAgent::State::carry_out(Fact request, Task<Result<void>
   Result<void> moved = reflex.allows(request.teller);
   if (moved) moved = co_await motion;
   if (moved) facts.set_arm("idle");
-  if (!moved && control.connected()) {
+  if (!moved && connection.is_there()) {
     const bool stopped = control.was_stopped() || moved.error().symbol == "stopped";
     facts.set_arm(moved.error().symbol == "fault" ? "fault" : stopped ? "stopped" : "idle");
   }

@@ -57,7 +57,7 @@ Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
   if (!variables.contains(variable) && variables.size() >= max_variables) {
     co_return fail("out-of-range", fmt::format("{} variables are learned already", max_variables), operation[1]);
   }
-  const Result<arm::ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await connection.read();
   if (!reading) co_return fail(reading);
   const Datum fact = list("robot-variable"_sym, name, operation[1], joints_to_datum(reading->joints));
   const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
@@ -67,7 +67,7 @@ Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
 }
 
 Task<Result<Datum>> RobotAgent::State::monitor() {
-  const Result<arm::ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await connection.read();
   if (!reading) co_return fail(reading);
   std::vector<Datum> numbers = pose_numbers(model, reading->joints);
   const std::vector<Datum> joints = joint_numbers(reading->joints);
@@ -94,7 +94,7 @@ Task<Result<Datum>> RobotAgent::State::finish(Datum operation) {
 Task<Result<Datum>> RobotAgent::State::get_control(Datum operation) {
   const Result<InHand> in_hand = control.occupy(operation);
   if (!in_hand) co_return fail(in_hand);
-  const Result<void> taken = co_await control.get_control();
+  const Result<void> taken = co_await connection.get_control();
   if (!taken) co_return fail(taken);
   Transaction taking;
   taking.retract(released_fact("?"_sym));
@@ -111,8 +111,8 @@ Task<Result<Datum>> RobotAgent::State::release_control(Fact request) {
   releasing.tell(released_fact(Datum::symbol(request.teller)));
   const Result<void> kept = co_await facts.tell_surely(std::move(releasing));
   if (!kept) co_return fail(kept);
-  control.set_released(request.teller);
-  const Result<void> released = co_await control.release_control();
+  connection.set_released(request.teller);
+  const Result<void> released = co_await connection.release_control();
   if (!released) co_return fail(released);
   const Result<void> told = co_await facts.tell_surely();
   if (!told) co_return fail(told);

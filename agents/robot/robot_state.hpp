@@ -26,6 +26,7 @@ struct RobotAgent::State {
   const arm::ArmModel model;
   const std::optional<Room> room;
   ArmFacts facts;
+  ArmConnection connection;
   ArmControl control;
   Reflex reflex;
   Holds holds;
