@@ -4,7 +4,7 @@
 // under the next number, written where the epoch and the head are this board's; what was begun and not answered is
 // looked up before it is repeated.
 //
-//   auto log = std::make_shared<ClusterLog>(key_values, keys, leadership.epoch(), copy.number(), "etcd://.../blocks");
+//   auto log = std::make_shared<ClusterLog>(key_values, keys, epoch.value(), copy.number(), "etcd://.../blocks");
 //   JournalWriter writer(executor, log);
 //
 // Only lines about what is durable belong there (MemoryBoard::set_journal). Snapshots are taken beside it (LogUpkeep),

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "blackboard/cluster/followed_log.hpp"
-#include "blackboard/cluster/leadership.hpp"
 #include "blackboard/cluster/log_format.hpp"
+#include "blackboard/cluster/won_epoch.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/store/durable_facts.hpp"
 

@@ -16,7 +16,7 @@ Result<bool> Standby::step(const std::function<Time()>& now) {
   }
   vacant_ = !seen_ || seen_->leaves;
   if (!vacant_ && !suspects_ && now() < seen_at_ + suspects_after) return false;
-  Result<std::optional<Leadership>> won = Leadership::campaign(key_values_, keys_, seen_, board_, nonce_);
+  Result<std::optional<WonEpoch>> won = WonEpoch::campaign(key_values_, keys_, seen_, board_, nonce_);
   if (!won) {
     const bool sees_to_space = lacks_space(won.error()) && now() >= sees_to_space_at_;
     if (!sees_to_space) return fail(won);
@@ -28,6 +28,24 @@ Result<bool> Standby::step(const std::function<Time()>& now) {
   if (!*won) return false;
   won_ = std::move(**won);
   return true;
+}
+
+Task<Result<void>> stand_by(Executor& executor, std::shared_ptr<Standby> standby, OnAttempt on_log) {
+  using Work = std::function<void(const std::function<bool()>& cancelled)>;
+  while (true) {
+    const auto leads = std::make_shared<Result<bool>>(false);
+    Work work = [standby, leads, &executor](const std::function<bool()>&) {
+      *leads = standby->step([&executor] { return executor.now(); });
+    };
+    co_await executor.offload(std::move(work), Duration::zero());
+    const Result<void> attempt = *leads ? Result<void>() : fail(*leads);
+    const bool has_failed = !attempt && attempt.error().symbol != "unavailable";
+    if (has_failed) co_return attempt;
+    on_log(attempt);
+    const bool has_won = attempt && leads->value();
+    if (has_won) co_return attempt;
+    co_await sleep(executor, looks_every);
+  }
 }
 
 }  // namespace pizarra::cluster

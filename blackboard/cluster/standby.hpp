@@ -4,7 +4,7 @@
 //
 //   Standby standby(key_values, keys, "board-pc", nonce, now());
 //   Result<bool> leads = standby.step(now);             // every 40 ms; failures unavailable, bad-journal
-//   if (leads && *leads) ... standby.take_leadership(), standby.followed()
+//   if (leads && *leads) ... standby.take_epoch(), standby.followed()
 //
 // A nonce is another one for every life of a board.
 
@@ -13,7 +13,8 @@
 #include <memory>
 
 #include "blackboard/cluster/followed_log.hpp"
-#include "blackboard/cluster/leadership.hpp"
+#include "blackboard/cluster/won_epoch.hpp"
+#include "blackboard/time/executor.hpp"
 
 namespace pizarra::cluster {
 
@@ -39,7 +40,7 @@ class Standby {
   // Where the time of a board that takes the lead begins at the earliest: behind the log and behind all answers of the
   // former leader, whose clock may be ahead.
   Time earliest_time() const { return std::max(followed_->end().when, seen_ ? time_behind(*seen_) : Time()); }
-  Leadership take_leadership() { return std::move(*won_); }
+  WonEpoch take_epoch() { return std::move(*won_); }
   // How long whoever led before may still answer. Its last confirmation was sent before it was seen here, and taking
   // the lead compared it. Nothing where nobody led, or who did said that it answers no more.
   Duration must_wait(Time now) const {
@@ -57,7 +58,13 @@ class Standby {
   Time sees_to_space_at_{};
   bool suspects_ = false;
   bool vacant_ = false;
-  std::optional<Leadership> won_;
+  std::optional<WonEpoch> won_;
 };
+
+// How each attempt went: a failure, or that the log answers.
+using OnAttempt = std::function<void(const Result<void>&)>;
+
+// Steps until it leads. It fails with any failure but `unavailable`, which passes by waiting.
+Task<Result<void>> stand_by(Executor& executor, std::shared_ptr<Standby> standby, OnAttempt on_log);
 
 }  // namespace pizarra::cluster

@@ -5,7 +5,7 @@
 
 #include "blackboard/boards_own.hpp"
 #include "blackboard/cluster/etcd_client.hpp"
-#include "blackboard/cluster/lead.hpp"
+#include "blackboard/cluster/log_leader.hpp"
 #include "blackboard/cluster/log_owner.hpp"
 #include "blackboard/cluster/troubles.hpp"
 #include "blackboard/server/kept_board.hpp"
@@ -37,7 +37,7 @@ void report(cluster::Troubles& troubles, const Result<void>& result, Time now) {
   if (news) fmt::print(stderr, "pizarra-board: {}\n", *news);
 }
 
-// (board-leads NAME), told by the board; gone with its lead.
+// (board-leads NAME), told by the board; it goes when another leads.
 Result<void> say_who_leads(memory::MemoryBoard& board, const std::string& name) {
   const Relation relation{.name = "board-leads",
                           .arguments = {{"name", ArgumentType::string}},
@@ -125,15 +125,15 @@ class StandingBy {
   std::optional<Failure> failure_;
 };
 
-// While this board leads.
-class Leading {
+// Serves clients while this board leads.
+class ServingLeader {
  public:
-  Leading(const ClusterChoices& choices, const std::shared_ptr<Standby>& standby, Duration waits)
+  ServingLeader(const ClusterChoices& choices, const std::shared_ptr<Standby>& standby, Duration waits)
       : choices_(choices),
         executor_(std::max(RealExecutor::wall_clock(), standby->earliest_time())),
-        lead_(executor_, needs(), cluster::LogKeys(choices.log.cell), standby, waits),
+        leader_(executor_, needs(), cluster::LogKeys(choices.log.cell), standby, waits),
         gated_(
-            wire::zeromq(), [this] { return lead_.may_answer(); },
+            wire::zeromq(), [this] { return leader_.may_answer(); },
             [this](const std::string& sender_key, std::string_view frame) { return in_doubt(sender_key, frame); }) {}
 
   // The exit status, or nothing where another board leads now.
@@ -142,29 +142,29 @@ class Leading {
  private:
   // The answer to a frame while it is not known whether this board leads.
   std::string in_doubt(const std::string& sender_key, std::string_view frame) const {
-    const std::optional<Duration> age = lead_.age();
+    const std::optional<Duration> age = leader_.age();
     return server_ == nullptr || !age ? "" : server_->answer_in_doubt(sender_key, frame, *age);
   }
-  cluster::Lead::Needs needs();
+  cluster::LogLeader::Needs needs();
   bool runs_until_done(Task<void> task);
   // Where it does not lead any more, or stops.
   std::optional<int> end() const;
   void keep_past(const store::Store& store, const std::shared_ptr<const journal::Log>& log);
-  void keep_board(cluster::Lead::Begun begun);
+  void keep_board(cluster::LogLeader::Begun begun);
   std::optional<int> serve();
 
   const ClusterChoices& choices_;
   RealExecutor executor_;
   cluster::Troubles troubles_;
   cluster::Troubles upkeep_troubles_;
-  cluster::Lead lead_;
+  cluster::LogLeader leader_;
   wire::GatedTransport gated_;
   std::unique_ptr<cluster::OwnPast> past_;
   std::unique_ptr<server::KeptBoard> kept_;
   std::unique_ptr<server::BoardServer> server_;
 };
 
-cluster::Lead::Needs Leading::needs() {
+cluster::LogLeader::Needs ServingLeader::needs() {
   return {.connect = [this] { return connect(choices_.log); },
           .nonce = server::Sessions::random_number,
           .uptime = uptime,
@@ -173,70 +173,70 @@ cluster::Lead::Needs Leading::needs() {
           .on_end = [this] { executor_.stop(); }};
 }
 
-bool Leading::runs_until_done(Task<void> task) {
+bool ServingLeader::runs_until_done(Task<void> task) {
   const Job job = executor_.spawn(std::move(task));
   executor_.run_until([&] { return job.done(); });
-  return job.done() && !lead_.ended();
+  return job.done() && !leader_.ended();
 }
 
-std::optional<int> Leading::end() const {
-  if (!lead_.ended()) return stopped;
-  if (lead_.ended()->symbol == "deposed") return std::nullopt;
-  return complain(*lead_.ended(), lead_.ended()->symbol == "bad-address" ? bad_address : bad_journal);
+std::optional<int> ServingLeader::end() const {
+  if (!leader_.ended()) return stopped;
+  if (leader_.ended()->symbol == "deposed") return std::nullopt;
+  return complain(*leader_.ended(), leader_.ended()->symbol == "bad-address" ? bad_address : bad_journal);
 }
 
-std::optional<int> Leading::run() {
+std::optional<int> ServingLeader::run() {
   const StopSignals signals(executor_);
-  const Job confirming = executor_.spawn(lead_.confirm());
-  if (!runs_until_done(lead_.catch_up())) return end();
+  const Job confirming = executor_.spawn(leader_.confirm());
+  if (!runs_until_done(leader_.catch_up())) return end();
   const std::optional<int> status = serve();
   server_.reset();
   kept_.reset();
   past_.reset();
-  lead_.leave();
-  if (status && !lead_.ended()) executor_.run_until([&] { return confirming.done(); });
+  leader_.leave();
+  if (status && !leader_.ended()) executor_.run_until([&] { return confirming.done(); });
   return status;
 }
 
 // A board leads without one rather than not at all.
-void Leading::keep_past(const store::Store& store, const std::shared_ptr<const journal::Log>& log) {
+void ServingLeader::keep_past(const store::Store& store, const std::shared_ptr<const journal::Log>& log) {
   if (choices_.past.folder.empty()) return;
   const auto complain_of = [](const Failure& failure) {
     fmt::print(stderr, "pizarra-board: {}; what is not durable is not kept while it leads\n", describe(failure));
   };
   Result<std::unique_ptr<cluster::OwnPast>> past =
-      cluster::OwnPast::begin(executor_, choices_.past, choices_.log.cell, lead_.leadership().epoch().number, store,
-                              {lead_.leadership().first_revision(), executor_.now()}, log);
+      cluster::OwnPast::begin(executor_, choices_.past, choices_.log.cell, leader_.epoch().value().number, store,
+                              {leader_.epoch().first_revision(), executor_.now()}, log);
   if (!past) return complain_of(past.error());
   past_ = std::move(*past);
   past_->on_end = complain_of;
 }
 
-void Leading::keep_board(cluster::Lead::Begun begun) {
+void ServingLeader::keep_board(cluster::LogLeader::Begun begun) {
   kept_ = std::make_unique<server::KeptBoard>(executor_, [this](const std::optional<Failure>& failure) {
-    if (failure && failure->symbol == "deposed") return lead_.end(*failure);
+    if (failure && failure->symbol == "deposed") return leader_.end(*failure);
     report(troubles_, failure ? fail(*failure) : Result<void>(), executor_.now());
   });
   keep_past(*begun.store, begun.log);
   store::JournalSink all;
   if (past_ != nullptr) all = [this](std::string_view line) { past_->add(line); };
-  kept_->lead(std::move(begun.store), lead_.leadership().epoch().number << bits_of_leases, std::move(begun.replies),
+  kept_->lead(std::move(begun.store), leader_.epoch().value().number << bits_of_leases, std::move(begun.replies),
               begun.log, std::move(all));
-  lead_.counters = [this] {
-    if (kept_ == nullptr) return cluster::Lead::Counters();
+  leader_.counters = [this] {
+    if (kept_ == nullptr) return cluster::LogLeader::Counters();
     const store::Store& store = kept_->board().store();
-    return cluster::Lead::Counters{store.revision(), store.next_fact()};
+    return cluster::LogLeader::Counters{store.revision(), store.next_fact()};
   };
 }
 
-std::optional<int> Leading::serve() {
-  Result<cluster::Lead::Begun> begun = lead_.begin(choices_.log.text);
+std::optional<int> ServingLeader::serve() {
+  Result<cluster::LogLeader::Begun> begun = leader_.begin(choices_.log.text);
   if (!begun) return end();
   keep_board(std::move(*begun));
   const Result<void> told = say_who_leads(kept_->board(), choices_.name);
   if (!told) return complain(told.error(), bad_journal);
-  const Job upkeep = executor_.spawn(lead_.keep_in_space());
-  if (!runs_until_done(lead_.until_it_serves())) return end();
+  const Job upkeep = executor_.spawn(leader_.keep_in_space());
+  if (!runs_until_done(leader_.until_it_serves())) return end();
   server::BoardServerOptions options = choices_.server;
   options.journal = kept_->journal();
   options.past = past_ == nullptr ? nullptr : &past_->writer();
@@ -248,7 +248,7 @@ std::optional<int> Leading::serve() {
   server_ = std::move(*server);
   say(fmt::format("ready on {}", fmt::join(server_->addresses(), " ")));
   executor_.run_until([] { return false; });
-  if (lead_.ended()) return end();
+  if (leader_.ended()) return end();
   server_->say_goodbye();
   executor_.call_at(executor_.now() + server::BoardServer::goodbye_length, [this] { executor_.stop(); });
   executor_.run_until([] { return false; });
@@ -267,8 +267,8 @@ int serve_in_cluster(const ClusterChoices& choices) {
     if (standing.failure()) return complain(*standing.failure(), bad_journal);
     if (standby == nullptr) return stopped;
     say("leads");
-    Leading leading(choices, standby, standing.must_wait());
-    const std::optional<int> status = leading.run();
+    ServingLeader leader(choices, standby, standing.must_wait());
+    const std::optional<int> status = leader.run();
     if (status) return *status;
     say("another board leads");
   }

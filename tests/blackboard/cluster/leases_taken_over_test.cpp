@@ -28,15 +28,15 @@ class LeasesTakenOver : public testing::Test {
       standby.suspect();
       EXPECT_TRUE(leads());
     }
-    const Leadership won = standby.take_leadership();
+    const WonEpoch won = standby.take_epoch();
     const std::string head = get(*client_, kept_cell.head()).value().value_or("0");
     EXPECT_TRUE(standby.followed().follow_to(std::stoull(head)).has_value());
-    const auto log = std::make_shared<ClusterLog>(client_, client_, kept_cell, won.epoch(), standby.followed().number(),
+    const auto log = std::make_shared<ClusterLog>(client_, client_, kept_cell, won.value(), standby.followed().number(),
                                                   "etcd://model");
     std::unique_ptr<store::Store> store = standby.followed().take_store();
     store->restore_counters(won.first_revision(), won.first_fact());
     auto board = std::make_unique<server::KeptBoard>(executor_);
-    board->lead(std::move(store), won.epoch().number << 40, {}, log);
+    board->lead(std::move(store), won.value().number << 40, {}, log);
     return board;
   }
   std::size_t standing(server::KeptBoard& board, const char* pattern) {

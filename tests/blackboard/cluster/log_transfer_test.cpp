@@ -93,7 +93,7 @@ TEST_F(Transfer, IsFollowedByABoardThatLeadsBehindTheFormerCounters) {
   ASSERT_TRUE(leads.has_value() && *leads);
   EXPECT_EQ(standby.must_wait(etcd_.now), Duration::zero());
   EXPECT_EQ(store::durable_facts(standby.followed().store()).size(), 3u);
-  const Leadership won = standby.take_leadership();
+  const WonEpoch won = standby.take_epoch();
   EXPECT_GE(won.first_revision(), there->revision);
   EXPECT_GE(won.first_fact(), standby.followed().store().next_fact());
 }
@@ -103,7 +103,7 @@ TEST_F(Transfer, BackFromAClusterBeginsBehindAllThatItsBoardsGaveOutAlsoWhatIsNo
   ASSERT_TRUE(file_to_cluster(first_, client_, moved_cell, 7).has_value());
   Standby standby(client_, moved_cell, "board-pc", 9, etcd_.now);
   ASSERT_TRUE(standby.step([this] { return etcd_.now; }).value_or(false));
-  Leadership won = standby.take_leadership();
+  WonEpoch won = standby.take_epoch();
   // Facts that are not durable are not in the log: it has only the counters that the leader says.
   store::Store& led = standby.followed().store();
   led.restore_counters(won.first_revision(), won.first_fact());
@@ -144,7 +144,7 @@ TEST_F(Transfer, LeavesALogThatABoardLeadsAlone) {
   ASSERT_TRUE(file_to_cluster(first_, client_, moved_cell, 7).has_value());
   Standby standby(client_, moved_cell, "board-pc", 9, etcd_.now);
   ASSERT_TRUE(standby.step([this] { return etcd_.now; }).value_or(false));
-  Leadership won = standby.take_leadership();
+  WonEpoch won = standby.take_epoch();
   const Pause it_leads_on = [&](Duration length) {
     etcd_.now += length;
     EXPECT_TRUE(won.confirm(client_, etcd_.now, 1, 1).has_value());

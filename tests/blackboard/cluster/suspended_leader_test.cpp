@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "blackboard/cluster/lead.hpp"
+#include "blackboard/cluster/log_leader.hpp"
 #include "blackboard/time/uptime.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/cluster/etcd_model.hpp"
@@ -17,11 +17,11 @@ class SuspendedLeader : public testing::Test {
   SuspendedLeader() {
     etcd_.trouble = 0;
     EXPECT_EQ(standby_->step([this] { return executor_.now(); }), true);
-    lead_.emplace(executor_, needs(), blocks_keys, standby_, Duration::zero());
-    confirming_ = executor_.spawn(lead_->confirm());
+    leader_.emplace(executor_, needs(), blocks_keys, standby_, Duration::zero());
+    confirming_ = executor_.spawn(leader_->confirm());
     executor_.run_for(2 * confirms_every);
   }
-  Lead::Needs needs() {
+  LogLeader::Needs needs() {
     return {.connect = [this] { return std::shared_ptr<KeyValues>(client_); },
             .nonce = [] { return std::uint64_t{1}; },
             .uptime = [this] { return executor_.now().time_since_epoch() + asleep_; },
@@ -35,18 +35,18 @@ class SuspendedLeader : public testing::Test {
   VirtualExecutor executor_;
   Duration asleep_{};
   const std::shared_ptr<Standby> standby_ = std::make_shared<Standby>(*client_, blocks_keys, "a", 1, executor_.now());
-  std::optional<Lead> lead_;
+  std::optional<LogLeader> leader_;
   Job confirming_;
 };
 
 TEST_F(SuspendedLeader, AnswersNothingWhenItWakesUntilItsLeadIsConfirmed) {
-  ASSERT_TRUE(lead_->may_answer());
+  ASSERT_TRUE(leader_->may_answer());
   asleep_ = std::chrono::minutes(10);
-  EXPECT_FALSE(lead_->may_answer());
-  EXPECT_GE(*lead_->age(), std::chrono::minutes(10));
+  EXPECT_FALSE(leader_->may_answer());
+  EXPECT_GE(*leader_->age(), std::chrono::minutes(10));
   executor_.run_for(2 * confirms_every);
-  EXPECT_TRUE(lead_->may_answer());
-  EXPECT_LT(*lead_->age(), answers_for);
+  EXPECT_TRUE(leader_->may_answer());
+  EXPECT_LT(*leader_->age(), answers_for);
 }
 
 TEST_F(SuspendedLeader, ThatWasReplacedMeanwhileAnswersNothingAnyMore) {
@@ -60,10 +60,10 @@ TEST_F(SuspendedLeader, ThatWasReplacedMeanwhileAnswersNothingAnyMore) {
     won = other.step(now).value();
   }
   ASSERT_TRUE(won);
-  EXPECT_FALSE(lead_->may_answer());
+  EXPECT_FALSE(leader_->may_answer());
   executor_.run_for(2 * confirms_every);
-  EXPECT_FALSE(lead_->may_answer());
-  EXPECT_EQ(lead_->ended()->symbol, "deposed");
+  EXPECT_FALSE(leader_->may_answer());
+  EXPECT_EQ(leader_->ended()->symbol, "deposed");
 }
 
 TEST(Uptime, OnlyGrowsAndIsThatOfTheMachine) {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <set>
 
-#include "blackboard/cluster/lead.hpp"
+#include "blackboard/cluster/log_leader.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "tests/blackboard/cluster/etcd_model.hpp"
@@ -80,15 +80,16 @@ class ModelBoard {
       standby_ = std::make_shared<Standby>(*client_, cell_keys, name_, etcd_.random() >> 2, executor_.now());
       const Result<void> leads = co_await stand_by(executor_, standby_, on_attempt_);
       if (!leads) co_return;
-      lead_ = std::make_unique<Lead>(executor_, needs(), cell_keys, standby_, standby_->must_wait(executor_.now()));
-      confirming_ = executor_.spawn(lead_->confirm());
-      co_await lead_->catch_up();
-      if (!lead_->ended()) co_await serve();
-      note(*lead_->ended());
+      leader_ =
+          std::make_unique<LogLeader>(executor_, needs(), cell_keys, standby_, standby_->must_wait(executor_.now()));
+      confirming_ = executor_.spawn(leader_->confirm());
+      co_await leader_->catch_up();
+      if (!leader_->ended()) co_await serve();
+      note(*leader_->ended());
       end_lead();
     }
   }
-  Lead::Needs needs() {
+  LogLeader::Needs needs() {
     return {.connect = [this] { return std::shared_ptr<KeyValues>(client_); },
             .nonce = [this] { return etcd_.random(); },
             .uptime = [this] { return executor_.now().time_since_epoch(); },
@@ -99,7 +100,7 @@ class ModelBoard {
   void end_lead() {
     confirming_ = Job();
     upkeep_ = Job();
-    lead_.reset();
+    leader_.reset();
     log_.reset();
     pending_.reset();
     store_.reset();
@@ -108,9 +109,9 @@ class ModelBoard {
   }
   Task<void> serve() {
     begin_board();
-    upkeep_ = executor_.spawn(lead_->keep_in_space());
-    co_await lead_->until_it_serves();
-    while (!lead_->ended()) {
+    upkeep_ = executor_.spawn(leader_->keep_in_space());
+    co_await leader_->until_it_serves();
+    while (!leader_->ended()) {
       const Duration pause(etcd_.below(5'000));
       co_await sleep(executor_, pause);
       const bool writes = etcd_.happens(0.5);
@@ -119,13 +120,13 @@ class ModelBoard {
     }
   }
   void begin_board() {
-    Lead::Begun begun = lead_->begin("etcd://model").value();
+    LogLeader::Begun begun = leader_->begin("etcd://model").value();
     log_ = std::move(begun.log);
     store_ = std::move(begun.store);
     if (!clients_.boards_forget_replies) {
       for (const journal::RememberedReply& reply : begun.replies) replies_.insert(reply.request);
     }
-    lead_->counters = [this] { return Lead::Counters{store_->revision(), store_->next_fact()}; };
+    leader_->counters = [this] { return LogLeader::Counters{store_->revision(), store_->next_fact()}; };
     (void)store_->declare(
         {relation_from_datum(read_one("(relation mark ((n integer) (doing integer)) (durable))").value()).value()});
     pending_.emplace();
@@ -142,7 +143,7 @@ class ModelBoard {
     Result<void> written;
     std::function<void(const std::function<bool()>&)> append = [&](auto&&) { written = log_->append(*pending_, true); };
     co_await executor_.offload(std::move(append), Duration::zero());
-    if (!written && written.error().symbol == "deposed") co_return lead_->end(written.error());
+    if (!written && written.error().symbol == "deposed") co_return leader_->end(written.error());
     on_attempt_(written);
     if (written) are_written();
   }
@@ -169,7 +170,7 @@ class ModelBoard {
     }
   }
   void acknowledge(std::uint64_t request) {
-    if (!lead_->may_answer()) return;
+    if (!leader_->may_answer()) return;
     clients_.acknowledged.insert(request);
     clients_.open.erase(request);
     heard(store_->revision());
@@ -181,7 +182,7 @@ class ModelBoard {
   }
   // An ask: as the server, nothing while it holds what is not in the log.
   void answer() {
-    if (pending_ || !lead_->may_answer()) return;
+    if (pending_ || !leader_->may_answer()) return;
     for (const std::uint64_t request : clients_.acknowledged) {
       const Query query = query_for(list("mark"_sym, static_cast<std::int64_t>(request), "?"_sym));
       const std::size_t known = store_->ask(query)->answers.size();
@@ -208,7 +209,7 @@ class ModelBoard {
     if (!attempt) note(attempt.error());
   };
   std::shared_ptr<Standby> standby_;
-  std::unique_ptr<Lead> lead_;
+  std::unique_ptr<LogLeader> leader_;
   std::shared_ptr<ClusterLog> log_;
   std::unique_ptr<store::Store> store_;
   std::set<std::uint64_t> replies_;
@@ -318,15 +319,15 @@ TEST(TakeoverJudge, FindsThatBoardsDoAgainWhatTheLogRemembersToBeAnswered) {
 }
 
 // The time at which a board's time begins that takes the lead from one whose clock is an hour ahead.
-Time earliest_time_after(const std::function<void(Leadership&, KeyValues&, Time)>& leads) {
+Time earliest_time_after(const std::function<void(WonEpoch&, KeyValues&, Time)>& leads) {
   EtcdModel etcd(1);
   etcd.trouble = 0;
   ModelClient client(etcd);
   const auto now = [&etcd] { return etcd.now; };
   Standby former(client, cell_keys, "ahead", 1, etcd.now);
   EXPECT_EQ(former.step(now), true);
-  Leadership leadership = former.take_leadership();
-  leads(leadership, client, etcd.now + 3600s);
+  WonEpoch epoch = former.take_epoch();
+  leads(epoch, client, etcd.now + 3600s);
   Standby next(client, cell_keys, "behind", 2, etcd.now);
   next.suspect();
   for (int looks = 0; looks < 3; ++looks) {
@@ -340,15 +341,15 @@ Time earliest_time_after(const std::function<void(Leadership&, KeyValues&, Time)
 
 TEST(Takeover, BeginsBehindEveryTimeAtWhichALeaderWithAnotherClockMayHaveAnswered) {
   Time said{};
-  const Time after_power_off = earliest_time_after([&](Leadership& leadership, KeyValues& etcd, Time ahead) {
+  const Time after_power_off = earliest_time_after([&](WonEpoch& epoch, KeyValues& etcd, Time ahead) {
     said = ahead;
-    ASSERT_TRUE(leadership.confirm(etcd, ahead, 1, 1).has_value());
+    ASSERT_TRUE(epoch.confirm(etcd, ahead, 1, 1).has_value());
   });
   EXPECT_EQ(after_power_off, said + answers_for);
-  const Time after_goodbye = earliest_time_after([&](Leadership& leadership, KeyValues& etcd, Time ahead) {
+  const Time after_goodbye = earliest_time_after([&](WonEpoch& epoch, KeyValues& etcd, Time ahead) {
     said = ahead;
-    ASSERT_TRUE(leadership.confirm(etcd, ahead - 50ms, 1, 1).has_value());
-    ASSERT_TRUE(leadership.resign(etcd, ahead).has_value());
+    ASSERT_TRUE(epoch.confirm(etcd, ahead - 50ms, 1, 1).has_value());
+    ASSERT_TRUE(epoch.resign(etcd, ahead).has_value());
   });
   EXPECT_EQ(after_goodbye, said);
 }

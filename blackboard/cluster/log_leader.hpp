@@ -1,19 +1,20 @@
 #pragma once
 
-// A board's time at the lead: what it does with the log from when it won until another leads. Its program serves
-// clients meanwhile (programs/board/cluster_board.cpp); the tests run the same on a model of etcd, in virtual time.
+// The work of a leading board on its log, from when it won an epoch (won_epoch.hpp) until another leads. Its program
+// serves clients meanwhile (programs/board/cluster_board.cpp); the tests run the same on a model of etcd, in virtual
+// time.
 //
 //   const Result<void> leads = co_await stand_by(executor, standby, on_log);
-//   Lead lead(executor, needs, keys, standby, standby->must_wait(executor.now()));
-//   confirming = executor.spawn(lead.confirm());
-//   co_await lead.catch_up();
-//   Result<Lead::Begun> begun = lead.begin("etcd://A,B,C/blocks");        // a board's store, and where it writes
-//   upkeep = executor.spawn(lead.keep_in_space());
-//   co_await lead.until_it_serves();
-//   if (lead.may_answer()) ...                                            // before each reply
-//   lead.leave();                                                         // then `confirming` ends by itself
+//   LogLeader leader(executor, needs, keys, standby, standby->must_wait(executor.now()));
+//   confirming = executor.spawn(leader.confirm());
+//   co_await leader.catch_up();
+//   Result<LogLeader::Begun> begun = leader.begin("etcd://A,B,C/blocks");   // a board's store, and where it writes
+//   upkeep = executor.spawn(leader.keep_in_space());
+//   co_await leader.until_it_serves();
+//   if (leader.may_answer()) ...                                            // before each reply
+//   leader.leave();                                                         // then `confirming` ends by itself
 //
-// It ends where another board leads, which an append may find out first: lead.end(failure).
+// It ends where another board leads, which an append may find out first: leader.end(failure).
 
 #include <functional>
 #include <memory>
@@ -25,13 +26,7 @@
 
 namespace pizarra::cluster {
 
-// How each attempt went: a failure, or that the log answers.
-using OnAttempt = std::function<void(const Result<void>&)>;
-
-// Until it leads. It fails with any failure but `unavailable`, which passes by waiting.
-Task<Result<void>> stand_by(Executor& executor, std::shared_ptr<Standby> standby, OnAttempt on_log);
-
-class Lead {
+class LogLeader {
  public:
   struct Needs {
     // One for each of those who wait for answers at the same time.
@@ -53,7 +48,7 @@ class Lead {
   };
 
   // `waits`: how long whoever led before may still answer.
-  Lead(Executor& executor, Needs needs, LogKeys keys, std::shared_ptr<Standby> standby, Duration waits);
+  LogLeader(Executor& executor, Needs needs, LogKeys keys, std::shared_ptr<Standby> standby, Duration waits);
 
   // Of the board that serves; nothing before there is one.
   std::function<Counters()> counters = [] { return Counters(); };
@@ -69,7 +64,7 @@ class Lead {
   bool may_answer() const;
   // How old what it knows may be; nothing where it does not lead any more, or never knew that it did.
   std::optional<Duration> age() const;
-  const Leadership& leadership() const { return *leadership_; }
+  const WonEpoch& epoch() const { return *epoch_; }
 
   void leave() { leaves_ = true; }
   void end(const Failure& failure);
@@ -83,10 +78,10 @@ class Lead {
   const Needs needs_;
   const LogKeys keys_;
   const std::shared_ptr<Standby> standby_;
-  const std::shared_ptr<Leadership> leadership_;
+  const std::shared_ptr<WonEpoch> epoch_;
   const Time serves_at_;
   std::shared_ptr<LogSpace> space_;
-  Term term_;
+  LastConfirmation confirmation_;
   bool leaves_ = false;
   std::optional<Failure> ended_;
 };

@@ -1,4 +1,4 @@
-#include "blackboard/cluster/lead.hpp"
+#include "blackboard/cluster/log_leader.hpp"
 
 #include <algorithm>
 
@@ -10,62 +10,47 @@ namespace {
 
 using Work = std::function<void(const std::function<bool()>& cancelled)>;
 
-bool passes(const Failure& failure) { return failure.symbol == "unavailable"; }
+bool is_unavailable(const Failure& failure) { return failure.symbol == "unavailable"; }
 
 }  // namespace
 
-Task<Result<void>> stand_by(Executor& executor, std::shared_ptr<Standby> standby, OnAttempt on_log) {
-  while (true) {
-    const auto leads = std::make_shared<Result<bool>>(false);
-    Work work = [standby, leads, &executor](const std::function<bool()>&) {
-      *leads = standby->step([&executor] { return executor.now(); });
-    };
-    co_await executor.offload(std::move(work), Duration::zero());
-    const Result<void> attempt = *leads ? Result<void>() : fail(*leads);
-    const bool has_failed = !attempt && !passes(attempt.error());
-    if (has_failed) co_return attempt;
-    on_log(attempt);
-    const bool has_won = attempt && leads->value();
-    if (has_won) co_return attempt;
-    co_await sleep(executor, looks_every);
-  }
-}
-
-Lead::Lead(Executor& executor, Needs needs, LogKeys keys, std::shared_ptr<Standby> standby, Duration waits)
+LogLeader::LogLeader(Executor& executor, Needs needs, LogKeys keys, std::shared_ptr<Standby> standby, Duration waits)
     : executor_(executor),
       needs_(std::move(needs)),
       keys_(std::move(keys)),
       standby_(std::move(standby)),
-      leadership_(std::make_shared<Leadership>(standby_->take_leadership())),
+      epoch_(std::make_shared<WonEpoch>(standby_->take_epoch())),
       serves_at_(executor_.now() + waits) {}
 
-Result<std::shared_ptr<KeyValues>> Lead::connect() {
+Result<std::shared_ptr<KeyValues>> LogLeader::connect() {
   Result<std::shared_ptr<KeyValues>> connected = needs_.connect();
   if (!connected) end(connected.error());
   return connected;
 }
 
-bool Lead::may_answer() const { return !ended_ && !leaves_ && term_.may_answer(needs_.uptime(), counters().revision); }
-
-std::optional<Duration> Lead::age() const {
-  if (ended_ || leaves_ || !term_.sent()) return std::nullopt;
-  return needs_.uptime() - *term_.sent();
+bool LogLeader::may_answer() const {
+  return !ended_ && !leaves_ && confirmation_.may_answer(needs_.uptime(), counters().revision);
 }
 
-void Lead::end(const Failure& failure) {
+std::optional<Duration> LogLeader::age() const {
+  if (ended_ || leaves_ || !confirmation_.sent()) return std::nullopt;
+  return needs_.uptime() - *confirmation_.sent();
+}
+
+void LogLeader::end(const Failure& failure) {
   ended_ = failure;
   needs_.on_end();
 }
 
-Task<void> Lead::confirm() {
+Task<void> LogLeader::confirm() {
   const Result<std::shared_ptr<KeyValues>> store = connect();
   if (!store) co_return;
   while (!leaves_) {
     const Duration sent = needs_.uptime();
     const Time now = executor_.now();
     const auto up_to = std::make_shared<Result<Revision>>(Revision{0});
-    Work work = [store = *store, leadership = leadership_, up_to, now, used = counters()](auto&&) {
-      *up_to = leadership->confirm(*store, now, used.revision, used.fact);
+    Work work = [store = *store, epoch = epoch_, up_to, now, used = counters()](auto&&) {
+      *up_to = epoch->confirm(*store, now, used.revision, used.fact);
     };
     co_await executor_.offload(std::move(work), Duration::zero());
     heard(*up_to, sent);
@@ -73,19 +58,17 @@ Task<void> Lead::confirm() {
     co_await sleep(executor_, std::max(now + confirms_every - executor_.now(), Duration(1000)));
   }
   // Whoever stands by need not wait.
-  Work resign = [store = *store, leadership = leadership_, now = executor_.now()](auto&&) {
-    (void)leadership->resign(*store, now);
-  };
+  Work resign = [store = *store, epoch = epoch_, now = executor_.now()](auto&&) { (void)epoch->resign(*store, now); };
   co_await executor_.offload(std::move(resign), Duration::zero());
 }
 
-void Lead::heard(const Result<Revision>& up_to, Duration sent) {
-  if (up_to) term_.confirmed(sent, *up_to);
-  if (!up_to && !passes(up_to.error())) return end(up_to.error());
+void LogLeader::heard(const Result<Revision>& up_to, Duration sent) {
+  if (up_to) confirmation_.confirmed(sent, *up_to);
+  if (!up_to && !is_unavailable(up_to.error())) return end(up_to.error());
   needs_.on_log(up_to ? Result<void>() : fail(up_to));
 }
 
-Task<void> Lead::catch_up() {
+Task<void> LogLeader::catch_up() {
   const Result<std::shared_ptr<KeyValues>> store = connect();
   while (store && !ended_) {
     const auto whole = std::make_shared<Result<void>>();
@@ -96,34 +79,34 @@ Task<void> Lead::catch_up() {
     co_await executor_.offload(std::move(work), Duration::zero());
     if (*whole) co_return;
     const Failure& failure = whole->error();
-    if (!passes(failure)) co_return end(failure);
+    if (!is_unavailable(failure)) co_return end(failure);
     needs_.on_log(*whole);
     co_await sleep(executor_, looks_every);
   }
 }
 
-Result<Lead::Begun> Lead::begin(const std::string& path) {
+Result<LogLeader::Begun> LogLeader::begin(const std::string& path) {
   const Result<std::shared_ptr<KeyValues>> writing = connect();
   if (!writing) return fail(writing);
   const Result<std::shared_ptr<KeyValues>> reading = connect();
   if (!reading) return fail(reading);
   FollowedLog& followed = standby_->followed();
   Begun begun;
-  begun.log = std::make_shared<ClusterLog>(*writing, *reading, keys_, leadership_->epoch(), followed.number(), path,
+  begun.log = std::make_shared<ClusterLog>(*writing, *reading, keys_, epoch_->value(), followed.number(), path,
                                            followed.weight());
   begun.replies = followed.replies();
   begun.store = followed.take_store();
-  begun.store->restore_counters(leadership_->first_revision(), leadership_->first_fact());
+  begun.store->restore_counters(epoch_->first_revision(), epoch_->first_fact());
   space_ = begun.log->space();
   return begun;
 }
 
-Task<void> Lead::until_it_serves() {
+Task<void> LogLeader::until_it_serves() {
   const Duration rest = std::max(serves_at_ - executor_.now(), Duration::zero());
   co_await sleep(executor_, rest);
 }
 
-Task<void> Lead::keep_in_space() {
+Task<void> LogLeader::keep_in_space() {
   const Result<std::shared_ptr<KeyValues>> store = connect();
   if (!store) co_return;
   const auto upkeep = std::make_shared<LogUpkeep>(*store, keys_, space_);

@@ -1,4 +1,4 @@
-#include "blackboard/cluster/leadership.hpp"
+#include "blackboard/cluster/won_epoch.hpp"
 
 #include <algorithm>
 
@@ -16,9 +16,9 @@ std::unexpected<Failure> deposed(const std::string& by) {
 
 Time time_behind(const Alive& said) { return said.leaves ? said.when : said.when + answers_for; }
 
-Result<std::optional<Leadership>> Leadership::campaign(KeyValues& key_values, const LogKeys& keys,
-                                                       const std::optional<Alive>& seen, const std::string& board,
-                                                       std::uint64_t nonce) {
+Result<std::optional<WonEpoch>> WonEpoch::campaign(KeyValues& key_values, const LogKeys& keys,
+                                                   const std::optional<Alive>& seen, const std::string& board,
+                                                   std::uint64_t nonce) {
   const Result<std::optional<std::string>> standing = get(key_values, keys.epoch());
   if (!standing) return fail(standing);
   EpochValue mine{1, board, nonce};
@@ -27,7 +27,7 @@ Result<std::optional<Leadership>> Leadership::campaign(KeyValues& key_values, co
     if (!former) return fail(former);
     // The transaction of which the answer was lost has happened.
     if (former->nonce == nonce) return found(key_values, keys, nonce);
-    if (!seen || seen->epoch != former->number) return std::optional<Leadership>();
+    if (!seen || seen->epoch != former->number) return std::optional<WonEpoch>();
     mine.number = former->number + 1;
   }
   Alive alive{.epoch = mine.number};
@@ -40,25 +40,25 @@ Result<std::optional<Leadership>> Leadership::campaign(KeyValues& key_values, co
   if (!*standing) taking.puts.push_back({keys.head(), "0"});
   const Result<KeyValues::Reply> taken = key_values.transact(taking, patience);
   if (!taken) return fail(taken);
-  if (!taken->succeeded) return std::optional<Leadership>();
-  return std::optional(Leadership(keys, mine, alive));
+  if (!taken->succeeded) return std::optional<WonEpoch>();
+  return std::optional(WonEpoch(keys, mine, alive));
 }
 
-Result<std::optional<Leadership>> Leadership::found(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce) {
+Result<std::optional<WonEpoch>> WonEpoch::found(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce) {
   const Result<std::optional<std::string>> epoch_text = get(key_values, keys.epoch());
   if (!epoch_text) return fail(epoch_text);
   const Result<std::optional<std::string>> alive_text = get(key_values, keys.alive());
   if (!alive_text) return fail(alive_text);
-  if (!*epoch_text || !*alive_text) return std::optional<Leadership>();
+  if (!*epoch_text || !*alive_text) return std::optional<WonEpoch>();
   const Result<EpochValue> epoch = epoch_from(**epoch_text);
   if (!epoch) return fail(epoch);
   const Result<Alive> alive = alive_from(**alive_text);
   if (!alive) return fail(alive);
-  if (epoch->nonce != nonce || alive->epoch != epoch->number) return std::optional<Leadership>();
-  return std::optional(Leadership(keys, *epoch, *alive));
+  if (epoch->nonce != nonce || alive->epoch != epoch->number) return std::optional<WonEpoch>();
+  return std::optional(WonEpoch(keys, *epoch, *alive));
 }
 
-Result<Revision> Leadership::confirm(KeyValues& key_values, Time now, Revision revision, FactId fact, Duration wait) {
+Result<Revision> WonEpoch::confirm(KeyValues& key_values, Time now, Revision revision, FactId fact, Duration wait) {
   const Alive alive{.epoch = epoch_.number,
                     .count = alive_.count + 1,
                     .when = now,
@@ -69,7 +69,7 @@ Result<Revision> Leadership::confirm(KeyValues& key_values, Time now, Revision r
   return alive_.revision;
 }
 
-Result<void> Leadership::resign(KeyValues& key_values, Time now) {
+Result<void> WonEpoch::resign(KeyValues& key_values, Time now) {
   Alive alive = alive_;
   ++alive.count;
   alive.when = now;
@@ -78,7 +78,7 @@ Result<void> Leadership::resign(KeyValues& key_values, Time now) {
 }
 
 // Compared with what it said before, so that one that comes late does not take back what came after it.
-Result<void> Leadership::say(KeyValues& key_values, const Alive& alive, Duration wait) {
+Result<void> WonEpoch::say(KeyValues& key_values, const Alive& alive, Duration wait) {
   const Result<KeyValues::Reply> said =
       key_values.transact({.compares = {{keys_.epoch(), text_of(epoch_)}, {keys_.alive(), text_of(alive_)}},
                            .puts = {{keys_.alive(), text_of(alive)}}},

@@ -1,13 +1,13 @@
 #pragma once
 
-// Which of a cell's boards leads, and for how long it may answer.
+// The epoch by which one of a cell's boards leads, and for how long that board may answer.
 //
-//   Result<std::optional<Leadership>> won = Leadership::campaign(key_values, keys, copy.alive(), "board-pc", nonce);
-//   Term term;
+//   Result<std::optional<WonEpoch>> won = WonEpoch::campaign(key_values, keys, copy.alive(), "board-pc", nonce);
+//   LastConfirmation last;
 //   const Duration sent = uptime();                                     // every confirms_every
 //   Result<Revision> up_to = won->confirm(key_values, now, revision, fact);
-//   if (up_to) term.confirmed(sent, *up_to);
-//   if (term.may_answer(uptime(), revision)) ...                        // before each reply
+//   if (up_to) last.confirmed(sent, *up_to);
+//   if (last.may_answer(uptime(), revision)) ...                        // before each reply
 //
 // A board leads by its epoch: a key that every transaction of its log compares. Taking the lead replaces the epoch
 // where the leader has not confirmed it since it was seen. The old one's appends fail from then on; its answers end by
@@ -31,7 +31,7 @@ inline constexpr Duration suspects_after = 220ms;
 Time time_behind(const Alive& said);
 
 // A leader's last confirmation, by its machine's uptime: it tells until when the leader may answer.
-class Term {
+class LastConfirmation {
  public:
   void confirmed(Duration sent, Revision up_to) {
     sent_ = sent;
@@ -47,18 +47,18 @@ class Term {
   Revision up_to_ = 0;
 };
 
-class Leadership {
+class WonEpoch {
  public:
   // How many revisions and fact numbers a board may use before it announces the next ones: far more than it can.
   static constexpr std::uint64_t reserve = std::uint64_t{1} << 32;
 
   // `seen`: what the leader said last, if there is one. Nothing where another was faster, or the leader lives.
   // Failure unavailable: whether it leads now is found out by campaigning again with the same nonce.
-  static Result<std::optional<Leadership>> campaign(KeyValues& key_values, const LogKeys& keys,
-                                                    const std::optional<Alive>& seen, const std::string& board,
-                                                    std::uint64_t nonce);
+  static Result<std::optional<WonEpoch>> campaign(KeyValues& key_values, const LogKeys& keys,
+                                                  const std::optional<Alive>& seen, const std::string& board,
+                                                  std::uint64_t nonce);
 
-  const EpochValue& epoch() const { return epoch_; }
+  const EpochValue& value() const { return epoch_; }
   // Beyond any revision, and any fact, of those who led before.
   Revision first_revision() const { return first_revision_; }
   FactId first_fact() const { return first_fact_; }
@@ -70,13 +70,13 @@ class Leadership {
   Result<void> resign(KeyValues& key_values, Time now);
 
  private:
-  Leadership(LogKeys keys, EpochValue epoch, Alive alive)
+  WonEpoch(LogKeys keys, EpochValue epoch, Alive alive)
       : keys_(std::move(keys)),
         epoch_(std::move(epoch)),
         alive_(alive),
         first_revision_(alive.revision - reserve),
         first_fact_(alive.fact - reserve) {}
-  static Result<std::optional<Leadership>> found(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce);
+  static Result<std::optional<WonEpoch>> found(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce);
   Result<void> say(KeyValues& key_values, const Alive& alive, Duration wait);
 
   LogKeys keys_;
