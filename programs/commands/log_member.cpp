@@ -1,12 +1,12 @@
 #include "programs/commands/log_member.hpp"
 
 #include <algorithm>
-#include <arpa/inet.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
 
+#include "lisp/installed_program.hpp"
 #include "programs/commands/log_meeting.hpp"
 #include "programs/commands/member_place.hpp"
 
@@ -25,12 +25,6 @@ Result<std::string> peer_of(const std::string& member) {
 }
 
 // Etcd listens at no other name.
-bool is_in_figures(const std::string& host) {
-  in6_addr bytes{};
-  return host == "localhost" || inet_pton(AF_INET, host.c_str(), &bytes) == 1 ||
-         inet_pton(AF_INET6, host.c_str(), &bytes) == 1;
-}
-
 std::string name_of(std::size_t number) { return fmt::format("member-{}", number + 1); }
 
 void add_certificates(std::vector<std::string>& command, const std::string& folder) {
@@ -130,11 +124,11 @@ Result<void> check_member(const MemberHere& member) {
   const Result<Peers> peers = peers_of(member);
   if (!peers) return fail(peers);
   const std::string host = cluster::host_and_port(member.log.members[peers->own]).host;
-  if (!is_in_figures(host)) {
+  if (host != "localhost" && !web::is_ip_address(host)) {
     return fail("bad-address", fmt::format("a member that runs here has an address in figures, not {}", host));
   }
-  const Result<std::string> etcd = etcd_program();
-  return etcd ? Result<void>() : fail(etcd);
+  if (!installed_program("etcd")) return fail("no-program", "etcd is not installed: apt install etcd-server");
+  return {};
 }
 
 Result<void> prepare_member(const MemberHere& member) {
@@ -182,7 +176,7 @@ std::vector<std::string> etcd_command(const MemberHere& member, cluster::Beginni
   const std::string own = peers.url(member, peers.own);
   const std::string asked = fmt::format("{}://{}", log.certificates.empty() ? "http" : "https", log.members[peers.own]);
   const bool joins = begins == cluster::Beginning::joining;
-  std::vector<std::string> command = {etcd_program().value(),
+  std::vector<std::string> command = {installed_program("etcd").value(),
                                       "--name=" + name_of(peers.own),
                                       "--data-dir=" + std::filesystem::absolute(member.folder).string(),
                                       "--initial-cluster=" + all,

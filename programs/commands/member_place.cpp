@@ -1,13 +1,11 @@
 #include "programs/commands/member_place.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <netdb.h>
-#include <sstream>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -32,17 +30,6 @@ int why_not_listening(const addrinfo& address) {
 }
 
 }  // namespace
-
-Result<std::string> etcd_program() {
-  const char* path = std::getenv("PATH");
-  // A service's PATH may lack these.
-  std::istringstream folders(std::string(path == nullptr ? "" : path) + ":/usr/bin:/usr/sbin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string program = folder + "/etcd";
-    if (!folder.empty() && access(program.c_str(), X_OK) == 0) return program;
-  }
-  return fail("no-program", "etcd is not installed: apt install etcd-server");
-}
 
 Result<void> make_member_folder(const std::string& folder) {
   std::error_code refused;

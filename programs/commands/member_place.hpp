@@ -1,9 +1,8 @@
 #pragma once
 
-// A member of a log needs a program, a folder, certificates and two free ports on this host. They are checked before
-// etcd is started, since etcd reports what is missing by a stack trace.
+// A member of a log needs a folder, certificates and two free ports on this host. They are checked before etcd is
+// started, since etcd reports what is missing by a stack trace.
 //
-//   const Result<std::string> etcd = etcd_program();
 //   const Result<void> folder = make_member_folder("/var/lib/pizarra-etcd");
 //   const Result<void> certificates = check_member_certificates("certificates");
 //   const Result<void> ports = check_member_port("10.0.0.1:2379");        // and the one above it
@@ -14,8 +13,6 @@
 
 namespace pizarra::programs {
 
-// Where etcd is installed. Failure no-program.
-Result<std::string> etcd_program();
 // The user's alone, where it is made. Failure cannot-write.
 Result<void> make_member_folder(const std::string& folder);
 // Without a folder there is nothing to check. Failure bad-address.

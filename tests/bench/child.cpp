@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <poll.h>
-#include <sstream>
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -143,18 +142,6 @@ TemporaryFolder::TemporaryFolder() : path_(std::filesystem::temp_directory_path(
 
 TemporaryFolder::~TemporaryFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_);
-}
-
-std::optional<std::string> find_program(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  // Servers are where not everybody looks.
-  std::istringstream folders(std::string(path == nullptr ? "/usr/bin" : path) + ":/usr/sbin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    std::string file = folder;
-    file.append("/").append(name);
-    if (access(file.c_str(), X_OK) == 0) return file;
-  }
-  return std::nullopt;
 }
 
 std::string program_beside(const std::string& name) {

@@ -9,7 +9,6 @@
 // Fork before this process has threads: before it has a ZeroMQ context.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <sys/types.h>
 #include <utility>
@@ -73,8 +72,6 @@ class TemporaryFolder {
   std::string path_;
 };
 
-// Where a program is installed, if it is.
-std::optional<std::string> find_program(const std::string& name);
 // A program that was built beside this one.
 std::string program_beside(const std::string& name);
 

@@ -10,6 +10,7 @@
 
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/wire/wire_address.hpp"
+#include "tests/has_ipv6.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra {
@@ -56,16 +57,6 @@ TEST(WireSocket, APeerThatGoesWhileItsFramesAreHeldBackEndsItsOwnConnectionAlone
   executor.cancel(tick);
   EXPECT_TRUE(other_heard);
   EXPECT_GT(held_back, 0);
-}
-
-bool has_ipv6() {
-  const int file = socket(AF_INET6, SOCK_DGRAM, 0);
-  sockaddr_in6 own{};
-  own.sin6_family = AF_INET6;
-  own.sin6_addr = in6addr_loopback;
-  const bool bound = file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
-  close(file);
-  return bound;
 }
 
 TEST(WireSocket, ListensAndConnectsAtAddressesOfIpv6) {

@@ -8,6 +8,7 @@
 #include <zmq.hpp>
 
 #include "blackboard/wire/wire.hpp"
+#include "lisp/installed_program.hpp"
 #include "tests/programs/running.hpp"
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
@@ -135,7 +136,7 @@ TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
 }
 
 TEST_F(HostsOfACell, HaveAServiceWithTheMemberOfTheLogAndAreToldWhatIsMissing) {
-  if (!files::exists("/usr/bin/etcd")) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+  if (!installed_program("etcd")) GTEST_SKIP() << "etcd is not installed (etcd-server)";
   write_cell("tcp://10.0.0.1:7943,tcp://10.0.0.2:7943");
   const std::string certificates = folder_ + "certificates";
   files::create_directories(certificates);
@@ -200,7 +201,7 @@ TEST_F(HostsOfACell, AreNotMadeWhereTheServiceCannotBeWritten) {
 }
 
 TEST_F(HostsOfACell, AreNotMadeWhereTheFolderOfTheMemberCannotBeMade) {
-  if (!files::exists("/usr/bin/etcd")) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+  if (!installed_program("etcd")) GTEST_SKIP() << "etcd is not installed (etcd-server)";
   std::ofstream(folder_ + "file") << "in place of a folder";
   const Said refused =
       run("host join '" + cell_ + "' --host desk --dir " + keys_ + " --service-dir " + folder_ +

@@ -12,6 +12,7 @@
 
 #include "tests/blackboard/cluster/real_etcd.hpp"
 #include "tests/certificates.hpp"
+#include "tests/has_ipv6.hpp"
 #include "tests/programs/running.hpp"
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
@@ -20,16 +21,6 @@ namespace pizarra::programs {
 namespace {
 
 using std::chrono::seconds;
-
-bool has_ipv6() {
-  const int file = socket(AF_INET6, SOCK_DGRAM, 0);
-  sockaddr_in6 own{};
-  own.sin6_family = AF_INET6;
-  own.sin6_addr = in6addr_loopback;
-  const bool bound = file >= 0 && bind(file, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
-  close(file);
-  return bound;
-}
 
 // Three hosts of one machine.
 class LogMembers : public testing::Test {

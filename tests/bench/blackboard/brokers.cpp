@@ -2,13 +2,14 @@
 
 #include <utility>
 
+#include "lisp/installed_program.hpp"
 #include "tests/bench/blackboard/tcp_client.hpp"
 
 namespace pizarra::bench {
 
 Broker::Broker(BrokerKind kind) : kind_(std::move(kind)) {
   if (!kind_.connect) return;
-  const std::optional<std::string> program = find_program(kind_.program);
+  const std::optional<std::string> program = installed_program(kind_.program);
   if (!program) return;
   port_ = free_port();
   process_.emplace(Child::program(kind_.command_line(*program, port_, folder_.path())));

@@ -2,10 +2,12 @@
 
 #include <stdexcept>
 
+#include "lisp/installed_program.hpp"
+
 namespace pizarra::bench {
 
 std::optional<RedisServer> RedisServer::start(const std::vector<std::string>& options) {
-  const std::optional<std::string> program = find_program("redis-server");
+  const std::optional<std::string> program = installed_program("redis-server");
   if (!program) return std::nullopt;
   TemporaryFolder folder;
   const int port = free_port();

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "lisp/installed_program.hpp"
 #include "tests/bench/cluster/awaited.hpp"
 #include "tests/network/connection.hpp"
 
@@ -52,7 +53,7 @@ std::string number_in(const std::string& json, const std::string& name) {
 }  // namespace
 
 std::string ClusterCell::unavailable() {
-  if (!find_program("etcd")) return "etcd is not installed: etcd-server";
+  if (!installed_program("etcd")) return "etcd is not installed: etcd-server";
   return network::Network::unavailable();
 }
 
@@ -80,7 +81,7 @@ void ClusterCell::start_member(std::size_t number) {
   }
   const std::string own = network_.address(host(number));
   const std::string disk = number == 2 && !third_disk_.empty() ? third_disk_ : folder_.path();
-  const std::vector<std::string> words = {*find_program("etcd"),
+  const std::vector<std::string> words = {*installed_program("etcd"),
                                           fmt::format("--name=m{}", number),
                                           fmt::format("--data-dir={}/m{}", disk, number),
                                           "--initial-cluster=" + cluster,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lisp/installed_program.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "tests/bench/bench_main.hpp"
 #include "tests/bench/child.hpp"
@@ -16,7 +17,7 @@ namespace {
 bool is_stopped() { return stopped_by() != 0; }
 
 std::string why_unavailable() {
-  return find_program("etcd") ? network::Network::unavailable() : "etcd is not installed: etcd-server";
+  return installed_program("etcd") ? network::Network::unavailable() : "etcd is not installed: etcd-server";
 }
 
 std::string median_and_worst(const std::vector<double>& waits_s) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/planner/external/external_plan.hpp"
+#include "lisp/installed_program.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/measure.hpp"
 
@@ -19,7 +20,7 @@ std::vector<PeerPlanner> installed_peers(const std::vector<std::string>& given) 
   std::vector<PeerPlanner> peers;
   for (const Usual& planner : usual) {
     PeerPlanner peer{planner.name, {}};
-    if (const std::optional<std::string> program = find_program(planner.name))
+    if (const std::optional<std::string> program = installed_program(planner.name))
       peer.command = *program + planner.arguments;
     peers.push_back(std::move(peer));
   }

@@ -11,13 +11,12 @@
 #include <unistd.h>
 #include <vector>
 
+#include "lisp/installed_program.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra::cluster {
 
 namespace {
-
-constexpr const char* program = "/usr/bin/etcd";
 
 sockaddr_in loopback(int port) {
   sockaddr_in name{};
@@ -53,10 +52,11 @@ int two_free_ports() {
   return port;
 }
 
-bool RealEtcd::is_installed() { return access(program, X_OK) == 0; }
+bool RealEtcd::is_installed() { return installed_program("etcd").has_value(); }
 
 RealEtcd::RealEtcd(const std::string& certificates, const std::vector<std::string>& more)
     : port_(free_port()), folder_(fmt::format("{}etcd-{}", scratch_folder(), port_)) {
+  const std::string program = installed_program("etcd").value();
   const std::string client = fmt::format("{}://127.0.0.1:{}", certificates.empty() ? "http" : "https", port_);
   const std::string peer = fmt::format("http://127.0.0.1:{}", free_port());
   std::vector<std::string> words = {program,
@@ -83,7 +83,7 @@ RealEtcd::RealEtcd(const std::string& certificates, const std::vector<std::strin
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  execv(program, arguments.data());
+  execv(program.c_str(), arguments.data());
   _exit(127);
 }
 
