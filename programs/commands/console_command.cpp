@@ -191,11 +191,8 @@ int console_of_running_cell(const ConsoleChoices& choices) {
   if (!guarded) return complain(guarded.error(), exit_usage);
   RealExecutor executor;
   const StopSignals signals(executor);
-  const auto connect = [&](const std::string& name) {
-    return client::RemoteBoard::connect(executor, to->address, name, client::RemoteBoard::default_timeout, *keys);
-  };
   // Where images come from is asked in a session of its own.
-  const auto board = connect(fmt::format("console-{}", getpid()));
+  const auto board = client::keyed_board(executor, to->address, to->key, fmt::format("console-{}", getpid()));
   if (!board) return complain(board.error(), exit_usage);
   const auto streams = streams::RemoteStreams::open(executor, **board);
   if (!streams) return complain(streams.error(), exit_unavailable);
@@ -206,9 +203,7 @@ int console_of_running_cell(const ConsoleChoices& choices) {
     return key.empty() ? to->key : choices.keys + "/" + key + ".secret";
   };
   const auto board_of_page = [&](const std::string& name, const std::string& key) -> Result<std::unique_ptr<Board>> {
-    const Result<std::optional<wire::ClientKeys>> its = client::keys_from(secret_of(key));
-    if (!its) return fail(its);
-    auto made = client::RemoteBoard::connect(executor, to->address, name, client::RemoteBoard::default_timeout, *its);
+    auto made = client::keyed_board(executor, to->address, secret_of(key), name);
     if (!made) return fail(made);
     return std::unique_ptr<Board>(std::move(*made));
   };
