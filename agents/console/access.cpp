@@ -4,16 +4,11 @@
 #include <fmt/format.h>
 
 #include "blackboard/wire/tokens.hpp"
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::console {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 // `a=1; b=2`
 std::string_view cookie_in(std::string_view header, std::string_view name) {

@@ -2,13 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
 #include "agents/robot/tool_path.hpp"
 #include "lisp/nearest.hpp"
+#include "lisp/plain_text.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::robot {
@@ -38,12 +38,6 @@ std::string as_forms(std::string_view text) {
   return out;
 }
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 class Script {
  public:
   Script(const arm::ArmModel& model, const arm::Joints& from, const ArmVariables& variables)
@@ -66,7 +60,7 @@ class Script {
 };
 
 Result<void> Script::run(const Datum& form) {
-  const std::string verb = lower(form.head());
+  const std::string verb = lowered(form.head());
   if (verb.empty()) return fail("bad-action", "an action is a form such as (move X Y Z)", form);
   const std::span<const Datum> arguments = form.items().subspan(1);
   if (verb == "move") return move(arguments);

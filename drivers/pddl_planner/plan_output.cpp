@@ -5,29 +5,20 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "lisp/plain_text.hpp"
+
 namespace pizarra::pddl_planner {
 
 namespace {
-
-constexpr std::string_view blanks = " \t\r\f\v";
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
 
 // The names between blanks and commas, in lower case.
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> names;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \t\r\f\v,"), text.size());
-    if (end > 0) names.emplace_back(text.substr(0, end));
+    if (end > 0) names.push_back(lowered(text.substr(0, end)));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  for (std::string& name : names) std::ranges::transform(name, name.begin(), lower);
   return names;
 }
 
@@ -41,7 +32,7 @@ Line line_of(std::string_view text) {
   Line line{.number = {}, .text = trimmed(text.substr(0, text.find(';')))};
   std::string_view rest = line.text;
   constexpr std::string_view step = "step";
-  if (rest.size() > step.size() && std::ranges::equal(rest.substr(0, step.size()), step, {}, lower)) {
+  if (rest.size() > step.size() && lowered(rest.substr(0, step.size())) == step) {
     rest = trimmed(rest.substr(step.size()));
   }
   double number = 0;

@@ -2,19 +2,9 @@
 
 #include <charconv>
 
+#include "lisp/plain_text.hpp"
+
 namespace pizarra::ptu {
-
-namespace {
-
-constexpr std::string_view blanks = " \t";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-}  // namespace
 
 PtuLine read_ptu_line(std::string_view line) {
   PtuLine read;

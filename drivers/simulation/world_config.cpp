@@ -8,6 +8,7 @@
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
 #include "drivers/simulation/frame_clock.hpp"
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
 
@@ -17,12 +18,6 @@ constexpr std::array<std::string_view, 4> mark_names = {"circle", "square", "cro
 constexpr std::size_t longest_name = 64;
 constexpr double narrowest_view_px = 16;
 constexpr double widest_view_px = 4096;
-
-std::string lower(std::string_view text) {
-  std::string out;
-  for (const unsigned char c : text) out.push_back(static_cast<char>(std::tolower(c)));
-  return out;
-}
 
 std::unexpected<Failure> bad(std::string sentence, std::string_view name) {
   return fail("bad-cell", std::move(sentence), Datum::string(name));
@@ -51,7 +46,7 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
   if (!valid_name(cube.name)) return bad(fmt::format("\"{}\" is no name for a cube", cube.name), cube.name);
   const auto earlier = std::span(config.cubes).first(index);
   const auto named = [&](std::string_view name) {
-    return std::ranges::find(earlier, lower(name), [](const CubeConfig& other) { return lower(other.name); });
+    return std::ranges::find(earlier, lowered(name), [](const CubeConfig& other) { return lowered(other.name); });
   };
   if (!within(config.edge_mm(cube), 10, gripper_opening_mm)) {
     return bad(fmt::format("no gripper takes a cube of the size of {}", cube.name), cube.name);
@@ -61,7 +56,7 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
     if (named(cube.on) == earlier.end()) {
       return bad(fmt::format("{} stands on {}, which is not listed before it", cube.name, cube.on), cube.name);
     }
-    const auto shared = std::ranges::find(earlier, lower(cube.on), [](const CubeConfig& o) { return lower(o.on); });
+    const auto shared = std::ranges::find(earlier, lowered(cube.on), [](const CubeConfig& o) { return lowered(o.on); });
     if (shared != earlier.end()) {
       return bad(fmt::format("{} and {} stand on the same cube", shared->name, cube.name), cube.name);
     }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 
 #include "agents/scheme/program_contract.hpp"
+#include "lisp/plain_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 
 namespace pizarra::programs {
@@ -28,9 +28,7 @@ std::string_view from_first_form(std::string_view text) {
 
 std::string lower_case_word(std::string_view form) {
   if (form.empty()) return {};
-  std::string word(form.substr(1, form.find_first_of(" \t\r\n();", 1) - 1));
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
+  return lowered(form.substr(1, form.find_first_of(" \t\r\n();", 1) - 1));
 }
 
 // PDDL says (define (domain ...)) and (define (problem ...)), which Scheme could say too and hardly does.

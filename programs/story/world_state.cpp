@@ -1,19 +1,12 @@
 #include "programs/story/world_state.hpp"
 
-#include <algorithm>
-#include <cctype>
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::story {
 
 namespace {
 
 constexpr Duration link_timeout = 5s;
-
-std::string small(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
 
 // (cube NAME X Y Z YAW TILT STATE VISIBLE)
 WorldState::Cube cube_from_datum(const Datum& item) {
@@ -24,18 +17,18 @@ WorldState::Cube cube_from_datum(const Datum& item) {
           .yaw_deg = item[5].number(),
           .gone = state.is_symbol("gone"),
           .held = state.is_symbol("held"),
-          .on = state.is_form("on") ? small(state[1].text()) : "",
+          .on = state.is_form("on") ? lowered(state[1].text()) : "",
           .loose = state.is_symbol("loose") || state.is_symbol("carried"),
           .visible = item[8].number()};
 }
 
 }  // namespace
 
-Datum in_small_letters(const Datum& fact) {
-  if (fact.is_symbol() || fact.is_string()) return Datum::symbol(small(fact.text()));
+Datum lower_case(const Datum& fact) {
+  if (fact.is_symbol() || fact.is_string()) return Datum::symbol(lowered(fact.text()));
   if (!fact.is_list()) return fact;
   std::vector<Datum> items;
-  for (const Datum& item : fact.items()) items.push_back(in_small_letters(item));
+  for (const Datum& item : fact.items()) items.push_back(lower_case(item));
   return Datum::list(std::move(items));
 }
 
@@ -43,7 +36,7 @@ Result<WorldState> world_state_from_datum(const Datum& head) {
   WorldState truth;
   for (const Datum& item : head.items()) {
     if (item.is_form("cube") && item.size() == 9) {
-      truth.cubes.emplace(small(item[1].text()), cube_from_datum(item));
+      truth.cubes.emplace(lowered(item[1].text()), cube_from_datum(item));
     } else if (!item.is_form("facts")) {
       return fail("malformed", "the world's truth has an unknown part", item);
     }

@@ -5,18 +5,13 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "lisp/plain_text.hpp"
+
 namespace pizarra::arm {
 
 namespace {
 
 constexpr std::size_t most_numbers = 64;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
 
 std::optional<double> number_in(std::string_view text) {
   text = trimmed(text);

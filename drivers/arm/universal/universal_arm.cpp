@@ -9,6 +9,7 @@
 #include "drivers/arm/universal/move_script.hpp"
 #include "drivers/line/printable.hpp"
 #include "lisp/numbers.hpp"
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::arm {
 
@@ -21,8 +22,8 @@ constexpr int safety_violation = 8;    // and fault above it
 constexpr int e_series = 5;            // its major version; before it 3
 
 // As in the arm's file, `ur5e` of UR5 and URSoftware 5.11.0; nothing of what is none.
-std::optional<std::string> type_of_model(std::string type, std::string_view version) {
-  std::ranges::transform(type, type.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::optional<std::string> type_of_model(std::string_view model, std::string_view version) {
+  std::string type = lowered(model);
   version.remove_prefix(std::min(version.find_first_of("0123456789"), version.size()));
   int major = 0;
   const std::errc wrong = std::from_chars(version.data(), version.data() + version.size(), major).ec;

@@ -5,18 +5,13 @@
 #include <cmath>
 
 #include "drivers/line/printable.hpp"
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
 
 namespace {
 
 constexpr std::size_t most_program_steps = 10'000;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
 
 // Takes a number off the front; what separates it from the next goes too.
 std::optional<double> take_number(std::string_view& text) {
