@@ -242,7 +242,7 @@ class Registration {
   // The longer one of the ellipse's. Neighbouring edges share pixels, so that two say as much as one.
   double middle_spread_px() const {
     Matrix8 normal = normal_;
-    normal.diagonal().array() += 1e-9 * normal.diagonal().maxCoeff();
+    normal.diagonal() *= 1 + 1e-9;
     const Matrix8 covariance = normal.inverse();
     const double mean = (covariance(2, 2) + covariance(5, 5)) / 2;
     const double half = std::hypot((covariance(2, 2) - covariance(5, 5)) / 2, covariance(2, 5));
