@@ -139,7 +139,9 @@ class Registration {
       edge = PlaneEdge();
       edge.point = i * search_.every;
       edge.normal = normal;
-      edge.counts = point.from_corner > std::max(corner_share, corner_px / size_px_);
+      const double bent = std::max(corner_share, corner_px / size_px_);
+      edge.counts = point.from_corner > bent;
+      edge.is_straight = point.from_bend > bent;
       edge.measures = edge.counts && (shows_.empty() || shows_[i]);
       edge.found = Profile(image_, at, normal, reach, sign_).find(edge.off_px, edge.inner, edge.outer);
       edge.at = at + edge.off_px * cv::Point2d(normal[0], normal[1]);

@@ -26,9 +26,10 @@ struct PlaneEdge {
   double off_px = 0;      // along the normal, from where the fit puts the border
   double inner = 0;       // grey levels on either side
   double outer = 0;
-  bool is_border = false;  // supports the fit
-  bool counts = false;     // far enough from corners to be measured
-  bool measures = false;   // and the fit goes by it
+  bool is_border = false;    // supports the fit
+  bool counts = false;       // far enough from corners to be measured
+  bool measures = false;     // and the fit goes by it
+  bool is_straight = false;  // so far from every bend that no blur moves it
 };
 
 struct PlaneFit {

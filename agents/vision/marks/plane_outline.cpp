@@ -16,7 +16,8 @@ constexpr double smoothing = 0.6;
 constexpr int finer = 8;
 // What is shorter is a speck.
 constexpr double least_border = 1;  // standard deviations
-// A corner turns by more than this over twice so much of the border.
+// A corner turns by more than this over twice so much of the border, to the nearest place of it: a sharp one; and to
+// the next place: one that the template rounds as well.
 constexpr double corner_reach = 0.2;
 constexpr double corner_turn = 35 * std::numbers::pi / 180;
 // The ground beside a mark, in the template's pixels.
@@ -67,6 +68,52 @@ class Picture {
   cv::Mat1f fine_;
 };
 
+// Moments of the area within closed lines, by Green's theorem, about a point near them. Holes are walked around the
+// other way, so that their area is negative.
+class AreaMoments {
+ public:
+  explicit AreaMoments(cv::Point2d origin) : origin_(origin) {}
+  void add(const Border& closed) {
+    for (std::size_t i = 0; i < closed.size(); ++i) add(closed[i] - origin_, closed[(i + 1) % closed.size()] - origin_);
+  }
+  bool is_none() const {
+    const cv::Matx22d m = covariance();
+    return std::abs(area_) < 1e-9 || m(0, 0) <= 0 || m(1, 1) <= 0 || cv::determinant(m) <= 1e-12;
+  }
+  cv::Point2d middle() const { return origin_ + 1 / area_ * sum_; }
+  cv::Matx22d covariance() const {
+    const cv::Point2d m = 1 / area_ * sum_;
+    const double xy = xy_ / area_ - m.x * m.y;
+    return {xx_ / area_ - m.x * m.x, xy, xy, yy_ / area_ - m.y * m.y};
+  }
+  // Of the covariance, the symmetric one.
+  cv::Matx22d root() const {
+    const cv::Matx22d m = covariance();
+    const double size2 = std::sqrt(cv::determinant(m));
+    return 1 / std::sqrt(m(0, 0) + m(1, 1) + 2 * size2) * (m + size2 * cv::Matx22d::eye());
+  }
+
+ private:
+  void add(const cv::Point2d& p, const cv::Point2d& q) {
+    const double cross = p.cross(q);
+    area_ += cross / 2;
+    sum_ += cross / 6 * (p + q);
+    xx_ += cross * (p.x * p.x + p.x * q.x + q.x * q.x) / 12;
+    yy_ += cross * (p.y * p.y + p.y * q.y + q.y * q.y) / 12;
+    xy_ += cross * (2 * p.x * p.y + p.x * q.y + q.x * p.y + 2 * q.x * q.y) / 24;
+  }
+  cv::Point2d origin_;
+  double area_ = 0;
+  cv::Point2d sum_;
+  double xx_ = 0, xy_ = 0, yy_ = 0;
+};
+
+AreaMoments moments_of(const std::vector<Border>& borders) {
+  AreaMoments out({});
+  for (const Border& border : borders) out.add(border);
+  return out;
+}
+
 double length_of(const Border& closed) {
   double out = 0;
   for (std::size_t i = 0; i < closed.size(); ++i) out += cv::norm(closed[(i + 1) % closed.size()] - closed[i]);
@@ -106,26 +153,22 @@ std::vector<Border> borders_in(const Picture& picture) {
   return out;
 }
 
-// Holes are walked around the other way, so that their area is negative.
-cv::Vec2d middle_of(const std::vector<Border>& borders) {
-  double area = 0;
-  cv::Point2d moment;
-  for (const Border& border : borders) {
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const cv::Point2d& next = border[(i + 1) % border.size()];
-      const double part = border[i].cross(next);
-      area += part;
-      moment += part / 3 * (border[i] + next);
-    }
+// The grey levels made the picture as wide as it is high, and uneven light tilts these. What the borders enclose says
+// it better. Its size stays.
+void undo_stretch(std::vector<Border>& borders) {
+  const AreaMoments moments = moments_of(borders);
+  if (moments.is_none()) return;
+  const cv::Matx22d root = moments.root();
+  const cv::Matx22d undo = std::sqrt(cv::determinant(root)) * root.inv();
+  for (Border& border : borders) {
+    for (cv::Point2d& p : border) p = undo * p;
   }
-  return {moment.x / area, moment.y / area};
 }
 
-// From each place to the nearest corner.
-std::vector<double> from_corners(const Border& border) {
+// From each place to the nearest corner, one that shows within so many places of it on either side.
+std::vector<double> from_corners(const Border& border, int reach) {
   const auto size = static_cast<int>(border.size());
   const double step = length_of(border) / size;
-  const int reach = std::max(1, cvRound(corner_reach / step));
   const auto at = [&](int i) { return border[static_cast<std::size_t>((i + 2 * size) % size)]; };
   const auto turn_at = [&](int i) {
     const cv::Point2d before = at(i) - at(i - reach);
@@ -155,33 +198,13 @@ std::vector<double> from_corners(const Border& border) {
 }  // namespace
 
 std::optional<Reach> reach_of(const std::vector<cv::Point2d>& closed) {
-  // Moments of the area, by Green's theorem, about its first point.
-  double area = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   if (closed.size() < 3) return std::nullopt;
-  const cv::Point2d origin = closed.front();
-  for (std::size_t i = 0; i < closed.size(); ++i) {
-    const cv::Point2d p = closed[i] - origin;
-    const cv::Point2d q = closed[(i + 1) % closed.size()] - origin;
-    const double cross = p.cross(q);
-    area += cross / 2;
-    x += cross * (p.x + q.x) / 6;
-    y += cross * (p.y + q.y) / 6;
-    xx += cross * (p.x * p.x + p.x * q.x + q.x * q.x) / 12;
-    yy += cross * (p.y * p.y + p.y * q.y + q.y * q.y) / 12;
-    xy += cross * (2 * p.x * p.y + p.x * q.y + q.x * p.y + 2 * q.x * q.y) / 24;
-  }
-  if (std::abs(area) < 1e-9) return std::nullopt;
+  AreaMoments moments(closed.front());
+  moments.add(closed);
+  if (moments.is_none()) return std::nullopt;
   Reach out;
-  const cv::Point2d middle(x / area, y / area);
-  out.middle = origin + middle;
-  const double vxx = xx / area - middle.x * middle.x;
-  const double vxy = xy / area - middle.x * middle.y;
-  const double vyy = yy / area - middle.y * middle.y;
-  const double determinant = vxx * vyy - vxy * vxy;
-  if (vxx <= 0 || vyy <= 0 || determinant <= 1e-12) return std::nullopt;
-  const double root = std::sqrt(determinant);
-  const double scale = 1 / std::sqrt(vxx + vyy + 2 * root);
-  out.spread = {(vxx + root) * scale, vxy * scale, vxy * scale, (vyy + root) * scale};
+  out.middle = moments.middle();
+  out.spread = moments.root();
   const cv::Matx22d whiten = out.spread.inv();
   constexpr double turn = 2 * std::numbers::pi / Reach::turns;
   // Between two of its points it goes straight.
@@ -236,19 +259,23 @@ ReachFit fit_reach(const Reach& seen, const Reach& learned) {
 PlaneOutline plane_outline(const MarkTemplate& levels) {
   PlaneOutline out;
   const Picture picture(levels);
-  const std::vector<Border> borders = borders_in(picture);
+  std::vector<Border> borders = borders_in(picture);
   if (borders.empty()) return out;
+  undo_stretch(borders);
   const std::optional<Reach> reach = reach_of(borders.front());
   if (!reach) return out;
   out.reach = *reach;
-  out.middle = middle_of(borders);
+  const cv::Point2d middle_of_area = moments_of(borders).middle();
+  out.middle = {middle_of_area.x, middle_of_area.y};
   double all = 0;
   for (const Border& border : borders) all += length_of(border);
   for (const Border& border : borders) {
     const auto share = static_cast<std::size_t>(cvRound(PlaneOutline::count * length_of(border) / all));
     if (share < 8) continue;
     const Border places = evenly(border, share);
-    const std::vector<double> corners = from_corners(places);
+    const double reach_in_places = corner_reach * static_cast<double>(share) / length_of(border);
+    const std::vector<double> corners = from_corners(places, std::max(1, cvRound(reach_in_places)));
+    const std::vector<double> bends = from_corners(places, std::max(1, cvCeil(reach_in_places)));
     for (std::size_t i = 0; i < places.size(); ++i) {
       const cv::Point2d along = places[(i + 1) % places.size()] - places[(i + places.size() - 1) % places.size()];
       const double length = cv::norm(along);
@@ -260,7 +287,7 @@ PlaneOutline plane_outline(const MarkTemplate& levels) {
           finer * (template_scale * places[i] + cv::Point2d(middle + 0.5, middle + 0.5)) - cv::Point2d(0.5, 0.5);
       const cv::Point2d slope = picture.slope(fine);
       if (normal[0] * slope.x + normal[1] * slope.y > 0) normal = -normal;
-      out.points.push_back({{places[i].x, places[i].y}, normal, corners[i]});
+      out.points.push_back({{places[i].x, places[i].y}, normal, corners[i], bends[i]});
     }
   }
   cv::Mat1b mark(template_size, template_size);

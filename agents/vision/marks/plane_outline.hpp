@@ -40,7 +40,8 @@ struct PlaneOutline {
   struct Point {
     cv::Vec2d at;
     cv::Vec2d out;       // a unit vector towards the ground
-    double from_corner;  // along the border
+    double from_corner;  // along the border: from a sharp corner
+    double from_bend;    // from any corner, the template's rounded ones too
   };
   std::vector<Point> points;  // evenly along all borders
   cv::Vec2d middle;           // of the area within them, which no light shifts as it may the centroid of the levels

@@ -106,18 +106,17 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
 
 // Of a tilted face the middle is not where the centroid of what is seen is; to a pair these say how far away it is.
 void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pair) {
-  pair.plane = view_plane(sight.left_segmentation().cut(), sight.model(), object, pair.left);
+  pair.plane = view_plane(sight.left_segmentation().cut(), object, pair.left);
   if (!pair.plane || !pair.plane->agrees) return;
   const LearnedSample& sample = *pair.plane->sample;
-  if (!pair.right) {
-    const std::optional<PlanePose>& pose = pair.plane->pose;
-    pair.left.centre = pose && !pose->is_contradicted()
-                           ? middle_in_image(sight.model(), *pose, share_of_tilt * most_off_px(sight))
-                           : pair.plane->fit.in_image(sample.plane.middle);
-    return;
-  }
-  const std::optional<PlaneFit> right = fit_in_right(sight, sample, pair, pair.plane->fit, to_follow);
-  if (right) pair.plane->pose = pose_in_plane(sight.model(), sample, pair.plane->fit, &*right);
+  std::optional<PlaneFit> right;
+  if (pair.right) right = fit_in_right(sight, sample, pair, pair.plane->fit, to_follow);
+  std::optional<PlanePose>& pose = pair.plane->pose;
+  pose = pose_in_plane(sight.model(), sample, pair.plane->fit, right ? &*right : nullptr);
+  if (pair.right) return;
+  pair.left.centre = pose && !pose->is_contradicted()
+                         ? middle_in_image(sight.model(), *pose, share_of_tilt * most_off_px(sight))
+                         : pair.plane->fit.in_image(sample.plane.middle);
 }
 
 std::optional<FoundMark> MarkFinder::find_shape(StereoSight& sight, const LearnedObject& object) const {

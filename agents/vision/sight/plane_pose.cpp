@@ -31,6 +31,13 @@ constexpr double size_spread_of_pair = 0.01;
 // Of a stretch that is known by its amount, along either of two axes.
 constexpr double one_of_two = 0.707;
 constexpr double least_stretch = 0.001;
+// The same of a learned outline, whose own moments are a circle's. Explanations are not held to so little: a lens bends
+// what it shows.
+constexpr double stretch_of_outline = 0.0003;
+// The edges away from bends alone say where the mark is, where they are so many of all.
+constexpr double least_straight = 0.5;
+// How far the pixels' phase moves a mark's middle, px. It moves all of a side alike, so that no scatter shows it.
+constexpr double middle_phase_px = 0.015;
 // By how much worse another explanation must be.
 constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
@@ -40,20 +47,6 @@ constexpr double clearly_contradicted = 15;
 constexpr double usual_turn_rad = 0.5;
 // A tilt that is less likely is none.
 constexpr double least_share_of_other = 0.01;
-
-std::vector<PlanePoint> edges_of(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& fit,
-                                 double unit, double beside_mm) {
-  std::vector<PlanePoint> out;
-  for (const PlaneEdge& edge : fit.edges) {
-    if (!edge.counts || !edge.is_border) continue;
-    const cv::Vec2d p = outline.points[edge.point].at - outline.middle;
-    out.push_back({Vector2d(p[0], p[1]) * unit,
-                   {(edge.at.x - model.centre_x_px) / model.focal_px, (edge.at.y - model.centre_y_px) / model.focal_px},
-                   Vector2d(edge.normal[0], edge.normal[1]) * model.focal_px,
-                   beside_mm});
-  }
-  return out;
-}
 
 // A look whose six numbers are those of an affine map.
 double affine_misfit(const std::vector<PlanePoint>& edges, double weight) {
@@ -94,17 +87,48 @@ struct Scatter {
   }
 };
 
-void count(const PlaneFit& fit, Scatter& scatter) {
-  scatter.numbers += free_numbers;
-  const PlaneEdge* before = nullptr;
-  for (const PlaneEdge& edge : fit.edges) {
-    const bool there = edge.counts && edge.is_border;
-    if (there) scatter.squares += edge.off_px * edge.off_px;
-    if (there && before != nullptr) scatter.beside += edge.off_px * before->off_px;
-    scatter.edges += there ? 1 : 0;
-    before = there ? &edge : nullptr;
+// The edges that a pose goes by.
+class PoseEdges {
+ public:
+  enum class Which : std::uint8_t { all, straight };
+  PoseEdges(const camera::StereoModel& model, const PlaneOutline& outline, double unit_mm, Which which)
+      : model_(model), outline_(outline), unit_mm_(unit_mm), which_(which) {}
+
+  // Of one image, whose camera stands so far to the right of the left one.
+  void add(const PlaneFit& fit, double beside_mm) {
+    scatter_.numbers += free_numbers;
+    const PlaneEdge* before = nullptr;
+    for (const PlaneEdge& edge : fit.edges) {
+      const bool there = edge.counts && edge.is_border && (which_ == Which::all || edge.is_straight);
+      if (there) add(edge, before, beside_mm);
+      before = there ? &edge : nullptr;
+    }
   }
-}
+  const std::vector<PlanePoint>& points() const { return points_; }
+  bool are_enough_of(const PoseEdges& all) const {
+    return static_cast<double>(points_.size()) >= least_straight * static_cast<double>(all.points_.size());
+  }
+  const Scatter& scatter() const { return scatter_; }
+
+ private:
+  void add(const PlaneEdge& edge, const PlaneEdge* before, double beside_mm) {
+    scatter_.squares += edge.off_px * edge.off_px;
+    if (before != nullptr) scatter_.beside += edge.off_px * before->off_px;
+    ++scatter_.edges;
+    const cv::Vec2d p = outline_.points[edge.point].at - outline_.middle;
+    points_.push_back(
+        {Vector2d(p[0], p[1]) * unit_mm_,
+         {(edge.at.x - model_.centre_x_px) / model_.focal_px, (edge.at.y - model_.centre_y_px) / model_.focal_px},
+         Vector2d(edge.normal[0], edge.normal[1]) * model_.focal_px,
+         beside_mm});
+  }
+  const camera::StereoModel& model_;
+  const PlaneOutline& outline_;
+  const double unit_mm_;
+  const Which which_;
+  std::vector<PlanePoint> points_;
+  Scatter scatter_;
+};
 
 cv::Point2d in_image(const camera::StereoModel& model, const cv::Vec3d& place_mm) {
   return {model.centre_x_px + model.focal_px * place_mm[0] / place_mm[2],
@@ -117,10 +141,42 @@ double unlikely(const PlaneTilt& tilt) {
   return tilt.misfit + turned * turned / 2;
 }
 
-PlaneTilt tilt_of(const SolvedPlane& solved, double share_of_misfit) {
+PlaneErrors errors_of(const PoseEdges& edges, const PlaneFace& face, double stretch_at_least, bool by_both) {
+  PlaneErrors out{.weight = edges.scatter().weight()};
+  const double stretch = (1 - face.slimness) / (1 + face.slimness);
+  out.stretch_spread = std::max(stretch_at_least, stretch * one_of_two);
+  if (by_both) out.size_spread = size_spread_of_pair;
+  return out;
+}
+
+PlaneTilt tilt_of(const camera::StereoModel& model, const SolvedPlane& solved, double misfit) {
   const Eigen::Vector3d& place = solved.pose.place;
-  return {
-      {place.x(), place.y(), place.z()}, matx_of(solved.pose.turn), solved.covariance, share_of_misfit * solved.misfit};
+  PlaneTilt out{{place.x(), place.y(), place.z()}, matx_of(solved.pose.turn), solved.covariance, misfit};
+  const double phase_mm = middle_phase_px * place.norm() / model.focal_px;
+  const Eigen::Vector3d sight = place.normalized();
+  out.covariance.topLeftCorner<3, 3>() +=
+      phase_mm * phase_mm * (Eigen::Matrix3d::Identity() - sight * sight.transpose());
+  return out;
+}
+
+SolvedPlane refined(const SolvedPlane& by_all, const PoseEdges& best, const PlaneErrors& errors) {
+  const std::vector<SolvedPlane> out = solve_plane(best.points(), std::span(&by_all.pose, 1), errors);
+  return out.empty() ? by_all : out.front();
+}
+
+// The likelier one first; nothing where the edges are no plane's.
+std::vector<SolvedPlane> explained(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
+                                   const PoseEdges& edges, const PlaneFace& face, const PlaneErrors& errors,
+                                   bool by_both) {
+  const cv::Matx22d slope = left.slope_at(outline.middle) * (1 / face.unit_mm);
+  const std::vector<PlaneGuess> guesses = plane_guesses(model, left.in_image(outline.middle), slope);
+  // Two images tell the tilts apart: the first guess most often ends at the right one.
+  std::vector<SolvedPlane> both;
+  if (by_both) {
+    both = solve_plane(edges.points(), std::span(guesses).first(std::min<std::size_t>(1, guesses.size())), errors);
+  }
+  const bool is_explained = !both.empty() && both.front().misfit < static_cast<double>(edges.points().size());
+  return is_explained ? both : solve_plane(edges.points(), guesses, errors);
 }
 
 }  // namespace
@@ -133,34 +189,33 @@ double PlanePose::share_of_other() const { return 1 / (1 + std::exp(std::min(oth
 
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                     const PlaneFace& face, const PlaneFit* right) {
-  std::vector<PlanePoint> edges = edges_of(model, outline, left, face.unit_mm, 0);
-  if (edges.size() < least_edges) return std::nullopt;
-  Scatter scatter;
-  count(left, scatter);
-  PlaneErrors errors;
-  if (right != nullptr) {
-    count(*right, scatter);
-    const std::vector<PlanePoint> in_right = edges_of(model, outline, *right, face.unit_mm, model.base_line_mm);
-    edges.insert(edges.end(), in_right.begin(), in_right.end());
-    errors.size_spread = size_spread_of_pair;
+  const bool by_both = right != nullptr;
+  PoseEdges edges(model, outline, face.unit_mm, PoseEdges::Which::all);
+  PoseEdges straight(model, outline, face.unit_mm, PoseEdges::Which::straight);
+  edges.add(left, 0);
+  straight.add(left, 0);
+  if (edges.points().size() < least_edges) return std::nullopt;
+  if (by_both) {
+    edges.add(*right, model.base_line_mm);
+    straight.add(*right, model.base_line_mm);
   }
-  errors.weight = scatter.weight();
-  const double stretch = (1 - face.slimness) / (1 + face.slimness);
-  errors.stretch_spread = std::max(least_stretch, stretch * one_of_two);
-  const cv::Matx22d slope = left.slope_at(outline.middle) * (1 / face.unit_mm);
-  const std::vector<PlaneGuess> guesses = plane_guesses(model, left.in_image(outline.middle), slope);
-  // Two images tell the tilts apart: the first guess most often ends at the right one.
-  std::vector<SolvedPlane> both;
-  if (right != nullptr)
-    both = solve_plane(edges, std::span(guesses).first(std::min<std::size_t>(1, guesses.size())), errors);
-  const bool is_explained = !both.empty() && both.front().misfit < static_cast<double>(edges.size());
-  if (!is_explained) both = solve_plane(edges, guesses, errors);
+  // Blur and the template round what is near a corner, each in its own way: its edges are off together, and hardly say
+  // where the mark is. They do say which explanation is the better one before one camera; a pair knows that.
+  const PoseEdges& best = straight.are_enough_of(edges) ? straight : edges;
+  const PlaneErrors of_best = errors_of(best, face, stretch_of_outline, by_both);
+  const PoseEdges& explaining = by_both ? best : edges;
+  const PlaneErrors errors = by_both ? of_best : errors_of(edges, face, least_stretch, by_both);
+  const std::vector<SolvedPlane> both = explained(model, outline, left, explaining, face, errors, by_both);
   if (both.empty()) return std::nullopt;
-  const double weight = scatter.weight_of_explanations();
-  PlanePose out{tilt_of(both.front(), weight / errors.weight), tilt_of(both.back(), weight / errors.weight)};
-  out.by_both = right != nullptr;
-  if (!out.by_both) out.affine_misfit = affine_misfit(edges, weight);
-  out.free_misfit = weight * scatter.squares / 2;
+  const double weight = explaining.scatter().weight_of_explanations();
+  const auto told = [&](const SolvedPlane& solved) {
+    const double misfit = weight / errors.weight * solved.misfit;
+    return tilt_of(model, by_both ? solved : refined(solved, best, of_best), misfit);
+  };
+  PlanePose out{told(both.front()), told(both.back())};
+  out.by_both = by_both;
+  if (!by_both) out.affine_misfit = affine_misfit(edges.points(), weight);
+  out.free_misfit = weight * explaining.scatter().squares / 2;
   return out;
 }
 

@@ -12,8 +12,7 @@ std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const L
   return plane_pose(model, sample.plane, left, {unit_mm, sample.slimness}, right);
 }
 
-std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,
-                                    const SeenMark& mark) {
+std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark) {
   const LearnedSample* sample = match_of(mark, object).sample;
   if (sample == nullptr || mark.contour.empty()) return std::nullopt;
   const std::optional<Reach> reach = reach_of(std::vector<cv::Point2d>(mark.contour.begin(), mark.contour.end()));
@@ -22,9 +21,7 @@ std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoMod
   if (!fit) return std::nullopt;
   const bool agrees = is_outline_of(*fit);
   PlaneView out{sample, std::move(*fit), agrees, std::nullopt};
-  if (!agrees) return out;
-  out.pose = pose_in_plane(model, *sample, out.fit);
-  out.ground = look_at_ground(cut, sample->plane, out.fit);
+  if (agrees) out.ground = look_at_ground(cut, sample->plane, out.fit);
   return out;
 }
 

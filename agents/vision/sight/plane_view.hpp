@@ -2,7 +2,8 @@
 
 // A mark that one image shows, as the plane of its learned object: registered, and placed in space.
 //
-//   std::optional<PlaneView> view = view_plane(segmentation.cut(), model, object, mark);
+//   std::optional<PlaneView> view = view_plane(segmentation.cut(), object, mark);
+//   if (view && view->agrees) view->pose = pose_in_plane(model, *view->sample, view->fit);
 //   view->fit.in_image({0, 0})           // where the mark's centroid is seen, whatever its tilt
 
 #include "agents/vision/marks/outline_ground.hpp"
@@ -15,7 +16,7 @@ struct PlaneView {
   const LearnedSample* sample;
   PlaneFit fit;                   // in the left image
   bool agrees;                    // the edges are those of the outline; else it is something that is like it
-  std::optional<PlanePose> pose;  // where they agree
+  std::optional<PlanePose> pose;  // where they agree, once it was solved
   bool is_part = false;           // something hides the rest: the fit goes by what is seen of the outline
   OutlineGround ground = {};      // of a whole that agrees
 };
@@ -25,8 +26,7 @@ struct PlaneView {
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
                                        const PlaneFit& left, const PlaneFit* right = nullptr);
 
-// Of its likest sample; nothing of a tag, and where there are too few edges.
-std::optional<PlaneView> view_plane(const ImageCut& cut, const camera::StereoModel& model, const LearnedObject& object,
-                                    const SeenMark& mark);
+// Of its likest sample, without its pose; nothing of a tag, and where there are too few edges.
+std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark);
 
 }  // namespace pizarra::vision

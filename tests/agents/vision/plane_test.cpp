@@ -19,10 +19,12 @@ namespace {
 
 using Corners = std::vector<cv::Point2d>;
 
-constexpr int finer = 8;
 constexpr double half_mm = 20;
 
 const Corners square = {{-half_mm, -half_mm}, {half_mm, -half_mm}, {half_mm, half_mm}, {-half_mm, half_mm}};
+constexpr double arm = half_mm / 3;
+const Corners cross = {{-arm, -half_mm}, {arm, -half_mm}, {arm, -arm}, {half_mm, -arm}, {half_mm, arm},   {arm, arm},
+                       {arm, half_mm},   {-arm, half_mm}, {-arm, arm}, {-half_mm, arm}, {-half_mm, -arm}, {-arm, -arm}};
 
 camera::StereoModel one_camera() {
   return {.width = 640, .height = 480, .focal_px = 600, .centre_x_px = 319.5, .centre_y_px = 239.5, .base_line_mm = 0};
@@ -34,8 +36,8 @@ cv::Matx33d turned_about(const cv::Vec3d& rad) {
   return out;
 }
 
-// Dark on light, each pixel the mean of what it covers.
-cv::Mat1b filled(const Corners& corners, Random& random, double noise = 1) {
+// Dark on light, each pixel the mean of what it covers, drawn so many times finer.
+cv::Mat1b filled(const Corners& corners, Random& random, double noise = 1, int finer = 8) {
   const cv::Rect around = cv::boundingRect(std::vector<cv::Point2f>(corners.begin(), corners.end())) + cv::Size(8, 8);
   std::vector<cv::Point> fine;
   constexpr int bits = 8;
@@ -63,9 +65,10 @@ Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d
   return out;
 }
 
-// As a click on it from the front would.
-LearnedSample learned(const Corners& plane, Random& random) {
-  const cv::Mat1b image = filled(projected(plane, cv::Matx33d::eye(), {0, 0, 500}), random);
+// As a click on it from the front would. `light`: by how much of itself it grows over a pixel to the right.
+LearnedSample learned(const Corners& plane, Random& random, double light = 0) {
+  cv::Mat1b image = filled(projected(plane, cv::Matx33d::eye(), {0, 0, 500}), random);
+  for (int x = 0; x < image.cols; ++x) image.col(x) *= 1 + light * (x - image.cols / 2);
   ImageSegmentation segmentation(image);
   LearnedSample out;
   for (const SeenMark& mark : segmentation.marks()) {
@@ -103,6 +106,79 @@ double degrees_between(const cv::Matx33d& a, const cv::Matx33d& b) {
   return std::acos(std::min(1.0, one.dot(other))) * 180 / CV_PI;
 }
 
+std::size_t bends_of(const PlaneOutline& outline) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(outline.points, [](const PlaneOutline::Point& point) { return point.from_bend == 0; }));
+}
+
+TEST(PlaneOutline, BendsWhereTheShapeHasCornersThoughTheTemplateRoundsThem) {
+  Random random(14);
+  EXPECT_EQ(bends_of(learned(square, random).plane), square.size());
+  EXPECT_EQ(bends_of(learned(cross, random).plane), cross.size());
+}
+
+// What is darker on one side seems narrower there than it is.
+TEST(PlaneOutline, IsAsWideAsItIsHighThoughLightFallsFromOneSide) {
+  Random random(15);
+  for (const Corners& shape : {square, cross}) {
+    const LearnedSample sample = learned(shape, random, 0.006);
+    std::vector<cv::Point2d> outline;
+    for (const PlaneOutline::Point& point : sample.plane.points) outline.emplace_back(point.at);
+    const std::optional<Reach> reach = reach_of(outline);
+    ASSERT_TRUE(reach);
+    EXPECT_NEAR(reach->spread(0, 0), reach->spread(1, 1), 0.0005);
+    EXPECT_NEAR(reach->spread(0, 1), 0, 0.0005);
+  }
+}
+
+// Of the errors of both angles of its tilt, each divided by the spread that was told: the sum of squares. A quarter of
+// a turn leaves the shape as it is.
+double squares_in_spreads(const PlaneTilt& told, const cv::Matx33d& turn) {
+  cv::Matx33d nearest = turn;
+  for (int quarter = 1; quarter < 4; ++quarter) {
+    const cv::Matx33d same = turn * turned_about({0, 0, quarter * CV_PI / 2});
+    if (cv::norm(same - told.turn) < cv::norm(nearest - told.turn)) nearest = same;
+  }
+  cv::Vec3d off;
+  cv::Rodrigues(nearest * told.turn.t(), off);
+  double out = 0;
+  for (const int axis : {0, 1}) {
+    const Eigen::Vector3d about(told.turn(0, axis), told.turn(1, axis), told.turn(2, axis));
+    const double angle = Eigen::Vector3d(off[0], off[1], off[2]).dot(about);
+    out += angle * angle / about.dot(told.covariance.bottomRightCorner<3, 3>() * about);
+  }
+  return out;
+}
+
+// The root of their mean.
+double angles_in_spreads(const Corners& shape, Random& random) {
+  constexpr double noise = 2;
+  constexpr int finer = 32;
+  const LearnedSample sample = learned(shape, random);
+  double squares = 0;
+  constexpr int tries = 60;
+  for (int i = 0; i < tries; ++i) {
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * random.uniform(0.4, 0.9)) *
+                             turned_about({0, 0, random.uniform(-0.7, 0.7)});
+    const cv::Vec3d place(random.uniform(-120, 120), random.uniform(-80, 80), random.uniform(400, 600));
+    const std::optional<Registered> seen =
+        registered(filled(projected(shape, turn, place), random, noise, finer), sample);
+    if (!seen) throw std::runtime_error("it is not seen");
+    squares += std::min(squares_in_spreads(seen->pose, turn), squares_in_spreads(seen->pose.other, turn));
+  }
+  return std::sqrt(squares / (2 * tries));
+}
+
+TEST(Plane, IsTurnedAboutAsFarOffAsItsSpreadsSay) {
+  Random random(16);
+  for (const Corners& shape : {square, cross}) {
+    const double off = angles_in_spreads(shape, random);
+    EXPECT_GT(off, 0.5);
+    EXPECT_LT(off, 1.5);
+  }
+}
+
 TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
   Random random(5);
   const LearnedSample sample = learned(square, random);
@@ -129,10 +205,6 @@ TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
 
 // A homography leaves more open than a pose does: of a cross's middle a tenth of a pixel.
 TEST(Plane, PutsTheMiddleOfACrossWhereItsPoseIs) {
-  constexpr double arm = half_mm / 3;
-  const Corners cross = {{-arm, -half_mm}, {arm, -half_mm}, {arm, -arm},      {half_mm, -arm},
-                         {half_mm, arm},   {arm, arm},      {arm, half_mm},   {-arm, half_mm},
-                         {-arm, arm},      {-half_mm, arm}, {-half_mm, -arm}, {-arm, -arm}};
   Random random(12);
   const LearnedSample sample = learned(cross, random);
   double squares = 0;
