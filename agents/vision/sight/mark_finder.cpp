@@ -16,6 +16,8 @@ constexpr double least_confidence = 0.03;
 // With more no other place is looked at; and by so much another one must be surer.
 constexpr double clearly_sure = 0.35;
 constexpr double clearly_surer = 0.3;
+// Of two that are about as sure, the one whose edges contradict its pose by so much less is e^4 times as likely.
+constexpr double clearly_likelier = 4;
 // Of how far off a centre may be that is told surely, the wrong one of two tilts makes at most so much.
 constexpr double share_of_tilt = 0.4;
 
@@ -31,6 +33,12 @@ std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const
                    {}};
   }
   return std::nullopt;
+}
+
+// By how much another homography explains its edges better than any pose of it.
+double contradiction(const SeenPair& pair) {
+  const std::optional<PlanePose>* pose = pair.plane ? &pair.plane->pose : nullptr;
+  return pose != nullptr && *pose ? std::max(0.0, (*pose)->misfit - (*pose)->free_misfit) : 0;
 }
 
 }  // namespace
@@ -83,11 +91,15 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   const auto take_surer = [&](SeenPair&& other) {
     if (!other.plane) look_at_plane(sight, object, other);
     const double confidence = confidence_at_first(sight, object, other);
-    if (best ? confidence < most + clearly_surer : confidence < least_confidence) return;
+    const bool is_likelier =
+        best && confidence > most - clearly_surer && contradiction(other) + clearly_likelier < contradiction(*best);
+    const bool is_surer = best ? confidence >= most + clearly_surer : confidence >= least_confidence;
+    if (!is_likelier && !is_surer) return;
     most = confidence;
     best = std::move(other);
   };
-  if (best && most < clearly_sure) {
+  const bool is_contradicted = best && contradiction(*best) > clearly_likelier;
+  if (best && (most < clearly_sure || is_contradicted)) {
     for (const SeenMark& mark : sight.left_segmentation().marks()) {
       const std::optional<Likeness> likely = recognise(mark, objects_, object);
       if (likely && !best->left.box.contains(mark.centre)) {
@@ -95,7 +107,7 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
       }
     }
   }
-  if (most < clearly_sure) {
+  if (most < clearly_sure || is_contradicted) {
     for (SeenPair& thorough : sight.find_in_plane(objects_, object)) take_surer(std::move(thorough));
   }
   if (most < clearly_sure) {

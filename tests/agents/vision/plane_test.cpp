@@ -10,6 +10,7 @@
 #include "agents/vision/marks/segmentation.hpp"
 #include "agents/vision/objects/part_look.hpp"
 #include "agents/vision/objects/plane_look.hpp"
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/plane_pose.hpp"
 #include "agents/vision/sight/tag_pose.hpp"
 #include "blackboard/time/random.hpp"
@@ -273,6 +274,28 @@ TEST(Plane, OfATiltedTriangleIsWithinItsSpreads) {
              std::sqrt(told.covariance.bottomRightCorner<3, 3>().trace());
     };
     EXPECT_LT(std::min(spreads_off(seen->pose), spreads_off(seen->pose.other)), 2);
+  }
+}
+
+// A house's window is a square as well, but for its perspective: no pose of a square of this size has these edges.
+TEST(Plane, OfTwoSquaresTheOneIsFoundThatIsASquareHoweverItLies) {
+  Random random(17);
+  LearnedObjects objects;
+  LearnedSample sample = learned(square, random);
+  sample.number = 1;
+  objects.add("square", sample);
+  const camera::StereoModel model = one_camera();
+  const Corners window = {{200, 200}, {246, 199}, {246, 246}, {200, 244}};
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const cv::Matx33d turn = turned_about({random.uniform(0.5, 0.7), random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)});
+    const cv::Vec3d place(random.uniform(60, 120), random.uniform(-80, 80), random.uniform(450, 700));
+    cv::Mat image = filled(projected(square, turn, place), random);
+    image = cv::min(image, cv::Mat(filled(window, random)));
+    StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
+    const Result<FoundMark> found = MarkFinder(objects).find(sight, *objects.find("square"), {});
+    ASSERT_TRUE(found);
+    EXPECT_LT(cv::norm(found->pair.left.centre - projected({{0, 0}}, turn, place).front()), 1);
   }
 }
 
