@@ -60,7 +60,16 @@ void PageImages::note_drawn(Lane& lane, Duration drawing) {
   lane.waited = std::max(Duration(0), executor_.now() - lane.sent - drawing - line);
   weigh_line(lane.waited);
   lane.stream.clear();
+  renew_if_slow(lane, line);
   send_what_waits();
+}
+
+// One each half second at most, so that the others go on with the images.
+void PageImages::renew_if_slow(Lane& lane, Duration line) {
+  const bool slow = line > longest_near && lane.waited >= line;
+  if (!slow || executor_.now() - renewed_ < between_renewals) return;
+  renewed_ = executor_.now();
+  lane.socket->send(web::WebSocket::Class::control, "(renew)");
 }
 
 void PageImages::send_what_waits() {
@@ -115,7 +124,6 @@ std::size_t PageImages::bytes_under_way() const {
 }
 
 std::size_t PageImages::most_under_way() const {
-  constexpr Duration longest_near = 50ms;
   const Duration line = pulse_.line().value_or(Duration(0));
   return line > longest_near ? max_under_way : 2;
 }

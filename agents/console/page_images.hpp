@@ -11,6 +11,10 @@
 // behind it. It answers `(drawn MS)`: for so long it had the image until it was drawn. `words` hears all else that it
 // says on a lane, and answers whether that was understood.
 //
+// After each lost packet TCP sends less at a time, and a lane that carries an image now and then never gets that back.
+// Sooner or later an image takes two round trips there. On a long line the page is then told `(renew)`: it closes that
+// lane and opens another, which begins as quick as the first was.
+//
 // Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way
 // on all lanes together, or one larger image. Images are light (image_feed.hpp) until full ones are known to hardly
 // wait.
@@ -50,6 +54,8 @@ class PageImages {
 
  private:
   static constexpr Duration too_long = 150ms;
+  static constexpr Duration longest_near = 50ms;  // a line that takes longer is long
+  static constexpr Duration between_renewals = 500ms;
   struct Stream {
     std::shared_ptr<const ImageFeeds::Picture> newest;  // not sent yet
     Time sent{};                                        // the one before it
@@ -65,6 +71,7 @@ class PageImages {
 
   void hear(Lane& lane, std::string_view message);
   void note_drawn(Lane& lane, Duration drawing);
+  void renew_if_slow(Lane& lane, Duration line);
   void send_what_waits();
   void say_wishes();
   Lane* free_lane();
@@ -84,6 +91,7 @@ class PageImages {
   // How long images wait on all lanes, smoothed. It starts high, so that the first images are light.
   Duration wait_ = too_long;
   bool light_ = true;
+  Time renewed_{};  // when a lane was last
 };
 
 }  // namespace pizarra::console

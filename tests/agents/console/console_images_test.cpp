@@ -114,6 +114,31 @@ TEST_F(ConsoleImagesTest, GoOnByOneLaneWhileAnotherIsHeldUp) {
   }
 }
 
+// A line of at least 60 ms there and back: so late the page answers the first stamp, which comes with the hello.
+TEST_F(ConsoleImagesTest, HaveALaneOpenedAnewOnWhichOneTookAnotherRoundTripOfALongLine) {
+  const std::string own = cookie();
+  const auto client = page(own);
+  const auto only = lane(own);
+  const auto pass = [this](Duration duration) {
+    run(executor_, [](Executor& executor, Duration length) -> Task<bool> {
+      co_await sleep(executor, length);
+      co_return true;
+    }(executor_, duration));
+  };
+  pass(60ms);
+  client->send_frame(RawClient::text, "(stamp 1)");
+  look(*client);
+  publish(1);
+  EXPECT_EQ(next_image(*only), 1);
+  pass(2s);
+  only->send_frame(RawClient::text, "(drawn 5)");
+  const auto told = serve([&] { return only->read_frame(); });
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->payload, "(renew)");
+  publish(2);
+  EXPECT_EQ(next_image(*only), 2) << "it serves until then";
+}
+
 TEST_F(ConsoleImagesTest, GoOnWhereALaneIsLost) {
   const std::string own = cookie();
   const auto client = page(own);

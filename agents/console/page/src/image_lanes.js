@@ -1,6 +1,6 @@
 // Connections for images, beside the page's own. Each carries one image at a time: where a packet is lost, that image
 // comes late, and the others go on coming. For the same reason what moves the arm or stops it is said on one of them as
-// well.
+// well. One that has become slow is opened anew when the console says so.
 //
 //   const lanes = new ImageLanes(async (message) => ...);     // who draws an image, and answers when it has
 //   lanes.open({ path: '/socket/7', lanes: 6 });
@@ -50,13 +50,21 @@ export class ImageLanes {
     const socket = socketAt(path);
     lanes.add(socket);
     socket.onmessage = async ({ data }) => {
+      if (data === '(renew)') return this.#renew(socket);
       const came = performance.now();
       await this.#draw(data);
       socket.send(write([sym('drawn'), Math.round(performance.now() - came)]));
     };
     socket.onclose = () => {
-      lanes.delete(socket);
-      setTimeout(() => lanes === this.#open && this.#add(path), pause);
+      const lost = lanes.delete(socket);
+      const soon = lost ? pause : 0; // one that is renewed was taken out before
+      setTimeout(() => lanes === this.#open && this.#add(path), soon);
     };
+  }
+  // What was said on it still comes; what is said from here on goes by another.
+  /** @param {WebSocket} socket */
+  #renew(socket) {
+    this.#open.delete(socket);
+    socket.close();
   }
 }
