@@ -288,7 +288,8 @@ TEST(Plane, OfTwoSquaresTheOneIsFoundThatIsASquareHoweverItLies) {
   const Corners window = {{200, 200}, {246, 199}, {246, 246}, {200, 244}};
   for (int i = 0; i < 12; ++i) {
     SCOPED_TRACE(i);
-    const cv::Matx33d turn = turned_about({random.uniform(0.5, 0.7), random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)});
+    const cv::Matx33d turn =
+        turned_about({random.uniform(0.5, 0.7), random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3)});
     const cv::Vec3d place(random.uniform(60, 120), random.uniform(-80, 80), random.uniform(450, 700));
     cv::Mat image = filled(projected(square, turn, place), random);
     image = cv::min(image, cv::Mat(filled(window, random)));
