@@ -25,7 +25,8 @@ class BoardsWithLittleSpace : public testing::Test {
     const std::string address = "tcp://127.0.0.1:" + std::to_string(free_port());
     board_ = std::make_unique<ChildProgram>(
         std::vector<std::string>{PIZARRA_BOARD, "--listen", address, "--log", etcd_->address("little")});
-    client_ = client::RemoteBoard::connect(executor_, address, "tester").value();
+    // A board that makes space on a busy disk answers late.
+    client_ = client::RemoteBoard::connect(executor_, address, "tester", 60s).value();
     const Relation picture =
         relation_from_datum(read_one("(relation picture ((n integer) (bytes string)) (key n) (durable))").value())
             .value();
