@@ -1,11 +1,12 @@
 #pragma once
 
-// The key of a page forbids some of its words. The page is told which and why, and shows their buttons disabled: what the
-// person may not do, and for the administrator the relation that the key lacks. The board holds it to that, whatever it
-// shows.
+// The key of a page forbids some of its words. The page is told which and why, and shows their buttons disabled: what
+// the person may not do, and for the administrator the relation that the key lacks. The board holds it to that,
+// whatever it shows.
 //
 //   const PageRights rights = co_await rights_of(board);         // asks the board once (own-permission)
-//   rights.refused();       {{"goal", "your key may not give goals (it lacks: tell request)"}, ...}, by the page's words
+//   rights.refused();       {{"goal", "your key may not give goals (it lacks: tell request)"}, ...}, by the page's
+//   words
 
 #include <map>
 #include <string>

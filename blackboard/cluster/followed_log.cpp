@@ -230,7 +230,8 @@ Result<void> FollowedLog::apply(const Entry& entry) {
 
 void FollowedLog::remember(Time when, std::vector<journal::RememberedReply> replies) {
   for (journal::RememberedReply& reply : replies) replies_.emplace_back(when, std::move(reply));
-  while (!replies_.empty() && (replies_.front().first < when - journal::replies_kept || replies_.size() > most_replies)) {
+  while (!replies_.empty() &&
+         (replies_.front().first < when - journal::replies_kept || replies_.size() > most_replies)) {
     replies_.pop_front();
   }
 }

@@ -16,7 +16,9 @@ Result<std::unique_ptr<StreamGuest>> StreamGuest::come(Executor& executor, const
   const AbstractAddress address(door);
   const bool connected = socket && bells && connect(socket.number(), address.get(), address.size()) == 0;
   if (!connected) return fail("unreachable", std::strerror(errno), to_datum(stream));
-  if (!peer_is_trusted(socket)) return fail("unreachable", "the process that shows these images belongs to another user", to_datum(stream));
+  if (!peer_is_trusted(socket)) {
+    return fail("unreachable", "the process that shows these images belongs to another user", to_datum(stream));
+  }
   if (stream.size() > max_packet_text || !send_packet(socket, stream)) {
     return fail("unreachable", "the door does not listen", to_datum(stream));
   }

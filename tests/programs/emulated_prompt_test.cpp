@@ -58,7 +58,7 @@ TEST(EmulatedPrompt, ADeviceThatDoesNotComeEndsItWithASentence) {
   const std::string port = Emulated("ptu46-70").port();
   const Said unit =
       prompt("headless", "(pan-tilt (tcp \"127.0.0.1\" " + port + "))", "--agents pan-tilt --eval '(help)'");
-  EXPECT_EQ(unit.text, "pizarra: pan-tilt has not come to its unit within 10 s: 127.0.0.1 port " + port +
+  EXPECT_EQ(unit.text, "pizarra: pan-tilt has not reached its unit within 10 s: 127.0.0.1 port " + port +
                            " is not reached: Connection refused\n");
   EXPECT_EQ(unit.status, 4);
 }
