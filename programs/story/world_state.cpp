@@ -24,11 +24,11 @@ WorldState::Cube cube_from_datum(const Datum& item) {
 
 }  // namespace
 
-Datum lower_case(const Datum& fact) {
+Datum in_small_letters(const Datum& fact) {
   if (fact.is_symbol() || fact.is_string()) return Datum::symbol(lowered(fact.text()));
   if (!fact.is_list()) return fact;
   std::vector<Datum> items;
-  for (const Datum& item : fact.items()) items.push_back(lower_case(item));
+  for (const Datum& item : fact.items()) items.push_back(in_small_letters(item));
   return Datum::list(std::move(items));
 }
 
