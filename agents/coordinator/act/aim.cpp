@@ -146,7 +146,8 @@ Result<Aim> Aims::at(const Datum& target) {
     const Result<Eigen::Vector3d> object = seen(target.text());
     if (!object) return fail(object);
     const Eigen::Vector3d to_mark = -scene_.mark_to_front_mm();
-    Eigen::Vector3d front = *object - scene_.set_back_mm(target.text());
+    const std::string name(target.text());
+    Eigen::Vector3d front = *object + scene_.face_to_fingers_mm(name) - scene_.set_back_mm(name);
     front.z() = std::max(front.z(), options_.gripper.finger_below_mm);
     return Aim{*grip + to_mark, front + to_mark, grip->z(), scene_.foot_mm()};
   }

@@ -19,9 +19,6 @@ constexpr int held_looks = 12;
 constexpr double retreat_mm = 20;
 constexpr double least_rise_mm = 15;
 constexpr int most_retreats = 15;
-// A smaller yaw of a cube is straightened by the fingers; a larger one hides the end effector's mark.
-constexpr double least_turn_deg = 4;
-constexpr double most_turn_deg = 38;
 
 }  // namespace
 
@@ -89,13 +86,9 @@ Task<Result<void>> TaskRunner::open(double opening_mm) {
   co_return Result<void>();
 }
 
-// The base frame's x axis looks at a camera that faces the arm.
 Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
-  const double seen_deg = surroundings_.scene().sightings().yaw_deg(object);
-  const double wanted_deg =
-      std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
-  const double square_deg = -surroundings_.scene().camera().pose().pan_deg;
-  const Result<void> turned = co_await arm_.face(square_deg + wanted_deg);
+  const double wanted_deg = surroundings_.scene().fingers_deg(object);
+  const Result<void> turned = co_await arm_.face(wanted_deg);
   co_return turned;
 }
 

@@ -1,7 +1,6 @@
 #include "agents/coordinator/geometry/sightings.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pizarra::coordinator {
 
@@ -54,11 +53,10 @@ void Sightings::face(Sighting& sighting, double yaw_deg) {
   sighting.yaw_deg += (yaw_deg - sighting.yaw_deg) / sighting.yaw_samples;
 }
 
-double Sightings::yaw_deg(std::string_view name) const {
+std::optional<double> Sightings::face_deg(std::string_view name) const {
   const Sighting* sighting = find(name);
-  if (!sighting || sighting->yaw_samples < least_yaw_samples) return 0;
-  // A cube looks the same every quarter turn.
-  return std::remainder(sighting->yaw_deg, 90);
+  if (!sighting || sighting->yaw_samples < least_yaw_samples) return std::nullopt;
+  return sighting->yaw_deg;
 }
 
 const Sighting* Sightings::find(std::string_view name) const {

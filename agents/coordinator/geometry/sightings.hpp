@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -46,8 +47,8 @@ class Sightings {
   std::int64_t frame() const { return frame_; }
   const std::map<std::string, Sighting, std::less<>>& all() const { return seen_; }
   const Sighting* find(std::string_view name) const;
-  // How far its face is turned, within 45 degrees; 0 while too few looks told.
-  double yaw_deg(std::string_view name) const;
+  // How far the face that shows its mark looks to the right of facing the camera; nothing while too few looks told.
+  std::optional<double> face_deg(std::string_view name) const;
   // Whether it was seen within the last `looks` looks; 1: in the newest.
   bool recent(std::string_view name, std::uint64_t looks) const;
   // Whether it counts as there though it may be unseen: for `grace` looks. A mark that is hard to see, as at a slant,

@@ -1,6 +1,7 @@
 #include "agents/coordinator/perceive/scene.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,6 +21,10 @@ constexpr double held_mm = 40;
 constexpr std::uint64_t looks_till_rest = 2;
 // The eyes and an arm that differ by more do not see the same mark.
 constexpr double most_off_mm = 30;
+
+// A smaller turn of a cube is straightened by the fingers; a larger one hides the end effector's mark.
+constexpr double least_turn_deg = 4;
+constexpr double most_turn_deg = 38;
 
 Datum as_list(const Eigen::Vector3d& at) { return list(at.x(), at.y(), at.z()); }
 
@@ -156,12 +161,31 @@ Eigen::Vector3d Scene::set_back_mm(std::string_view name) const {
   return (domain_.cube_mm() - domain_.edge_mm(name)) / 2 * view_->away();
 }
 
+// The base frame's x axis looks at a camera that faces the arm.
+double Scene::fingers_deg(std::string_view name) const {
+  const double seen_deg = sightings_.face_deg(name).value_or(0);
+  const double wanted_deg =
+      std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
+  return wanted_deg - camera_.pose().pan_deg;
+}
+
+Eigen::Vector3d Scene::looks_towards(double yaw_deg) const {
+  return Eigen::AngleAxisd(yaw_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * -view_->away();
+}
+
 // The mark stands before the middle in the direction in which its face looks.
 Eigen::Vector3d Scene::centre_mm(const std::string& name, const Sighting& sighting) const {
   if (!view_) return sighting.place_mm;
-  const double yaw = sightings_.yaw_deg(name) * std::numbers::pi / 180;
-  const Eigen::Vector3d looks = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * -view_->away();
-  return sighting.place_mm - domain_.edge_mm(name) / 2 * looks;
+  const double yaw_deg = sightings_.face_deg(name).value_or(0);
+  return sighting.place_mm - domain_.edge_mm(name) / 2 * looks_towards(yaw_deg);
+}
+
+Eigen::Vector3d Scene::face_to_fingers_mm(const std::string& name) const {
+  const std::optional<double> face_deg = sightings_.face_deg(name);
+  const std::optional<double> tool_deg = tool_yaw_deg();
+  if (!view_ || !face_deg || !tool_deg) return Eigen::Vector3d::Zero();
+  const double fingers_deg = *tool_deg + camera_.pose().pan_deg;
+  return domain_.edge_mm(name) / 2 * (looks_towards(fingers_deg) - looks_towards(*face_deg));
 }
 
 std::optional<std::string> Scene::foremost(const std::set<std::string>& but) const {

@@ -37,6 +37,12 @@ class Scene {
   // From there to where the mark of this object would stand: further from the camera, where it is smaller than others.
   // There is a view.
   Eigen::Vector3d set_back_mm(std::string_view name) const;
+  // From the object's mark to where it would stand on the face that looks as the fingers do; zero while the face is not
+  // known. A cube that lies far round shows its mark on another face.
+  Eigen::Vector3d face_to_fingers_mm(const std::string& name) const;
+  // How far the fingers are turned, as Arm::face() has it, to grasp the object: after its mark, so that it faces the
+  // camera once the cube is held and squared up.
+  double fingers_deg(std::string_view name) const;
   // The middle of the cube that bears the mark.
   Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
   // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands
@@ -76,6 +82,8 @@ class Scene {
   CameraWatch::News take_look(std::int64_t frame, const forms::PerceivedLook& look);
 
  private:
+  // Where a face looks that is turned so far to the right of facing the camera; of length 1.
+  Eigen::Vector3d looks_towards(double yaw_deg) const;
   void turn_view();
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
   bool arm_rests() const;

@@ -65,11 +65,11 @@ TEST(Sightings, AverageTheFaceOfWhatLiesStillAsTheCameraIsMounted) {
   Sightings sightings;
   const std::vector<forms::SeenObject> turned{{"circle", {450, 0, 30}, 25.0}};
   for (int i = 0; i < 2; ++i) sightings.look(i, turned, 5);
-  EXPECT_EQ(sightings.yaw_deg("circle"), 0) << "too few looks told";
+  EXPECT_FALSE(sightings.face_deg("circle")) << "too few looks told";
   sightings.look(2, turned, 5);
-  EXPECT_NEAR(sightings.yaw_deg("circle"), 20, 1e-9);
+  EXPECT_NEAR(sightings.face_deg("circle").value_or(0), 20, 1e-9);
   sightings.look(3, circle_at(600));
-  EXPECT_EQ(sightings.yaw_deg("circle"), 0) << "it was moved";
+  EXPECT_FALSE(sightings.face_deg("circle")) << "it was moved";
 }
 
 TEST(Sightings, AnExcusedObjectStaysAsYoungAsItWasButNotForEver) {

@@ -194,6 +194,11 @@ void FakeCell::move_to(const Eigen::Vector3d& place) {
   grip = place;
 }
 
+void FakeCell::turn_tool(double deg) {
+  yaw_deg_ += deg;
+  if (faces_deg.contains(held)) faces_deg[held] += deg;
+}
+
 void FakeCell::let_go() {
   if (held.empty()) return;
   const std::string cube = std::exchange(held, "");
@@ -246,12 +251,12 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   if (name == "move-h") to.y() += amount;
   if (name == "extend") to += operation[2].number() * out;
   if (name == "retract") to -= operation[1].number() * out;
-  if (name == "turn-wrist") yaw_deg_ += amount;
+  if (name == "turn-wrist") turn_tool(amount);
   if (name == "turn") {
     const double radius = std::hypot(grip.x(), grip.y());
     const double bearing = std::atan2(grip.y(), grip.x()) + amount * std::numbers::pi / 180;
     to = {radius * std::cos(bearing), radius * std::sin(bearing), grip.z()};
-    yaw_deg_ += amount;
+    turn_tool(amount);
   }
   if (name == "do-action") {
     const Datum move = form(operation[1].text());
@@ -276,6 +281,12 @@ Task<void> FakeCell::tell_pose() {
   const Eigen::Vector3d said = grip + pose_error_mm;
   const Datum pose = list("arm-pose"_sym, "robot"_sym, said.x(), said.y(), said.z(), 180.0, 0.0, yaw_deg_);
   co_await agents_->robot_view->tell(pose);
+}
+
+Eigen::Vector3d FakeCell::mark_of(const std::string& cube) const {
+  const auto turned = faces_deg.find(cube);
+  const double yaw = turned == faces_deg.end() ? 0 : turned->second * std::numbers::pi / 180;
+  return cubes.at(cube) + 30 * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0);
 }
 
 Eigen::Vector3d FakeCell::gripper_mark() const {
@@ -313,10 +324,9 @@ Task<void> FakeCell::look() {
   while (true) {
     co_await sleep(executor_, 60ms);
     const Time captured = executor_.now();
-    const Eigen::Vector3d front(30, 0, 0);
     std::vector<std::pair<std::string, Eigen::Vector3d>> marks{{"end-effector", gripper_mark()}};
     const CameraView view(camera, {});
-    for (const auto& [name, place] : cubes) marks.emplace_back(name, place + front);
+    for (const auto& [name, place] : cubes) marks.emplace_back(name, mark_of(name));
     std::erase_if(marks, [this](const auto& mark) { return !tracked_.contains(mark.first); });
     std::string text = fmt::format("(TRACK {}", marks.size());
     std::vector<Datum> told;
@@ -326,8 +336,10 @@ Task<void> FakeCell::look() {
       const bool seen = shown && sight.y_px > 0;
       text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)
                    : fmt::format(" (\"{}\" FAIL)", name);
-      std::vector<Datum> object{Datum::symbol(name), seen ? "seen"_sym : "lost"_sym};
+      std::vector<Datum> object{to_datum(name), seen ? "seen"_sym : "lost"_sym};
       if (seen && tells_capture) object.push_back(list("captured"_sym, captured.time_since_epoch().count()));
+      const auto turned = faces_deg.find(name);
+      if (seen && turned != faces_deg.end()) object.push_back(list("face"_sym, turned->second));
       told.push_back(Datum::list(std::move(object)));
     }
     co_await sleep(executor_, 40ms + std::exchange(look_late, 0ms));

@@ -57,6 +57,7 @@ class FakeCell {
   int times_told(std::string_view pattern) const;
 
   Cubes cubes;                                               // where they are now; the test may move them
+  std::map<std::string, double> faces_deg;                   // of those that are turned, to the right of the camera
   std::set<std::string> hidden;                              // from the eyes
   std::function<bool()> mark_hidden = [] { return false; };  // the end effector's, as a cube before it does
   std::string eyes_restart_at;  // the eyes forget what they track when they are first asked to track this one
@@ -88,6 +89,7 @@ class FakeCell {
 
   bool shows(const std::string& name) const;
   Task<void> look();
+  Eigen::Vector3d mark_of(const std::string& cube) const;
   Task<Result<Datum>> handle_robot(Datum operation);
   Task<Result<Datum>> handle_vision(Datum operation);
   void move_to(const Eigen::Vector3d& place);
@@ -96,6 +98,7 @@ class FakeCell {
   Eigen::Vector3d gripper_mark() const;
   double close_gripper(double wanted_mm);
   void let_go();
+  void turn_tool(double deg);
 
   VirtualExecutor executor_;
   memory::MemoryBoard board_{executor_};

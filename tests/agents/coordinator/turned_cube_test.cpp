@@ -1,0 +1,36 @@
+// A cube whose mark looks aside: what is grasped is its middle, and its mark faces the camera afterwards.
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "tests/agents/coordinator/fake_cell.hpp"
+
+namespace pizarra::coordinator {
+namespace {
+
+class TurnedCube : public testing::TestWithParam<double> {
+ protected:
+  void SetUp() override { cell.faces_deg["circle"] = GetParam(); }
+
+  FakeCell cell{"blocks.scm", {{"circle", {450, -100, 30}}, {"square", {450, 100, 30}}}};
+};
+
+TEST_P(TurnedCube, IsGraspedByItsMiddleAtTheFirstTry) {
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  EXPECT_EQ(cell.times_told("(operation ? (PICK-UP circle) failed)"), 0);
+  EXPECT_LT((cell.cubes["circle"] - cell.grip).head<2>().norm(), 4);
+}
+
+TEST_P(TurnedCube, FacesTheCameraOnceItIsHeld) {
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  EXPECT_LT(std::abs(cell.faces_deg["circle"]), 15);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByDegrees, TurnedCube, testing::Values(-52.0, -46.0, -30.0, 20.0, 44.0, 50.0));
+
+}  // namespace
+}  // namespace pizarra::coordinator
