@@ -181,6 +181,8 @@ void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObjec
   before.whole.wait(captured_);
   std::optional<SeenPair> there = follow(sight, before, object);
   if (!there || now.left.box.contains(there->left.centre)) return;
+  // A cube that fell shows another of its faces where its mark was.
+  if (may_be_one_cube(now.left, there->left, front_slimness(object))) return;
   if (!before.whole.look_at(sight.model(), object, *there, captured_, most_off_px(sight), false).whole) return;
   before.name = track.name;
   before.missed = true;

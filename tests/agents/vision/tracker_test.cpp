@@ -156,6 +156,22 @@ TEST_F(Tracker, TakesNoTwinThatWasHiddenMeanwhile) {
   expect_at(see()[0], (is_one ? one : other).place);
 }
 
+// Its front goes down, and then its upper side shows where the front was. Both bear the mark.
+TEST_F(Tracker, StaysWithTheFaceThatItFollowedWhereACubeFallsOver) {
+  track("square");
+  scene.faces = {{.mark = "square", .place = {0, 0, 850}}};
+  for (int frame = 0; frame < 3; ++frame) see();
+  SceneFace front{.mark = "square", .place = {0, 30, 850}, .pitch_deg = 40};
+  scene.faces = {front};
+  for (int frame = 0; frame < 3; ++frame) see();
+  const SceneFace upper{.mark = "square", .place = {0, -6, 850}, .pitch_deg = -50};
+  scene.faces = {front, upper};
+  for (int frame = 0; frame < 3; ++frame) expect_at(see()[0], front.place);
+  front.pitch_deg = 10;
+  scene.faces = {front};
+  for (int frame = 0; frame < 3; ++frame) expect_at(see()[0], front.place);
+}
+
 TEST_F(Tracker, IsNotTakenInByAnotherCubeInTheSamePlace) {
   track("circle");
   see();
