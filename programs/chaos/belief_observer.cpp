@@ -16,7 +16,7 @@ using Cube = story::WorldState::Cube;
 
 constexpr Duration may_be_wrong = 1s;
 constexpr double still_mm = 3;
-constexpr double whole = 0.99;  // of a mark's pixels
+constexpr double whole = 1;  // of a mark's pixels
 constexpr double most_turned_deg = 35;
 // The eyes of this camera measure depth to a few millimetres, and a target that is moved by 14 is aimed at anew.
 constexpr double elsewhere_mm = 25;
