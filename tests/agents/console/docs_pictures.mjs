@@ -2,10 +2,10 @@
 // They are WebP: all colours stay, and the files are small. A person looks at each before it is committed.
 
 import { readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { expect, launch, source } from './browser.mjs';
 
-const [scratch] = process.argv.slice(2);
+const scratch = resolve(process.argv[2]);
 const largest = 200_000; // bytes
 const best = 0.92;
 // By the test's name for it and that of the docs.
