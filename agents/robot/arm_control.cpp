@@ -6,6 +6,7 @@
 
 #include "agents/robot/motion.hpp"
 #include "blackboard/time/pace.hpp"
+#include "drivers/arm/meeting.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::robot {
