@@ -55,3 +55,23 @@ export class Driving {
 }
 
 export const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
+
+// The arm as a page shows it that only looks on: what a test goes by where its own page's line fails.
+export class Onlooker {
+  #page;
+
+  constructor(page) {
+    this.#page = page;
+  }
+
+  readings() {
+    return this.#page.locator('#readings').innerText();
+  }
+  // Of the grip, in mm.
+  async place() {
+    return (await this.readings()).match(/grip\s*([-\d]+)\s+([-\d]+)\s+([-\d]+) mm/).slice(1).map(Number);
+  }
+  seen(pattern) {
+    return this.#page.waitForFunction((words) => new RegExp(words).test(document.getElementById('readings').innerText), pattern);
+  }
+}

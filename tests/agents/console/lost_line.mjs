@@ -3,7 +3,7 @@
 
 import { join } from 'node:path';
 import { expect, here, launch, openPage, ownFolder, start } from './browser.mjs';
-import { distance, Driving, jogs } from './driving.mjs';
+import { distance, Driving, jogs, Onlooker } from './driving.mjs';
 import { losingLine } from './losing_line.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
@@ -26,10 +26,7 @@ expect((await driving.driven('Ready', '(ready)')) === 'true', 'READY');
 const direct = await launch(scratch);
 const witness = await openPage(direct, await served.next(1));
 await witness.waitForSelector('body[data-state=live]');
-const readings = () => witness.locator('#readings').innerText();
-const place = (said) => said.match(/grip\s*([-\d]+)\s+([-\d]+)\s+([-\d]+) mm/).slice(1).map(Number);
-const seen = (pattern) =>
-  witness.waitForFunction((words) => new RegExp(words).test(document.getElementById('readings').innerText), pattern);
+const onlooker = new Onlooker(witness);
 
 // A machine that is busy elsewhere may be too late by itself: then once more.
 let way = 'left';
@@ -38,7 +35,7 @@ async function moving() {
     way = way === 'left' ? 'right' : 'left';
     await page.hover(jogs(way));
     await page.mouse.down();
-    await seen(`arm\\s*moving\\s*\\(jog ${way}|arm\\s*stopped\\s*\\(jog ${way}`);
+    await onlooker.seen(`arm\\s*moving\\s*\\(jog ${way}|arm\\s*stopped\\s*\\(jog ${way}`);
     const begun = await page.evaluate((told) => window.newest(told).answer === null, `(jog ${way})`);
     if (begun) return;
     await page.mouse.up();
@@ -47,9 +44,9 @@ async function moving() {
 }
 await moving();
 lose();
-const at = place(await readings());
-await seen('arm\\s*stopped');
-const stood = place(await readings());
+const at = await onlooker.place();
+await onlooker.seen('arm\\s*stopped');
+const stood = await onlooker.place();
 // What is shown may be a tenth of a second old, and rounded.
 expect(distance(at, stood) <= 15, `the arm stands by itself, ${distance(at, stood).toFixed(0)} mm further`);
 
@@ -61,9 +58,9 @@ expect(/has not renewed its hold/.test(answer), `the operator is told why: ${ans
 await page.mouse.up();
 // A question whose answer comes after all that was stuck.
 await driving.standing();
-const after = place(await readings());
+const after = await onlooker.place();
 expect(distance(stood, after) <= 1, 'nothing moves for what comes late');
-expect(/arm\s*stopped/.test(await readings()), 'and the arm stands as it was stopped');
+expect(/arm\s*stopped/.test(await onlooker.readings()), 'and the arm stands as it was stopped');
 
 // The page is not shown as live, and a STOP that nobody acknowledges is said to be none.
 lose();
@@ -96,7 +93,7 @@ await witness.waitForSelector('#stopped', { state: 'hidden' });
 // A line that ends for good: what stands under the page goes with it.
 await moving();
 line.cut();
-await seen('arm\\s*stopped');
+await onlooker.seen('arm\\s*stopped');
 await witness.waitForSelector('#arm-chip', { state: 'hidden' });
 expect(true, 'a connection that ends stops the arm, and lets it go');
 await page.waitForFunction(() => document.getElementById('hands-note').innerText.includes('You no longer have the arm in hand'));

@@ -4,7 +4,7 @@
 
 import { join } from 'node:path';
 import { expect, here, launch, openPage, ownFolder, start, text } from './browser.mjs';
-import { distance, Driving, jogs } from './driving.mjs';
+import { distance, Driving, jogs, Onlooker } from './driving.mjs';
 import { lanesOnly, losingLine, pageOnly } from './losing_line.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
@@ -54,10 +54,7 @@ await witness.evaluate(() => {
   };
 });
 const stops = () => witness.evaluate(() => window.stops);
-const readings = () => witness.locator('#readings').innerText();
-const place = async () => (await readings()).match(/grip\s*([-\d]+)\s+([-\d]+)\s+([-\d]+) mm/).slice(1).map(Number);
-const seen = (pattern) =>
-  witness.waitForFunction((words) => new RegExp(words).test(document.getElementById('readings').innerText), pattern);
+const onlooker = new Onlooker(witness);
 const take = async (who) => {
   await who.click('#take-arm');
   await who.waitForFunction(() => document.getElementById('arm-chip').textContent.includes('your hands'));
@@ -89,16 +86,16 @@ async function moving() {
 // The page's own connection falls silent in mid-jog. Holds go on coming by the other, with stamps that get old.
 await moving();
 expect(line.lose(pageOnly) === 1, 'the page’s own connection falls silent');
-const at = await place();
-await seen('arm\\s*stopped');
-const stood = await place();
+const at = await onlooker.place();
+await onlooker.seen('arm\\s*stopped');
+const stood = await onlooker.place();
 expect(distance(at, stood) <= 15, `the arm stands by itself, ${distance(at, stood).toFixed(0)} mm further`);
 line.restore();
 const { answer } = await driving.answered(command());
 expect(/has not renewed its hold/.test(answer), `the operator is told why: ${answer}`);
 await page.mouse.up();
 await driving.standing();
-expect(distance(stood, await place()) <= 1, 'and what comes late moves nothing');
+expect(distance(stood, await onlooker.place()) <= 1, 'and what comes late moves nothing');
 
 // Before STOP: that goes by an image's connection.
 expect(line.lose(pageOnly) === 1, 'the page’s own connection falls silent again');
@@ -124,7 +121,7 @@ let answered = '';
 for (let attempt = 0; attempt < 30 && answered !== 'true'; ++attempt) {
   expect(line.lose(lanesOnly) > 1, 'the connections of images fall silent');
   await moving();
-  const from = await place();
+  const from = await onlooker.place();
   await witness.waitForFunction(
     ([x, y]) => {
       const shown = document.getElementById('readings').innerText;
@@ -157,7 +154,7 @@ const told = await stops();
 expect(told.length === 3 && /said behind it/.test(told[2]), `each STOP counts once: ${told.join(', ')}`);
 await driving.press('Monitor');
 await driving.answered('(monitor)');
-expect(distance(before, await place()) <= 1, 'and a jog that comes late moves nothing');
+expect(distance(before, await onlooker.place()) <= 1, 'and a jog that comes late moves nothing');
 
 for (const each of [page, witness]) expect(each.troubles.length === 0, `nothing went wrong: ${each.troubles.join('; ')}`);
 line.end();
