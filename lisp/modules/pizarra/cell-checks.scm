@@ -1,8 +1,8 @@
 ;; What tests of the cell language ask.
 ;;
-;; (complaint SECTION ...) answers (COUNT SYMBOL PATH) of a cell of these sections, the number of complaints and the
-;;   first one, or (ok ...)
-;; (cell-part INDEX SECTION ...) answers that part of its value, or the same of a cell that is refused
+;; (complaint SECTION ...) reads a cell of these sections. It answers (ok ...), or (COUNT SYMBOL PATH): how many
+;;   complaints there are, and the first one.
+;; (cell-part INDEX SECTION ...) answers that part of the cell's value, or the complaint.
 
 (define-module (pizarra cell-checks)
   #:use-module (pizarra cell)

@@ -1,11 +1,12 @@
 ;; The cubes of a cell or a scenario, and what their size asks of the gripper and the table: see
 ;; lisp/forms/cell_file.hpp.
 ;;
-;; (cubes-of NODES SIZE), NODES the sections (cube NAME PART ...) of cubes of SIZE mm or less, answers
-;;   ((NAME MARK X Y YAW ON EDGE) ...), ON the cube below or the empty string for the table
-;; The others answer of a world's sections, or the default: (cube-size-of FOUND) the edge in mm;
-;; (openings-of FOUND SIZE) how wide the gripper opens, (NARROW NORMAL WIDE); (row-of FOUND) the row that cubes are put
-;; down in, (X Y-LOW Y-HIGH).
+;; (cubes-of NODES SIZE), NODES the sections (cube NAME PART ...), answers ((NAME MARK X Y YAW ON EDGE) ...).
+;;   No EDGE is above SIZE mm. ON is the cube below, or the empty string for the table.
+;; The others take FOUND, the sections of a world, and answer the default where it says nothing.
+;; (cube-size-of FOUND) answers the edge in mm.
+;; (openings-of FOUND SIZE) answers how wide the gripper opens, (NARROW NORMAL WIDE).
+;; (row-of FOUND) answers the row that cubes are put down in, (X Y-LOW Y-HIGH).
 
 (define-module (pizarra cubes)
   #:use-module (srfi srfi-1)

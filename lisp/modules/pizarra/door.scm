@@ -1,7 +1,7 @@
 ;; The text door of a cell: see lisp/forms/cell_file.hpp.
 ;;
-;; (door-of FOUND BOARD-KEYS), FOUND the sections of a cell, answers of (door PART ...)
-;;   (PORT ((FILE BAUD) ...) KEYS), PORT -1 where there is none over TCP, or () where the cell has no door
+;; (door-of FOUND BOARD-KEYS), FOUND the sections of a cell, answers (PORT ((FILE BAUD) ...) KEYS).
+;; PORT is -1 if the door is not reached over TCP. A cell without a (door ...) gives ().
 ;; BOARD-KEYS is the folder of keys that is taken where the door names none.
 
 (define-module (pizarra door)

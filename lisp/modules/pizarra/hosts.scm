@@ -1,20 +1,20 @@
 ;; Who runs where in a cell: its hosts, their agents, the board: see lisp/forms/cell_file.hpp.
 ;;
-;; (hosts-of NODES MISSING ADDED), NODES the sections (host NAME PART ...), answers ((HOST KEY AGENT ...) ...). Where
-;;   there are none, the one host runs all kinds but those of MISSING, and those of ADDED
-;; (scheme-agents-of NODES), NODES the sections (agent NAME PART ...), answers ((NAME FILE MS MB N KEY) ...)
-;; (board-of FOUND HOSTS) answers (HOST ADDRESS KEYS), KEYS the folder of the keys that may come
-;; (refuse-idle NODES AGENTS HOSTS), (refuse-agent HOSTS KIND SENTENCE) complain about agents that nobody runs, or that
-;;   have nothing to work with
+;; (hosts-of NODES MISSING ADDED), NODES the sections (host NAME PART ...), answers ((HOST KEY AGENT ...) ...).
+;;   A cell without hosts has one. It runs every kind that is not in MISSING, and the agents of ADDED.
+;; (scheme-agents-of NODES), NODES the sections (agent NAME PART ...), answers ((NAME FILE MS MB N KEY) ...).
+;; (board-of FOUND HOSTS) answers (HOST ADDRESS KEYS). KEYS is the folder of the keys that may come.
+;; (refuse-idle NODES AGENTS HOSTS) complains about agents that no host runs.
+;; (refuse-agent HOSTS KIND SENTENCE) complains about agents of a kind that has nothing to work with.
 
 (define-module (pizarra hosts)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
   #:export (hosts-of scheme-agents-of board-of refuse-idle refuse-agent))
 
-;; Every cell has these.
+;; The one host of a cell that names none runs these.
 (define kinds '(robot vision pan-tilt planner coordinator person))
-;; A cell has these where it says so.
+;; A host runs these only where it names them.
 (define further-kinds '(speech slave follower))
 (define known-kinds (append kinds further-kinds))
 ;; What `up` runs beside the agents; each has a log of its name, and is on the board under it.

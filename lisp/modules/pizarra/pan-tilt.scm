@@ -1,7 +1,8 @@
 ;; The pan-tilt unit that a cell's agent turns, where it is not the simulated one: see lisp/forms/cell_file.hpp.
 ;;
-;; (pan-tilt-of FOUND), FOUND the sections of a cell, answers of (pan-tilt LINE (reversed AXIS ...))
-;;   (LINE WHERE NUMBER (AXIS ...)), LINE serial, tcp or the empty string where there is none, NUMBER a baud rate or port
+;; (pan-tilt-of FOUND), FOUND the sections of a cell, answers (LINE WHERE NUMBER (AXIS ...)).
+;; LINE is serial, tcp, or the empty string where there is no such unit. NUMBER is a baud rate or a port.
+;; The axes are those that the unit counts the other way round.
 
 (define-module (pizarra pan-tilt)
   #:use-module (srfi srfi-1)

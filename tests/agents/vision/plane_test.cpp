@@ -118,7 +118,7 @@ TEST(PlaneOutline, BendsWhereTheShapeHasCornersThoughTheTemplateRoundsThem) {
   EXPECT_EQ(bends_of(learned(cross, random).plane), cross.size());
 }
 
-// What is darker on one side seems narrower there than it is.
+// A mark seems narrower on the side that lies in the shade.
 TEST(PlaneOutline, IsAsWideAsItIsHighThoughLightFallsFromOneSide) {
   Random random(15);
   for (const Corners& shape : {square, cross}) {
