@@ -69,7 +69,7 @@ Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d
 // As a click on it from the front would. `light`: by how much of itself it grows over a pixel to the right.
 LearnedSample learned(const Corners& plane, Random& random, double light = 0) {
   cv::Mat1b image = filled(projected(plane, cv::Matx33d::eye(), {0, 0, 500}), random);
-  for (int x = 0; x < image.cols; ++x) image.col(x) *= 1 + light * (x - image.cols / 2);
+  for (int x = 0; x < image.cols; ++x) image.col(x) *= 1 + light * (x - image.cols / 2.0);
   ImageSegmentation segmentation(image);
   LearnedSample out;
   for (const SeenMark& mark : segmentation.marks()) {
