@@ -182,7 +182,7 @@ TEST_F(UpWithLogHere, KeepsAPastOfLittleSpaceInTheRunsFolderAndALargeOneWhereItI
     words.insert(words.end(), more.begin(), more.end());
     running_["a"] = std::make_unique<Running>(words, scratch_folder() + "up-a.log");
     EXPECT_TRUE(comes("ask '(agent robot ?kind ?host)'", "?host = \"a\"")) << said();
-    const std::string line = shell_in_scratch("pgrep -af 'pizarra-board.*" + board_ + "'").text;
+    std::string line = shell_in_scratch("pgrep -af 'pizarra-board.*" + board_ + "'").text;
     end("a");
     return line;
   };

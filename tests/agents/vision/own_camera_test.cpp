@@ -99,7 +99,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
       const Answers answers = board.ask(query).value();
       if (!answers.answers.empty()) {
         const Datum frame = *answers.answers[0].bindings.find("?frame");
-        const std::string text(answers.answers[0].bindings.find("?text")->text());
+        std::string text(answers.answers[0].bindings.find("?text")->text());
         if (before && *before != frame && text.find("FAIL") == std::string::npos) return text;
         if (!before) before = frame;
       } else if (!before) {

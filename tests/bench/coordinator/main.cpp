@@ -31,7 +31,8 @@ class StillEyes {
     service_.emplace(context_, runtime::contract_from_text(vision::vision_contract).value());
     see("end-effector", {400, 0, 476});
     for (int i = 0; i < cubes; ++i) {
-      see(fmt::format("cube-{}", i), {i % 2 == 0 ? 480.0 : 380.0, -225 + 80.0 * (i / 2), 30.0});
+      const int row = i / 2;
+      see(fmt::format("cube-{}", i), {i % 2 == 0 ? 480.0 : 380.0, -225 + 80.0 * row, 30.0});
     }
   }
 
@@ -51,7 +52,8 @@ class StillEyes {
       sighting.range_mm += random_.uniform(-1, 1);
       sighting.yaw_deg = random_.uniform(-2, 2);
     }
-    co_await facts_.tell_look(++frame_, context_.executor.now(), noisy);
+    ++frame_;
+    co_await facts_.tell_look(frame_, context_.executor.now(), noisy);
   }
 
  private:

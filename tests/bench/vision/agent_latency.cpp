@@ -128,7 +128,7 @@ std::vector<Shot> moving_marks(std::uint64_t seed) {
 }
 
 std::string objects_folder(const TemporaryFolder& folder, const vision::LearnedObjects& marks) {
-  const std::string path = folder.path() + "/objects";
+  std::string path = folder.path() + "/objects";
   vision::ObjectDatabase database = vision::ObjectDatabase::open(path).value();
   for (const vision::LearnedObject& object : marks.all()) {
     const Result<std::int64_t> kept = database.apply(vision::KeepSample{object.name, object.samples.front()});

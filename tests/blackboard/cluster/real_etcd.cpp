@@ -1,6 +1,7 @@
 #include "tests/blackboard/cluster/real_etcd.hpp"
 
 #include <arpa/inet.h>
+#include <cerrno>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -40,7 +42,8 @@ int free_port() {
   const int file = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in name = loopback(0);
   socklen_t size = sizeof name;
-  bind(file, reinterpret_cast<sockaddr*>(&name), size);
+  if (bind(file, reinterpret_cast<sockaddr*>(&name), size) != 0)
+    throw std::system_error(errno, std::generic_category());
   getsockname(file, reinterpret_cast<sockaddr*>(&name), &size);
   close(file);
   return ntohs(name.sin_port);
