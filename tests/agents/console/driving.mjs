@@ -71,6 +71,17 @@ export class Onlooker {
   async place() {
     return (await this.readings()).match(/grip\s*([-\d]+)\s+([-\d]+)\s+([-\d]+) mm/).slice(1).map(Number);
   }
+  // So many mm on from there, or it has ended.
+  goneOn(from, most) {
+    return this.#page.waitForFunction(
+      ([x, y, far]) => {
+        const shown = document.getElementById('readings').innerText;
+        const [nowX, nowY] = shown.match(/grip\s*([-\d]+)\s+([-\d]+)/).slice(1).map(Number);
+        return Math.hypot(nowX - x, nowY - y) >= far || !/arm\s*moving/.test(shown);
+      },
+      [from[0], from[1], most],
+    );
+  }
   seen(pattern) {
     return this.#page.waitForFunction((words) => new RegExp(words).test(document.getElementById('readings').innerText), pattern);
   }
