@@ -1,8 +1,10 @@
-// A line between a browser and a console on which connections fall silent: what goes through one waits until it is
-// restored. They are told apart by the path that they ask for.
+// A line between a browser and a console, whose connections fall silent or end. What goes through a silent one waits until
+// it is restored. One ends in order, or breaks off (RST). They are told apart by the path that they ask for. While the
+// line is out of order, whatever connects breaks off.
 //
 //   const line = await losingLine(port);              the browser maps the console's port to line.port
-//   line.lose(pageOnly); line.restore(); line.cut();
+//   line.lose(pageOnly); line.restore(); line.cut(); line.breakOff(lanesOnly);
+//   line.outOfOrder = true;
 
 import { connect, createServer } from 'node:net';
 
@@ -16,6 +18,7 @@ const asksFor = (bytes) => bytes.toString('latin1').match(/^GET (\S+) HTTP/)?.[1
 export async function losingLine(port) {
   const links = new Set();
   const relay = createServer({ noDelay: true }, (near) => {
+    if (line.outOfOrder) return near.resetAndDestroy();
     const far = connect({ host: '127.0.0.1', port, noDelay: true });
     const link = { ends: [near, far], path: '' };
     links.add(link);
@@ -32,12 +35,15 @@ export async function losingLine(port) {
     for (const { ends } of chosen) ends.forEach(does);
     return chosen.length;
   };
-  return {
+  const line = {
+    outOfOrder: false,
     port: relay.address().port,
     lose: (paths = all) => each(paths, (end) => end.pause()),
     restore: (paths = all) => each(paths, (end) => end.resume()),
     cut: (paths = all) => each(paths, (end) => end.destroy()),
+    breakOff: (paths = all) => each(paths, (end) => end.resetAndDestroy()),
     count: (paths = all) => each(paths, () => {}),
     end: () => relay.close(),
   };
+  return line;
 }

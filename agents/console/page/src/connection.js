@@ -1,5 +1,5 @@
 // The page's connection: its WebSocket, which comes back by itself, and what is said and heard on it. Each kind of talk
-// is a part of its own: questions.js, requests.js, looks.js (images), held_line.js (a jog), feeds.js.
+// is a part of its own: questions.js, requests.js, looks.js (images), held_line.js (a jog), stop_line.js, feeds.js.
 //
 //   connection.follow('(place ?name ?x ?y ?z ?f)', (answers) => ...)   all that holds, whenever that changes
 //   await connection.request('coordinator', '(why)')                    the reply's values; throws a failure
@@ -13,10 +13,11 @@ import { Questions } from './questions.js';
 import { read, sym, write } from './datum.js';
 import { Requests } from './requests.js';
 import { Silence } from './silence.js';
+import { StopLine } from './stop_line.js';
 import { isOutdated } from './version.js';
 
 /** @import { Listener } from './live_answers.js' */
-/** @import { Arm, Cell, Datum, Hello, Message, Method, Picture, Pulse, Reply } from './messages' */
+/** @import { Arm, Cell, Datum, Failure, Hello, Message, Method, Picture, Pulse, Reply } from './messages' */
 /** @import { Line } from './questions.js' */
 /** @typedef {'connecting' | 'live' | 'silent' | 'lost' | 'refused' | 'outdated'} State */
 
@@ -40,6 +41,7 @@ export class Connection {
   #requests = new Requests(this.#line);
   #looks = new Looks(this.#line);
   #held = new HeldLine(this.#line, this.#requests, this.#looks.lanes);
+  #stops = new StopLine(this.#line, this.#requests, this.#looks.lanes);
   #feeds = new Feeds(this.#line);
   #silence = new Silence((state, why) => this.onState(state, why));
 
@@ -120,7 +122,7 @@ export class Connection {
     this.onState('live');
     this.#silence.begin();
     this.#looks.open(hello.images);
-    for (const part of [this.#questions, this.#feeds]) part.open();
+    for (const part of [this.#stops, this.#questions, this.#feeds]) part.open();
   }
   /** @param {Pulse} pulse */
   #beat(pulse) {
@@ -164,9 +166,10 @@ export class Connection {
   goal(typed, ended) {
     return this.#requests.callWith(ended, 'goal', typed);
   }
-  /** @param {string} reason */
-  stop(reason) {
-    return this.#held.stop(reason);
+  // Answers when it is told, and tells meanwhile of each line that did not acknowledge it.
+  /** @param {string} reason @param {(failure: Failure) => void} unheard */
+  stop(reason, unheard) {
+    return this.#stops.stop(reason, unheard);
   }
   clearStops() {
     return this.#requests.call('clear-stops');

@@ -1,6 +1,6 @@
-// A jog on its way to the console: begun, held on to and let go, each with the newest stamp of the server; and a stop.
-// They go two ways, the page's connection and an image's, so that neither a lost packet nor a dead line on one of them
-// holds them back; the console takes what comes first.
+// A jog on its way to the console: begun, held on to and let go, each with the newest stamp of the server. It goes
+// two ways, the page's connection and an image's, so that neither a lost packet nor a dead line on one of them holds it
+// back; the console takes what comes first.
 
 import { sym, write } from './datum.js';
 
@@ -38,12 +38,6 @@ export class HeldLine {
   release() {
     this.#line.say(sym('release'), this.#number);
     this.#repeat('release');
-  }
-  /** @param {string} reason */
-  stop(reason) {
-    const number = this.#line.number();
-    this.#lanes.say(write([sym('stop'), number, reason]));
-    return this.#requests.callAs(number, null, 'stop', reason);
   }
   /** @param {string} verb @param {Datum[]} rest */
   #repeat(verb, ...rest) {

@@ -9,7 +9,8 @@ import { sym } from './datum.js';
 /** @import { Line } from './questions.js' */
 /** @typedef {{ reject: (failure: Failure) => void, take: (reply: Reply) => void }} Request */
 
-const gone = { symbol: 'unreachable', sentence: 'the console has gone; whether it was done is not known' };
+// The connection ended meanwhile.
+export const gone = { symbol: 'unreachable', sentence: 'the console has gone; whether it was done is not known' };
 
 export class Requests {
   #line;

@@ -27,12 +27,17 @@ const say = (sentence) => (find('stop-note').textContent = sentence);
 /** @param {Connection} connection */
 async function stop(connection) {
   const late = setTimeout(() => warn(`STOP is not confirmed: ${otherwise}`), longestStop);
+  /** @param {any} failure */
+  const unconfirmed = (failure) => {
+    clearTimeout(late);
+    warn(`STOP is not confirmed: ${otherwise} (${failureText(failure)})`);
+  };
   try {
-    await connection.stop("the operator's STOP");
+    await connection.stop("the operator's STOP", unconfirmed);
     say('STOP is told');
     warn('');
   } catch (failure) {
-    warn(`STOP is not confirmed: ${otherwise} (${failureText(failure)})`);
+    unconfirmed(failure);
   }
   clearTimeout(late);
 }
