@@ -3,7 +3,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, ownFolder, start } from './browser.mjs';
+import { expect, ownFolder, start, taughtCell } from './browser.mjs';
 import { openFirefox } from './firefox_driver.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
@@ -12,7 +12,7 @@ mkdirSync(pictures, { recursive: true });
 const firefox = await openFirefox(scratch, { width: 1280, height: 800 });
 const { page } = firefox;
 console.log(`firefox ${firefox.version}`);
-const served = start([cell, 'console'], ownFolder());
+const served = start([cell, 'console', taughtCell(scratch)], ownFolder());
 await firefox.go(await served.line);
 const textOf = (id) => `document.getElementById('${id}').textContent`;
 await page.until("document.body.dataset.state === 'live'");

@@ -1,10 +1,10 @@
 // node modes.mjs PIZARRA-CELL SCRATCH: the eyes' modes, for two pages at once: CONNECT and DISCONNECT, what excludes what
 // and why a button is off, FIND's cross, TRACK of several objects and END TRACK.
 
-import { begin, expect, openPage, taught, text } from './browser.mjs';
+import { begin, expect, openPage, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { browser, served, page, picture, end } = await begin(scratch, [cell, 'console']);
+const { browser, served, page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
 const other = await browser.newContext();
 const second = await openPage(other, await served.next(1));
 await second.waitForSelector('body[data-state=live]');

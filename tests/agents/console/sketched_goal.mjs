@@ -1,9 +1,9 @@
 // node sketched_goal.mjs PIZARRA-CELL SCRATCH: a goal by the mouse alone: towers sketched by dragging, and pursued.
 
-import { begin, expect, taught } from './browser.mjs';
+import { begin, expect, taught, taughtCell } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console']);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
 await taught(page);
 await page.click('#sketch-toggle');
 await page.waitForFunction(() => document.querySelectorAll('[data-block]').length >= 4);

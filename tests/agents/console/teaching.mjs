@@ -2,10 +2,10 @@
 // second sample, a click on a frame that has gone by, and what is refused with its reason.
 
 import { join } from 'node:path';
-import { begin, expect, taught, text } from './browser.mjs';
+import { begin, expect, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console']);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
 await taught(page);
 await page.click('#tab-eyes');
 const objects = () => page.locator('.objects li strong').allInnerTexts();

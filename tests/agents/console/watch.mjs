@@ -1,10 +1,10 @@
 // node watch.mjs PIZARRA-CELL SCRATCH: the cell in three dimensions: reach, camera, objects as sure and as exact as they
 // are seen, the way to the target, and the simulated world's truth, which only the page is shown.
 
-import { ask, begin, expect, expectAccessible, pixelsLike, taught, text } from './browser.mjs';
+import { ask, begin, expect, expectAccessible, pixelsLike, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console']);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
 const shows = (kind, wanted) =>
   page.waitForFunction(([of, like]) => new RegExp(like).test(document.getElementById('scene').dataset[of] ?? ''), [kind, wanted]);
 const canvas = '#scene-card';
