@@ -24,6 +24,7 @@ import { isOutdated } from './version.js';
 const firstPause = 500; // milliseconds until a lost connection is tried again
 const longestPause = 4000;
 const heardAfter = 5; // what was taken in is said together
+const longestMessage = 16 << 10; // bytes: the console ends a connection on which more is said at once
 
 export class Connection {
   /** @type {WebSocket | null} */
@@ -96,8 +97,16 @@ export class Connection {
   /** @param {Datum[]} form */
   #say(...form) {
     if (this.#socket?.readyState !== WebSocket.OPEN) return false;
-    this.#socket.send(write(form));
+    const message = write(form);
+    if (new TextEncoder().encode(message).length > longestMessage) this.#refuse(Number(form[1]));
+    else this.#socket.send(message);
     return true;
+  }
+  // As the console would refuse it, if it could read so much: what was typed is too long.
+  /** @param {number} number */
+  #refuse(number) {
+    const error = { symbol: 'too-long', sentence: `${longestMessage >> 10} kB are the most that can be said at once` };
+    queueMicrotask(() => this.#hear({ reply: number, error }));
   }
   /** @param {Message} message */
   #hear(message) {

@@ -5,6 +5,7 @@ import { Axes } from './axes.js';
 import { Connection } from './connection.js';
 import { Hands } from './hands.js';
 import { find } from './dom.js';
+import { pressOnce } from './press_once.js';
 import { showAgents } from './agents.js';
 import { showCells } from './cells.js';
 import { showDrive } from './drive.js';
@@ -34,6 +35,7 @@ const roles = new Roles(connection);
 const axes = new Axes();
 
 showTabs();
+pressOnce();
 const logIn = showLogIn(connection);
 const line = showLine(permission);
 showStop(connection, permission, hands);

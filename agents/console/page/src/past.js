@@ -13,6 +13,9 @@ import { Reasons } from './reasons.js';
 
 const second = 1e6; // microseconds
 const growth = 1000; // milliseconds between two steps of the slider's end, which is now
+// Milliseconds between two moments that are shown. For each, all that is followed is asked anew, and the console ends a
+// connection on which more than 400 messages come in a second.
+const between = 500;
 
 /** @typedef {{ connection: Connection, permission: Permission, entries: WorkEntries, images: Images }} Around */
 
@@ -28,6 +31,11 @@ class Past {
   #first = 0; // when the oldest that is known was told
   #newest = 0;
   #asked = false; // whether there is a journal
+  /** @type {number | null} */
+  #moment = null; // that was chosen last
+  #shown = -between; // when one was, by the page's own clock
+  /** @type {number | undefined} */
+  #later; // the timer of one that is yet to be shown
   #none = ''; // why there is no past
   #slider = element('input', { type: 'range', id: 'moment', min: 0, max: 1, step: 1, value: 1, 'aria-label': 'Back in time, by seconds' });
   #note = element('output', { id: 'moment-note', for: 'moment' }, 'now');
@@ -50,18 +58,29 @@ class Past {
     setInterval(() => this.#grow(), growth);
   }
 
+  // Of several in quick succession the last is shown.
   /** @param {number | null} moment microseconds; null: now */
-  async goTo(moment) {
+  goTo(moment) {
+    this.#moment = moment;
+    this.#put(moment);
+    this.#note.textContent = `${moment === null ? 'now' : timeOf(moment)} …`;
+    clearTimeout(this.#later);
+    const wait = this.#shown + between - performance.now();
+    if (wait > 0) this.#later = setTimeout(() => this.#show(moment), wait);
+    else this.#show(moment);
+  }
+  /** @param {number | null} moment */
+  async #show(moment) {
     const { connection, permission, images } = this.#around;
+    this.#shown = performance.now();
     document.body.classList.toggle('past', moment !== null);
     permission.set({ past: moment !== null });
     this.#now.disabled = moment === null;
-    this.#note.textContent = moment === null ? 'now' : `${timeOf(moment)} …`;
-    this.#put(moment);
+    if (moment === null) this.#note.textContent = 'now';
     images.showMoment(moment);
     const failure = await connection.showMoment(moment);
     // Another moment may have been chosen meanwhile.
-    if (moment === null || connection.moment !== moment) return;
+    if (moment === null || this.#moment !== moment) return;
     this.#note.textContent = failure ? failureText(failure) : `as it was at ${timeOf(moment)}`;
   }
 
@@ -80,14 +99,13 @@ class Past {
   }
   // Not under a hand.
   #grow() {
-    if (!this.#slider.matches(':active')) this.#put(this.#around.connection.moment);
+    if (!this.#slider.matches(':active')) this.#put(this.#moment);
   }
 
   /** @param {-1 | 1} step */
   #goToEntry(step) {
-    const { connection, entries } = this.#around;
-    const moment = connection.moment ?? Infinity;
-    const times = entries.until(Infinity).map(({ facts }) => facts[0].when);
+    const moment = this.#moment ?? Infinity;
+    const times = this.#around.entries.until(Infinity).map(({ facts }) => facts[0].when);
     const there = step < 0 ? times.findLast((when) => when < moment) : times.find((when) => when > moment);
     if (there !== undefined || step > 0) this.goTo(there ?? null);
   }

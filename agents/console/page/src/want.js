@@ -84,6 +84,7 @@ export function showWant(connection, permission) {
     event.preventDefault();
     pursue(connection, field);
   });
+  field.addEventListener('input', () => field.removeAttribute('aria-invalid'));
   find('cancel').addEventListener('click', () => cancel(connection));
 
   const reasons = new Reasons('why-want');
