@@ -88,12 +88,6 @@ Result<std::vector<std::string>> addresses_from(const std::string& list) {
   return addresses;
 }
 
-std::string address_to_bind(const std::string& address) {
-  constexpr std::string_view named = "tcp://localhost:";
-  if (!address.starts_with(named)) return address;
-  return "tcp://127.0.0.1:" + address.substr(named.size());
-}
-
 bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
 
 bool is_ipv6(const std::string& address) { return address.starts_with("tcp://["); }

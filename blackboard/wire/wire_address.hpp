@@ -21,9 +21,6 @@ bool is_ipc(const std::string& address);
 // Whether its host is an address of IPv6: ZeroMQ must be told.
 bool is_ipv6(const std::string& address);
 
-// As ZeroMQ takes it, which binds to numbers.
-std::string address_to_bind(const std::string& address);
-
 // Whether a server may bind there: failures bad-address, not-loopback (unless `open_to_others`: there are keys, or
 // insecurity was asked for), and address-in-use when another server answers at the ipc path.
 Result<void> check_listening_address(const std::string& address, bool open_to_others);

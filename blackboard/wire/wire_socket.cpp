@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "blackboard/wire/address_to_bind.hpp"
 #include "blackboard/wire/half_open.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
@@ -73,13 +74,15 @@ void WireSocket::end_the_endless() {
 }
 
 Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* own) {
+  const Result<std::string> place = address_to_bind(address);
+  if (!place) return fail(place);
   try {
     // Each address keeps the options that were set when it was bound.
     socket_.set(zmq::sockopt::curve_server, own != nullptr);
     if (own != nullptr) socket_.set(zmq::sockopt::curve_secretkey, own->secret_key);
     socket_.set(zmq::sockopt::ipv6, is_ipv6(address));
     keyed_ = keyed_ || own != nullptr;
-    socket_.bind(address_to_bind(address));
+    socket_.bind(*place);
     schedule_pump();
     std::string bound = socket_.get(zmq::sockopt::last_endpoint);
     constexpr std::string_view ipc = "ipc://";

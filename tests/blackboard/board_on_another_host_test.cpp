@@ -2,6 +2,7 @@
 // that is cut, silent or slow.
 
 #include <cstdlib>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 #include "tests/blackboard/child_program.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -133,6 +135,37 @@ class NetworkTest : public testing::Test, public Wall {
   std::int64_t missed_ = 0;  // came after another than its predecessor, and nothing was said
   int resynchronised_ = 0;
 };
+
+// What a machine says of itself in a file of names, and what a board that is to listen under such a name says there.
+class NamedHostTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!link_.made()) GTEST_SKIP() << "network namespaces and links are root's to make, and the kernel's to allow";
+  }
+  std::string said_where(const std::string& names, const std::string& host) {
+    const std::string file = scratch_folder() + "names";
+    std::ofstream(file) << names;
+    ChildProgram board(
+        link_.command_there({"unshare", "--mount", "sh", "-c", "mount --bind \"$1\" /etc/hosts && shift && exec \"$@\"",
+                             "sh", file, PIZARRA_BOARD_PROGRAM, "--insecure", "--listen", "tcp://" + host + ":7800"}));
+    return board.line();
+  }
+  Link link_;
+};
+
+TEST_F(NamedHostTest, ListensAtTheAddressThatItsMachinesNameStandsFor) {
+  const std::string names = "127.0.0.1 localhost\n" + link_.far_address() + " bench\n";
+  EXPECT_EQ(said_where(names, "bench"), "pizarra-board: ready on tcp://" + link_.far_address() + ":7800");
+  EXPECT_EQ(said_where(names, "far"), "pizarra-board: ready on tcp://" + link_.far_address() + ":7800")
+      << "a network interface";
+}
+
+TEST_F(NamedHostTest, IsToldThatNobodyElseReachesANameOfLoopbackOrThatNobodyKnowsIt) {
+  const std::string loopback = said_where("127.0.0.1 localhost\n127.0.1.1 bench\n", "bench");
+  EXPECT_TRUE(loopback.contains("the name bench stands for 127.0.1.1, where no other machine reaches it")) << loopback;
+  const std::string unknown = said_where("127.0.0.1 localhost\n", "bench.invalid");
+  EXPECT_TRUE(unknown.contains("the name bench.invalid is not known here: ")) << unknown;
+}
 
 TEST_F(NetworkTest, AfterACutAndASilenceEveryNumberWasCountedOnceAndFollowed) {
   const Job counting = executor_.spawn(count());
