@@ -2,7 +2,7 @@
 // touched: nothing sticks out sideways, no name is broken in its middle, and what is touched is large enough.
 
 import { join } from 'node:path';
-import { begin, expect, here, keepPicture, openPage } from './browser.mjs';
+import { ask, begin, expect, here, keepPicture, openPage } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const { browser, page, picture, served, end } = await begin(scratch, [cell, 'console', join(here, 'unattended.scm')]);
@@ -17,6 +17,19 @@ const sticksOut = (of) =>
     });
     return out.map((one) => `${one.tagName} ${one.id} ${one.textContent.slice(0, 30)}`);
   });
+// On how many lines the legend of the servo's plot stands, which is there also while nothing is plotted: its box has room
+// for one. And numbers of an answer that stand on more than one.
+const linesOfLegend = (of) =>
+  of.$$eval('#servo-plot .u-series', (all) => new Set(all.map((one) => one.getBoundingClientRect().top).filter(Boolean)).size);
+const brokenNumbers = (of) =>
+  of.$$eval('#answers tbody td', (cells) => {
+    const lines = (one) => {
+      const range = document.createRange();
+      range.selectNodeContents(one);
+      return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size;
+    };
+    return cells.filter((one) => /^[-.\d]+$/.test(one.textContent) && lines(one) > 1).map((one) => one.textContent);
+  });
 // Names of agents that stand on more than one line.
 const broken = (of) =>
   of.$$eval('#agents .timeline strong', (names) => names.filter((one) => one.getClientRects()[0].height > 30).map((one) => one.textContent));
@@ -28,6 +41,13 @@ async function fits(of, where) {
     const out = await sticksOut(of);
     expect(out.length === 0, `${where}: ${view} is within the window ${out.join(', ')}`);
   }
+  await of.click('#tab-story');
+  expect((await linesOfLegend(of)) === 1, `${where}: the servo's legend is whole`);
+  await ask(of, '(arm-pose ?robot ?x ?y ?z ?rx ?ry ?rz)');
+  await of.waitForSelector('#answers tbody td');
+  const numbers = await brokenNumbers(of);
+  expect(numbers.length === 0, `${where}: no number is broken ${numbers.join(', ')}`);
+  await of.click('#tab-agents');
   await of.waitForFunction(() => document.querySelector('#agents [data-agent=robot] .load')?.textContent);
   const names = await broken(of);
   expect(names.length === 0, `${where}: no agent's name is broken ${names.join(', ')}`);

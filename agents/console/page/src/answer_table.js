@@ -16,6 +16,13 @@ export const mostRows = 200;
 /** @param {Answer} answer */
 const idsOf = (answer) => answer.ids.join();
 
+// A number is not broken in its middle, as names may be.
+/** @param {string} value */
+function cell(value) {
+  const isNumber = value.length <= 24 && value !== '' && Number.isFinite(Number(value));
+  return element('td', { class: isNumber ? 'number' : '' }, clipped(value, 160));
+}
+
 /** @param {Answer} answer @param {string[]} variables @param {boolean} isNew */
 function row(answer, variables, isNew) {
   const told = answer.facts.map((one, i) => toldBy(answer.ids[i], one));
@@ -24,7 +31,7 @@ function row(answer, variables, isNew) {
   return element(
     'tr',
     { title: told.join('\n'), class: isNew ? 'new' : '' },
-    ...values.map((value) => element('td', {}, clipped(value, 160))),
+    ...values.map(cell),
     element('td', {}, because),
   );
 }

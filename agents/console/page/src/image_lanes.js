@@ -53,7 +53,7 @@ export class ImageLanes {
       if (data === '(renew)') return this.#renew(socket);
       const came = performance.now();
       await this.#draw(data);
-      socket.send(write([sym('drawn'), Math.round(performance.now() - came)]));
+      if (socket.readyState === WebSocket.OPEN) socket.send(write([sym('drawn'), Math.round(performance.now() - came)]));
     };
     socket.onclose = () => {
       const lost = lanes.delete(socket);
