@@ -34,14 +34,13 @@ std::string goal_sentence(const Datum& goal) {
 }
 
 std::string outcome_sentence(const Datum& goal_state) {
-  const std::string sentence = fmt::format("goal {} is {}", goal_state[1].integer(), goal_state[2].text());
+  std::string sentence = fmt::format("goal {} is {}", goal_state[1].integer(), goal_state[2].text());
   if (!goal_state[3].is_form("fail")) return sentence;
   return sentence + ": " + describe(failure_from_datum(goal_state[3]));
 }
 
 Task<void> Story::resume() {
-  const Datum pattern = any_event();
-  const std::vector<Datum> events = co_await in_order(board_, executor_, pattern);
+  const std::vector<Datum> events = co_await in_order(board_, executor_, any_event());
   if (events.empty()) co_return;
   oldest_ = events.front()[1].integer();
   next_ = events.back()[1].integer() + 1;
@@ -80,8 +79,7 @@ Task<std::vector<std::string>> Story::why() const {
   }
   const Datum its_state = list("goal-state"_sym, goals.back()[1], any, any);
   const std::vector<Datum> states = co_await in_order(board_, executor_, its_state);
-  const Datum pattern = any_event();
-  const std::vector<Datum> events = co_await in_order(board_, executor_, pattern);
+  const std::vector<Datum> events = co_await in_order(board_, executor_, any_event());
   std::size_t from = 0;
   std::optional<std::size_t> operation;
   for (std::size_t i = 0; i < events.size(); ++i) {
