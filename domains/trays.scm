@@ -31,9 +31,9 @@
       (not (holding ?a))
       (not (on ?a ?))
       (spot ?slot ?sx ?sy)
-      (< (abs (- ?y ?sy)) half-slot)
+      (< (abs (- ?y ?sy)) (+ half-slot (if (was (lies-at ?a ?slot)) 3 -3)))
       ; The mark is half a cube before the middle.
-      (< (abs (- (- ?x (* 0.5 cube)) ?sx)) (+ half-slot 10)))
+      (< (abs (- (- ?x (* 0.5 cube)) ?sx)) (+ half-slot (if (was (lies-at ?a ?slot)) 13 7))))
     (rule (in ?a ?tray) (lies-at ?a ?slot) (part-of ?slot ?tray))
     (rule (free ?slot) (spot ?slot ? ?) (not (lies-at ? ?slot)))
     (rule (on-table ?a)                 ; what lies in a slot is taken out of it, and is not picked up

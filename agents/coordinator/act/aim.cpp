@@ -92,8 +92,17 @@ std::vector<Eigen::Vector3d> Aims::behind(double x_mm, double y_mm) const {
   return places;
 }
 
-// An object is laid down where it hides nothing and is not hidden. Where no such spot is free, one may be where another
-// was lost, which is more likely elsewhere; else one that the camera shows will do.
+// Whether a cube there is not taken to lie at a place that the domain names.
+bool Aims::is_off_places(const Eigen::Vector2d& spot) const {
+  const auto near = [&](const Datum* place) {
+    const Eigen::Vector2d apart = spot - Eigen::Vector2d((*place)[2].number(), (*place)[3].number());
+    return apart.lpNorm<Eigen::Infinity>() < domain_.cube_mm();
+  };
+  return std::ranges::none_of(domain_.spots(), near);
+}
+
+// An object is laid down off all places, where it hides nothing and is not hidden. Where no such spot is free, one may
+// be where another was lost, which is more likely elsewhere; else at a place; else one that the camera shows will do.
 std::optional<Eigen::Vector2d> Aims::free_spot_among(std::string_view held,
                                                      const std::vector<Eigen::Vector3d>& to_show) const {
   const double cube = domain_.cube_mm();
@@ -108,12 +117,13 @@ std::optional<Eigen::Vector2d> Aims::free_spot_among(std::string_view held,
   const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
   const double from_y_mm = grip ? grip->y() : 0;
   const TableArea area = TableArea::of(options_.row, cube);
-  for (const bool lost : {true, false}) {
+  for (const auto& [at_place, lost] : {std::pair(false, true), {false, false}, {true, true}, {true, false}}) {
     const std::vector<Eigen::Vector3d> others = standing_but(held, lost);
     const Shown in_sight = [&](const Eigen::Vector2d& spot) {
       const Eigen::Vector3d centre(spot.x(), spot.y(), cube / 2);
       const auto crosses = [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); };
-      return shown(spot) && std::ranges::none_of(others, crosses) && std::ranges::none_of(to_show, crosses);
+      if (!shown(spot) || (!at_place && !is_off_places(spot))) return false;
+      return std::ranges::none_of(others, crosses) && std::ranges::none_of(to_show, crosses);
     };
     std::optional<Eigen::Vector2d> spot = free_spot(area, on_the_table(others), from_y_mm, in_sight);
     if (spot) return spot;

@@ -37,6 +37,7 @@ class Aims {
   Result<Eigen::Vector3d> on_top_of(std::string_view lower, std::string_view held) const;
   std::vector<Eigen::Vector3d> standing_but(std::string_view held, bool lost) const;
   Result<Eigen::Vector3d> free_spot_for(const Datum& target);
+  bool is_off_places(const Eigen::Vector2d& spot) const;
   std::vector<Eigen::Vector3d> behind(double x_mm, double y_mm) const;
   std::optional<Eigen::Vector2d> free_spot_among(std::string_view held,
                                                  const std::vector<Eigen::Vector3d>& to_show) const;

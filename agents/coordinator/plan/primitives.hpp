@@ -18,7 +18,7 @@
 //
 //   OBJECT                     the gripper around OBJECT
 //   (on-top OBJECT LOWER)      the held OBJECT one cube height above LOWER
-//   (free-spot OBJECT)         the held OBJECT on the table, where there is room for it
+//   (free-spot OBJECT)         the held OBJECT on the table, where there is room for it, off all spots where possible
 //   (at-place OBJECT PLACE)    the held OBJECT on the table at a (spot PLACE X Y) of the perception section
 //
 // `close` and `release` change what is held: until the first of them an operation's preconditions must go on holding.

@@ -143,10 +143,18 @@ std::vector<Relation> TaskDomain::relations() const {
   return relations;
 }
 
-const Datum* TaskDomain::spot(std::string_view name) const {
+std::vector<const Datum*> TaskDomain::spots() const {
+  std::vector<const Datum*> spots;
   for (const Datum& fact : perception_.facts()) {
-    const bool place = fact.is_form("spot") && fact.size() == 4 && fact[1].is_symbol(name);
-    if (place && fact[2].is_number() && fact[3].is_number()) return &fact;
+    const bool spot = fact.is_form("spot") && fact.size() == 4;
+    if (spot && fact[2].is_number() && fact[3].is_number()) spots.push_back(&fact);
+  }
+  return spots;
+}
+
+const Datum* TaskDomain::spot(std::string_view name) const {
+  for (const Datum* spot : spots()) {
+    if ((*spot)[1].is_symbol(name)) return spot;
   }
   return nullptr;
 }

@@ -38,6 +38,8 @@ class TaskDomain {
   std::vector<Relation> relations() const;
   // Where a named place of the table is: (spot NAME X Y) of the perception section.
   const Datum* spot(std::string_view name) const;
+  // All of them.
+  std::vector<const Datum*> spots() const;
 
  private:
   forms::Domain domain_;
