@@ -21,6 +21,11 @@ constexpr double held_mm = 40;
 constexpr std::uint64_t looks_till_rest = 2;
 // The eyes and an arm that differ by more do not see the same mark.
 constexpr double most_off_mm = 30;
+// The middle of what hangs in the air is at least so many cubes above the table: higher than on a cube that is not
+// seen.
+constexpr double hanging_cubes = 1.75;
+// What rests on another, or leans on it, is no further away from it: middle to middle, in cubes.
+constexpr double leaning_cubes = 1.6;
 
 // A smaller turn of a cube is straightened by the fingers; a larger one hides the end effector's mark.
 constexpr double least_turn_deg = 4;
@@ -272,6 +277,27 @@ std::optional<std::string> Scene::under(const std::string& name) const {
     const Eigen::Vector3d down = top - centre_mm(other, sighting);
     const bool beneath = down.head<2>().norm() < domain_.cube_mm() / 2;
     if (beneath && std::abs(down.z() - domain_.cube_mm()) < domain_.cube_mm() / 2) return other;
+  }
+  return std::nullopt;
+}
+
+bool Scene::may_rest_on_another(const std::string& name, const Eigen::Vector3d& centre) const {
+  for (const auto& [other, sighting] : sightings_.all()) {
+    if (other == name || other == options_.gripper.mark || !sightings_.recent(other, 1)) continue;
+    const Eigen::Vector3d down = (centre - centre_mm(other, sighting)) / domain_.cube_mm();
+    if (down.head<2>().norm() < leaning_cubes && down.z() > 0 && down.z() < leaning_cubes) return true;
+  }
+  return false;
+}
+
+std::optional<std::string> Scene::held_by_somebody() const {
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || !sightings_.recent(name, 1)) continue;
+    const Eigen::Vector3d centre = centre_mm(name, sighting);
+    const bool in_gripper = grip && (centre - *grip).norm() < domain_.cube_mm();
+    const bool low = centre.z() < hanging_cubes * domain_.cube_mm();
+    if (!in_gripper && !low && !may_rest_on_another(name, centre)) return name;
   }
   return std::nullopt;
 }

@@ -52,6 +52,8 @@ class Scene {
                                       bool was_here) const;
   // The seen cube that it stands on.
   std::optional<std::string> under(const std::string& name) const;
+  // A seen object that hangs in the air, and not in the gripper: somebody holds it.
+  std::optional<std::string> held_by_somebody() const;
   // Whether nothing moves that was seen lately and is not in the gripper.
   bool calm() const;
   // Whether all these objects were seen lately and lie still.
@@ -93,6 +95,7 @@ class Scene {
   std::optional<std::string> nearest_to(const std::string& missing, const std::set<std::string>& but,
                                         bool was_here) const;
   std::string top_of_pile(std::string name) const;
+  bool may_rest_on_another(const std::string& name, const Eigen::Vector3d& centre_mm) const;
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;

@@ -8,6 +8,7 @@ namespace pizarra::coordinator {
 namespace {
 
 constexpr Duration steady_patience = 8s;
+constexpr Duration put_down_patience = 60s;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
 constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
@@ -123,6 +124,20 @@ Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {
   while (!surroundings_.steady(objects) && context_.executor.now() < deadline && !vigil_.interrupted()) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return;
+  }
+}
+
+Task<void> ObjectSearch::await_put_down() {
+  const Time deadline = context_.executor.now() + put_down_patience;
+  std::optional<std::string> held = surroundings_.scene().held_by_somebody();
+  if (!held) co_return;
+  const std::string sentence = "somebody holds " + *held + ": waiting until it is put down";
+  const Datum object = Datum::symbol(*held);
+  co_await story_.tell("agent", sentence, object);
+  while (held && context_.executor.now() < deadline && !vigil_.interrupted()) {
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return;
+    held = surroundings_.scene().held_by_somebody();
   }
 }
 

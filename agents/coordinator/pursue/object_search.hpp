@@ -39,6 +39,8 @@ class ObjectSearch {
   Task<Result<void>> clear_view_of(std::int64_t goal, std::string missing);
   // A hand may be at work: what is planned on should have come to rest. Not for ever.
   Task<void> await_steady(std::vector<std::string> objects);
+  // Somebody holds a thing in the air: it is waited for until it is put down. Not for ever.
+  Task<void> await_put_down();
   // Whether the gripper is low enough to hide something.
   bool arm_stands_low() const;
 

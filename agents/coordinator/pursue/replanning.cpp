@@ -37,6 +37,7 @@ Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) 
     if (is_verdict(plan.error()) && (proved || is_absent)) co_return fail(plan);
     proved = is_verdict(plan.error());
     if (!proved) ++failed;
+    if (proved) co_await search_.await_put_down();
     Result<void> shown;
     if (proved) shown = co_await show_what_is_hidden(objects);
     if (!shown && ends_search(shown.error())) co_return fail(shown);
