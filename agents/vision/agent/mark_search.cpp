@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "agents/vision/agent/grey_pair.hpp"
-
 namespace pizarra::vision {
 namespace {
 
@@ -27,8 +25,7 @@ Task<Result<LearnedSample>> MarkSearch::learn(std::string name, cv::Point2d clic
     const Result<camera::StereoFrame> frame = co_await taken;
     if (!frame) co_return fail(frame);
     after = frame->captured;
-    const GreyPair grey = grey_pair(*frame);
-    StereoSight sight(grey.left, grey.right, *feed_.model());
+    StereoSight sight(*frame, *feed_.model());
     const Result<void> fed = learner_->feed(sight);
     if (!fed) co_return fail(fed);
   }
@@ -46,8 +43,7 @@ Task<Result<FoundMark>> MarkSearch::find(std::string name, Time asked) {
     // It may have been forgotten meanwhile.
     const LearnedObject* object = known_.objects().find(name);
     if (object == nullptr) co_return fail(known_.not_known(name));
-    const GreyPair grey = grey_pair(*frame);
-    StereoSight sight(grey.left, grey.right, *feed_.model());
+    StereoSight sight(*frame, *feed_.model());
     Result<FoundMark> found = finder_.find(sight, *object, executor_.now());
     on_find_look_(*frame);
     if (found) co_return found;

@@ -2,12 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "agents/vision/agent/grey_pair.hpp"
+#include "agents/vision/sight/stereo_sight.hpp"
 
 namespace pizarra::vision {
 namespace {
 
 constexpr std::string_view stream_kinds[] = {"left", "right", "grey", "colour", "annotated"};
+
+std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image) {
+  if (image->channels == 1) return image;
+  const cv::Mat grey = grey_of(*image);
+  return std::make_shared<Image>(Image{image->width, image->height, 1, {grey.datastart, grey.dataend}});
+}
 
 }  // namespace
 

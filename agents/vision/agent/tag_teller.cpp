@@ -1,7 +1,5 @@
 #include "agents/vision/agent/tag_teller.hpp"
 
-#include "agents/vision/agent/grey_pair.hpp"
-
 namespace pizarra::vision {
 namespace {
 
@@ -15,11 +13,7 @@ struct TagReading {
   TagsInView tags;
   std::vector<FoundMark> seen = {};
 
-  void read() {
-    const GreyPair grey = grey_pair(frame);
-    const StereoSight sight(grey.left, grey.right, model);
-    seen = tags.at(sight);
-  }
+  void read() { seen = tags.at(StereoSight(frame, model)); }
 };
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "agents/vision/agent/tracking.hpp"
 
-#include "agents/vision/agent/grey_pair.hpp"
-
 namespace pizarra::vision {
 
 Result<void> Tracking::add(const LearnedObject& object, std::optional<cv::Point2d> seen_last) {
@@ -14,8 +12,7 @@ void Tracking::keep_only(const std::set<std::string>& names) {
 }
 
 std::vector<TrackSighting> Tracking::look_at(const camera::StereoFrame& frame, const camera::StereoModel& model) {
-  const GreyPair grey = grey_pair(frame);
-  StereoSight sight(grey.left, grey.right, model);
+  StereoSight sight(frame, model);
   std::vector<TrackSighting> sightings = tracker_.update(sight, frame.captured);
   image_ = frame.left;
   is_next_ = false;

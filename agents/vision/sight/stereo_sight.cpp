@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/objects/part_look.hpp"
@@ -97,6 +98,15 @@ bool is_whole_if_shown(double shown_height, const camera::StereoModel& model, co
 }
 
 }  // namespace
+
+cv::Mat grey_of(const Image& image) {
+  cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  if (image.channels == 3) cv::cvtColor(view, view, cv::COLOR_BGR2GRAY);
+  return view;
+}
+
+StereoSight::StereoSight(const camera::StereoFrame& frame, const camera::StereoModel& model)
+    : StereoSight(grey_of(*frame.left), grey_of(*frame.right), model) {}
 
 StereoSight::StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model)
     : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise_of(left_)) {}

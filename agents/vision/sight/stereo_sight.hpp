@@ -2,7 +2,7 @@
 
 // One pair of images as the eyes see it: both segmented, as much and when it is needed, and objects found in it.
 //
-//   StereoSight sight(left, right, model);
+//   StereoSight sight(frame, model);
 //   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
 
 #include <array>
@@ -24,8 +24,15 @@ struct SeenPair {
   std::optional<PlaneView> plane = {};  // of the left image, where it was looked for
 };
 
+// The image in grey; it shares the pixels of one that is grey already.
+cv::Mat grey_of(const Image& image);
+
 class StereoSight {
  public:
+  // Of the model's size. The frame's pixels are shared, not copied, where they are grey already; they and the model
+  // outlive it.
+  StereoSight(const camera::StereoFrame& frame, const camera::StereoModel& model);
+  StereoSight(const camera::StereoFrame& frame, const camera::StereoModel&& model) = delete;
   // Both 8 bit, one channel, of the model's size; shared, not copied. The model outlives it.
   StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model);
   StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel&& model) = delete;
