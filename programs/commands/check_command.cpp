@@ -14,7 +14,7 @@
 #include "programs/commands/check_planning.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/goal_text.hpp"
-#include "programs/commands/this_host.hpp"
+#include "programs/host/this_host.hpp"
 #include "programs/method/description.hpp"
 #include "programs/story/scenario_run.hpp"
 
@@ -65,7 +65,7 @@ Result<void> check_calibration(const forms::CameraSetup& eyes) {
 
 // Another host may have what is not here.
 bool sees_from_here(const forms::CellDescription& cell) {
-  const Result<forms::CellHost> host = choose_host(cell, "");
+  const Result<forms::CellHost> host = host::choose_host(cell, "");
   return host && std::ranges::find(host->agents, "vision") != host->agents.end();
 }
 

@@ -14,7 +14,7 @@
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/kept_journal.hpp"
-#include "programs/commands/log_member.hpp"
+#include "programs/host/log_member.hpp"
 
 namespace pizarra::programs {
 
@@ -64,12 +64,12 @@ struct MemberChoices {
 // It ends then, and says why; `up` starts it again.
 constexpr Duration waits_for_others = 25s;
 
-Task<void> find_beginning(Executor& executor, MemberHere member, Result<cluster::Beginning>* begins) {
-  SayWaiting say = [](const Failure& waits) { (void)complain(waits, exit_unavailable); };
-  *begins = co_await beginning_of(executor, std::move(member), executor.now() + waits_for_others, std::move(say));
+Task<void> find_beginning(Executor& executor, host::MemberHere member, Result<cluster::Beginning>* begins) {
+  host::SayWaiting say = [](const Failure& waits) { (void)complain(waits, exit_unavailable); };
+  *begins = co_await host::beginning_of(executor, std::move(member), executor.now() + waits_for_others, std::move(say));
 }
 
-Result<cluster::Beginning> await_beginning(const MemberHere& member) {
+Result<cluster::Beginning> await_beginning(const host::MemberHere& member) {
   RealExecutor executor;
   Result<cluster::Beginning> begins = cluster::Beginning::anew;
   const Job job = executor.spawn(find_beginning(executor, member, &begins));
@@ -77,10 +77,10 @@ Result<cluster::Beginning> await_beginning(const MemberHere& member) {
   return begins;
 }
 
-Result<void> has_its_place(const MemberHere& member) {
-  Result<void> sound = check_member(member);
-  if (sound) sound = prepare_member(member);
-  return sound ? check_ports(member) : sound;
+Result<void> has_its_place(const host::MemberHere& member) {
+  Result<void> sound = host::check_member(member);
+  if (sound) sound = host::prepare_member(member);
+  return sound ? host::check_ports(member) : sound;
 }
 
 // Becomes the member.
@@ -88,12 +88,12 @@ int run_member(const MemberChoices& choices) {
   const Result<cluster::LogAddress> log =
       cluster::LogAddress::from(choices.log, choices.certificates, choices.insecure);
   if (!log) return complain(log.error(), exit_usage);
-  const MemberHere member{*log, choices.here, choices.folder};
+  const host::MemberHere member{*log, choices.here, choices.folder};
   const Result<void> sound = has_its_place(member);
   if (!sound) return complain(sound.error(), sound.error().symbol == "bad-address" ? exit_usage : exit_unavailable);
-  const Result<cluster::Beginning> begins = has_data(member) ? cluster::Beginning::anew : await_beginning(member);
+  const Result<cluster::Beginning> begins = host::has_data(member) ? cluster::Beginning::anew : await_beginning(member);
   if (!begins) return complain(begins.error(), exit_unavailable);
-  std::vector<std::string> command = etcd_command(member, *begins);
+  std::vector<std::string> command = host::etcd_command(member, *begins);
   std::vector<char*> words;
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);

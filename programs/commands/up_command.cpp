@@ -15,12 +15,12 @@
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/commands.hpp"
-#include "programs/commands/host_places.hpp"
-#include "programs/commands/host_presence.hpp"
-#include "programs/commands/host_processes.hpp"
 #include "programs/commands/line_pipe.hpp"
-#include "programs/commands/this_host.hpp"
-#include "programs/commands/up_choices.hpp"
+#include "programs/host/host_places.hpp"
+#include "programs/host/host_presence.hpp"
+#include "programs/host/host_processes.hpp"
+#include "programs/host/this_host.hpp"
+#include "programs/host/up_choices.hpp"
 #include "programs/story/narrator.hpp"
 #include "programs/story/scenario_run.hpp"
 
@@ -48,7 +48,8 @@ std::string last_line_of(const std::string& file) {
 
 class Up {
  public:
-  Up(const UpChoices& choices, forms::CellDescription cell, forms::CellHost host, launcher::RunDirectory directory)
+  Up(const host::UpChoices& choices, forms::CellDescription cell, forms::CellHost host,
+     launcher::RunDirectory directory)
       : choices_(choices),
         cell_(std::move(cell)),
         host_(std::move(host)),
@@ -67,18 +68,18 @@ class Up {
     return !choices_.log_here.empty() && (name == "log" || name == "board");
   }
   const std::vector<int>& final_statuses_of(const std::string& name) const;
-  Result<void> start(HostProcess process);
+  Result<void> start(host::HostProcess process);
   int run_until_stopped(client::RemoteBoard& ears);
   void on_process(const launcher::ProcessEvent& event);
   void save_state();
 
-  const UpChoices& choices_;
+  const host::UpChoices& choices_;
   forms::CellDescription cell_;
   forms::CellHost host_;
   launcher::RunDirectory directory_;
   RealExecutor executor_;
   story::Narrator narrator_;
-  HostPlaces places_;
+  host::HostPlaces places_;
   std::string board_failure_;
   std::unique_ptr<LinePipe> addresses_;  // of the console
   launcher::Supervisor supervisor_;
@@ -90,18 +91,18 @@ const std::vector<int>& Up::final_statuses_of(const std::string& name) const {
   return serves_other_hosts(name) ? hopeless_among_boards : hopeless_board;
 }
 
-Result<void> Up::start(HostProcess process) {
+Result<void> Up::start(host::HostProcess process) {
   const std::string log = directory_.file(process.name + ".log");
   return supervisor_.start({process.name, std::move(process.command), log, final_statuses_of(process.name),
                             process.niceness, !serves_other_hosts(process.name)});
 }
 
 Result<void> Up::start_all() {
-  Result<std::vector<HostProcess>> processes = host_processes(choices_, cell_, host_, places_, directory_);
+  Result<std::vector<host::HostProcess>> processes = host::host_processes(choices_, cell_, host_, places_, directory_);
   if (!processes) return fail(processes);
   // Only what is durable outlives the board; it is kept as long as the run's folder is.
   if (begins_anew()) journal::remove_journal(directory_.file("board.journal"));
-  for (HostProcess& process : *processes) {
+  for (host::HostProcess& process : *processes) {
     const Result<void> started = start(std::move(process));
     if (!started) return started;
   }
@@ -120,7 +121,7 @@ Result<void> Up::start_console() {
   // Pictures of a journal that is begun anew show nothing that can be asked for.
   if (begins_anew()) std::filesystem::remove_all(pictures, error);
   if (error) return fail("cannot-write", fmt::format("cannot remove {}: {}", pictures, error.message()));
-  return start(console_process(choices_, places_, path, pictures));
+  return start(host::console_process(choices_, places_, path, pictures));
 }
 
 void Up::on_process(const launcher::ProcessEvent& event) {
@@ -154,7 +155,7 @@ void Up::save_state() {
 
 int Up::run() {
   narrator_.begin(executor_.now());
-  Result<HostPlaces> places = host_places(choices_, cell_, host_, directory_);
+  Result<host::HostPlaces> places = host::host_places(choices_, cell_, host_, directory_);
   if (!places) return complain(places.error(), exit_usage);
   places_ = std::move(*places);
   Result<std::unique_ptr<client::RemoteBoard>> ears =
@@ -175,8 +176,8 @@ int Up::run_until_stopped(client::RemoteBoard& ears) {
   narrator_.say(executor_.now(), "logs", directory_.path());
   {
     const Job told = executor_.spawn(narrator_.follow(ears, executor_));
-    const Processes processes = [this] { return supervisor_.processes(); };
-    const Job present = executor_.spawn(tell_host(ears, executor_, host_.name, processes));
+    const host::Processes processes = [this] { return supervisor_.processes(); };
+    const Job present = executor_.spawn(host::tell_host(ears, executor_, host_.name, processes));
     executor_.run_until([this] { return supervisor_.stopping(); });
   }
   narrator_.say(executor_.now(), "process", "stopping");
@@ -188,7 +189,7 @@ int Up::run_until_stopped(client::RemoteBoard& ears) {
   return exit_reached;
 }
 
-int run_up(const UpChoices& choices) {
+int run_up(const host::UpChoices& choices) {
   Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
   const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, choices.seed);
@@ -197,9 +198,9 @@ int run_up(const UpChoices& choices) {
     const Result<forms::Domain> domain = story::domain_of(*cell);
     if (!domain) return complain(domain.error(), exit_usage);
   }
-  Result<forms::CellHost> host = choose_host(*cell, choices.host);
+  Result<forms::CellHost> host = host::choose_host(*cell, choices.host);
   if (!host) return complain(host.error(), exit_usage);
-  const Result<void> effective = check_options(choices, *cell, *host);
+  const Result<void> effective = host::check_options(choices, *cell, *host);
   if (!effective) return complain(effective.error(), exit_usage);
   Result<launcher::RunDirectory> directory = launcher::RunDirectory::make(cell->name, host->name);
   if (!directory) return complain(directory.error(), exit_unavailable);
@@ -209,7 +210,7 @@ int run_up(const UpChoices& choices) {
 }  // namespace
 
 void add_up_command(CLI::App& app, int& status) {
-  auto choices = std::make_shared<UpChoices>();
+  auto choices = std::make_shared<host::UpChoices>();
   CLI::App* up = app.add_subcommand(
       "up", "Run the agents that a cell file gives to this host, as processes around a board; Ctrl-C stops them all.");
   up->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
@@ -220,7 +221,7 @@ void add_up_command(CLI::App& app, int& status) {
   up->add_option("--world", choices->world,
                  "The simulated world's address, ipc://PATH; default: in the run's folder. For hosts that share a file")
       ->envname("PIZARRA_WORLD");
-  add_log_options(*up, *choices);
+  host::add_log_options(*up, *choices);
   up->add_option("--seed", choices->seed, "The seed of the simulated world")
       ->check(seed_check())
       ->capture_default_str();

@@ -1,4 +1,4 @@
-#include "programs/commands/host_places.hpp"
+#include "programs/host/host_places.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/outside_text.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::string device_address(const std::string& agent, const forms::CellDescriptio
 
 std::string first_address(const std::string& addresses) { return addresses.substr(0, addresses.find(',')); }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

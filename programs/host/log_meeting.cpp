@@ -1,9 +1,9 @@
-#include "programs/commands/log_meeting.hpp"
+#include "programs/host/log_meeting.hpp"
 
 #include <fstream>
 #include <iterator>
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -46,4 +46,4 @@ bool says_no_data(cluster::EtcdClient& between, std::size_t member, const cluste
   return said && *said == word_of(log);
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

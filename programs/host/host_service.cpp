@@ -1,4 +1,4 @@
-#include "programs/commands/host_service.hpp"
+#include "programs/host/host_service.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -64,7 +64,7 @@ std::string text_of(const UpChoices& up, const std::string& cell_name, const std
       "[Service]\nEnvironment={}\nExecStart={} up {} --host {}{}\nRestart=on-failure\nRestartSec=2\n\n"
       "[Install]\nWantedBy=default.target\n",
       up.host, cell_name, word_of_systemd("PIZARRA_KEY=" + secret),
-      word_of_systemd(beside_this_program("pizarra-cell")), argument_of_systemd(full_path(up.cell)),
+      word_of_systemd(programs::beside_this_program("pizarra-cell")), argument_of_systemd(full_path(up.cell)),
       argument_of_systemd(up.host), log);
 }
 
@@ -102,4 +102,4 @@ Result<void> write(const HostService& service) {
               fmt::format("the service cannot be written: {}: {}", text_of_bytes(service.file), std::strerror(errno)));
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

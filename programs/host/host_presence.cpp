@@ -1,11 +1,11 @@
-#include "programs/commands/host_presence.hpp"
+#include "programs/host/host_presence.hpp"
 
 #include "agents/launcher/host_names.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 #include "programs/command_line/command_tools.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -35,7 +35,7 @@ Task<Result<void>> tell_once(client::RemoteBoard& board, std::string host, Lease
   if (!there) co_return Result<void>();
   const std::int64_t offset_ms = (RealExecutor::wall_clock() - *there) / 1ms;
   Transaction telling;
-  telling.tell(list("host"_sym, to_datum(host), to_datum(version()), offset_ms), {}, *lease);
+  telling.tell(list("host"_sym, to_datum(host), to_datum(programs::version()), offset_ms), {}, *lease);
   const Result<Revision> told = co_await board.transact(std::move(telling));
   if (!told) co_return fail(told);
   co_return Result<void>();
@@ -84,4 +84,4 @@ Task<void> tell_host(client::RemoteBoard& board, Executor& executor, std::string
   }
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

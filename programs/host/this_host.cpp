@@ -1,4 +1,4 @@
-#include "programs/commands/this_host.hpp"
+#include "programs/host/this_host.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 
 #include "lisp/outside_text.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const std::string& asked) {
   char machine[256] = {};
@@ -24,4 +24,4 @@ Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const st
   return fail("unknown-host", fmt::format("the cell has no host {}: it has {}", text_of_bytes(asked), known));
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

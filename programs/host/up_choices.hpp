@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 struct UpChoices {
   std::string cell;
@@ -30,4 +30,4 @@ struct UpChoices {
 // Those of a cell's log, of its member here, of a board that stands by, and of the past that the board here keeps.
 void add_log_options(CLI::App& app, UpChoices& choices);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "lisp/result.hpp"
-#include "programs/commands/up_choices.hpp"
+#include "programs/host/up_choices.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 struct HostService {
   std::string file;
@@ -28,4 +28,4 @@ Result<void> check_place(const HostService& service);
 // Failure cannot-write.
 Result<void> write(const HostService& service);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

@@ -20,7 +20,7 @@
 #include "blackboard/cluster/log_members.hpp"
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 struct MemberHere {
   cluster::LogAddress log;
@@ -43,4 +43,4 @@ Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere mem
 // Of a member that was checked.
 std::vector<std::string> etcd_command(const MemberHere& member, cluster::Beginning begins);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

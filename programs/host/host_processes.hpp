@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/commands/host_places.hpp"
+#include "programs/host/host_places.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 struct HostProcess {
   std::string name;
@@ -27,4 +27,4 @@ Result<std::vector<HostProcess>> host_processes(const UpChoices& choices, const 
 HostProcess console_process(const UpChoices& choices, const HostPlaces& places, const std::string& addresses,
                             const std::string& pictures);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

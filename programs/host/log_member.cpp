@@ -1,4 +1,4 @@
-#include "programs/commands/log_member.hpp"
+#include "programs/host/log_member.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "lisp/installed_program.hpp"
-#include "programs/commands/log_meeting.hpp"
-#include "programs/commands/member_place.hpp"
+#include "programs/host/log_meeting.hpp"
+#include "programs/host/member_place.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -197,4 +197,4 @@ std::vector<std::string> etcd_command(const MemberHere& member, cluster::Beginni
   return command;
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

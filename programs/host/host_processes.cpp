@@ -1,4 +1,4 @@
-#include "programs/commands/host_processes.hpp"
+#include "programs/host/host_processes.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,9 +8,9 @@
 #include "agents/launcher/agent_factory.hpp"
 #include "blackboard/streams/listen_address.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/commands/log_member.hpp"
+#include "programs/host/log_member.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -62,7 +62,11 @@ Result<Command> Commands::log() const {
   const Result<void> sound = check_member(member);
   const Result<void> prepared = sound ? prepare_member(member) : sound;
   if (!prepared) return fail(prepared);
-  Command command = {beside_this_program("pizarra-cell"), "log", "member", choices_.log, choices_.log_here,
+  Command command = {programs::beside_this_program("pizarra-cell"),
+                     "log",
+                     "member",
+                     choices_.log,
+                     choices_.log_here,
                      whole_path(choices_.log_folder)};
   if (!choices_.certificates.empty()) {
     command.insert(command.end(), {"--log-certificates", whole_path(choices_.certificates)});
@@ -75,7 +79,7 @@ Result<Command> Commands::log() const {
 Command Commands::shared_board() const {
   const std::string listens_at = places_.owns_board ? first_address(places_.board) : choices_.standby;
   if (listens_at.empty()) return {};
-  Command command = {beside_this_program("pizarra-board"),
+  Command command = {programs::beside_this_program("pizarra-board"),
                      "--listen",
                      listens_at,
                      "--log",
@@ -97,7 +101,7 @@ Command Commands::shared_board() const {
 
 Command Commands::own_board() const {
   if (!places_.owns_board) return {};
-  Command command = {beside_this_program("pizarra-board"), "--listen", places_.board, "--journal",
+  Command command = {programs::beside_this_program("pizarra-board"), "--listen", places_.board, "--journal",
                      directory_.file("board.journal")};
   if (!places_.keys.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", places_.keys});
   return command;
@@ -105,7 +109,12 @@ Command Commands::own_board() const {
 
 Command Commands::world() const {
   if (host_.name != cell_.board_host) return {};
-  return {beside_this_program("pizarra-agent"), "world", whole_path(choices_.cell), "--listen", places_.world, "--seed",
+  return {programs::beside_this_program("pizarra-agent"),
+          "world",
+          whole_path(choices_.cell),
+          "--listen",
+          places_.world,
+          "--seed",
           std::to_string(choices_.seed)};
 }
 
@@ -115,8 +124,9 @@ std::vector<HostProcess> Commands::plugins() const {
   for (const std::string kind : {"robot", "vision"}) {
     const launcher::DevicePlugin plugin = launcher::plugin_of(kind, cell_);
     if (plugin.library.empty() || std::ranges::count(host_.agents, kind, launcher::kind_of_agent) == 0) continue;
-    out.push_back({plugin.device + "-plugin",
-                   {beside_this_program("pizarra-plugin"), plugin.device, plugin.library, "--listen", device(kind)}});
+    out.push_back(
+        {plugin.device + "-plugin",
+         {programs::beside_this_program("pizarra-plugin"), plugin.device, plugin.library, "--listen", device(kind)}});
   }
   return out;
 }
@@ -125,8 +135,8 @@ std::vector<HostProcess> Commands::plugins() const {
 Command Commands::door() const {
   if (!cell_.door || host_.name != cell_.board_host) return {};
   const std::string& board = places_.keys.empty() ? places_.board : cell_.board_address;
-  Command command = {beside_this_program("pizarra-door"), "door", "--board", board, "--keys",
-                     whole_path(cell_.door->keys)};
+  Command command = {
+      programs::beside_this_program("pizarra-door"), "door", "--board", board, "--keys", whole_path(cell_.door->keys)};
   if (cell_.door->tcp_port) {
     command.insert(command.end(), {"--tcp", fmt::format("127.0.0.1:{}", *cell_.door->tcp_port)});
   }
@@ -140,7 +150,7 @@ Command Commands::door() const {
 Command Commands::scheme_agent(const forms::CellSchemeAgent& agent) const {
   const bool own_key = !agent.key.empty();
   const std::string& board = own_key && !places_.keys.empty() ? cell_.board_address : places_.board;
-  Command command = {beside_this_program("pizarra-scheme"),
+  Command command = {programs::beside_this_program("pizarra-scheme"),
                      "scheme",
                      whole_path(agent.file),
                      "--name",
@@ -161,7 +171,7 @@ Command Commands::scheme_agent(const forms::CellSchemeAgent& agent) const {
 
 Command Commands::agent(const std::string& name) const {
   if (const forms::CellSchemeAgent* scheme = forms::scheme_agent_called(cell_, name)) return scheme_agent(*scheme);
-  Command command = {beside_this_program("pizarra-agent"),
+  Command command = {programs::beside_this_program("pizarra-agent"),
                      "agent",
                      name,
                      whole_path(choices_.cell),
@@ -201,7 +211,7 @@ Result<std::vector<HostProcess>> host_processes(const UpChoices& choices, const 
 
 HostProcess console_process(const UpChoices& choices, const HostPlaces& places, const std::string& addresses,
                             const std::string& pictures) {
-  Command command = {beside_this_program("pizarra-cell"),
+  Command command = {programs::beside_this_program("pizarra-cell"),
                      "console",
                      whole_path(choices.cell),
                      "--board",
@@ -214,4 +224,4 @@ HostProcess console_process(const UpChoices& choices, const HostPlaces& places, 
   return {"console", std::move(command), console_niceness};
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

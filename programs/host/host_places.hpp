@@ -9,9 +9,9 @@
 
 #include "agents/launcher/run_directory.hpp"
 #include "lisp/forms/cell_file.hpp"
-#include "programs/commands/up_choices.hpp"
+#include "programs/host/up_choices.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 struct HostPlaces {
   bool owns_board = false;  // the cell's board runs here
@@ -38,4 +38,4 @@ std::string device_address(const std::string& agent, const forms::CellDescriptio
 
 std::string first_address(const std::string& addresses);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

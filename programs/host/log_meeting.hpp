@@ -15,7 +15,7 @@
 #include "blackboard/cluster/etcd_client.hpp"
 #include "drivers/web/http_server.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 // `own`: HOST:PORT. Failures cannot-listen, and bad-address where a file of the certificates cannot be read.
 Result<std::unique_ptr<web::HttpServer>> say_no_data(Executor& executor, const std::string& own,
@@ -23,4 +23,4 @@ Result<std::unique_ptr<web::HttpServer>> say_no_data(Executor& executor, const s
 // Waits for the answer. `between` has the addresses between the members.
 bool says_no_data(cluster::EtcdClient& between, std::size_t member, const cluster::LogAddress& log);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

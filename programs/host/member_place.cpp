@@ -1,4 +1,4 @@
-#include "programs/commands/member_place.hpp"
+#include "programs/host/member_place.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -13,7 +13,7 @@
 #include "blackboard/streams/file.hpp"
 #include "lisp/outside_text.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 namespace {
 
@@ -78,4 +78,4 @@ Result<void> check_member_port(const std::string& place) {
                           place));
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

@@ -11,7 +11,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 // The user's alone, where it is made. Failure cannot-write.
 Result<void> make_member_folder(const std::string& folder);
@@ -20,4 +20,4 @@ Result<void> check_member_certificates(const std::string& folder);
 // Of an address in figures. Failures cannot-listen, and bad-address where this machine does not have it.
 Result<void> check_member_port(const std::string& place);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

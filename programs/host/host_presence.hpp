@@ -14,11 +14,11 @@
 #include "agents/launcher/supervisor.hpp"
 #include "blackboard/client/remote_board.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 Relation host_relation();
 
 using Processes = std::function<std::vector<launcher::Supervisor::Process>()>;
 Task<void> tell_host(client::RemoteBoard& board, Executor& executor, std::string host, Processes processes);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

@@ -6,9 +6,9 @@
 
 #include "lisp/forms/cell_file.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 // The host asked for, this machine if the file names it, "localhost", or the only one. Failure: unknown-host.
 Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const std::string& asked);
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host

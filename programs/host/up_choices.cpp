@@ -1,6 +1,6 @@
-#include "programs/commands/up_choices.hpp"
+#include "programs/host/up_choices.hpp"
 
-namespace pizarra::programs {
+namespace pizarra::host {
 
 void add_log_options(CLI::App& app, UpChoices& choices) {
   CLI::Option* log = app.add_option("--log", choices.log,
@@ -30,4 +30,4 @@ void add_log_options(CLI::App& app, UpChoices& choices) {
       ->type_name("DIR");
 }
 
-}  // namespace pizarra::programs
+}  // namespace pizarra::host
