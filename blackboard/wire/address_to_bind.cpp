@@ -15,7 +15,7 @@ namespace pizarra::wire {
 
 namespace {
 
-constexpr std::string_view tcp = "tcp://";
+constexpr std::string_view before_host = "tcp://";
 
 bool is_taken_as_it_is(const std::string& host) {
   in_addr number{};
@@ -55,13 +55,13 @@ Result<std::string> look_up(const std::string& host, const std::string& address)
 }  // namespace
 
 Result<std::string> address_to_bind(const std::string& address) {
-  if (!address.starts_with(tcp)) return address;
+  if (!address.starts_with(before_host)) return address;
   const std::size_t colon = address.rfind(':');
-  const std::string host = address.substr(tcp.size(), colon - tcp.size());
+  const std::string host = address.substr(before_host.size(), colon - before_host.size());
   if (is_taken_as_it_is(host)) return address;
   const Result<std::string> number = host == "localhost" ? "127.0.0.1" : look_up(host, address);
   if (!number) return fail(number);
-  return std::string(tcp) + *number + address.substr(colon);
+  return std::string(before_host) + *number + address.substr(colon);
 }
 
 }  // namespace pizarra::wire
