@@ -7,6 +7,7 @@
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/scene.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -197,7 +198,7 @@ std::string instance_name(const testing::TestParamInfo<CoveredTag::ParamType>& o
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CoveredTag,
                          testing::Combine(testing::Values<int>(cv::aruco::DICT_4X4_50, cv::aruco::DICT_APRILTAG_36h11),
-                                          testing::Range(1, 5)),
+                                          testing::Range(1, campaign(3, 5))),
                          instance_name);
 
 }  // namespace

@@ -2,6 +2,7 @@
 // before a pair. A mark that is told as seen is where it is told.
 
 #include "tests/agents/vision/covered_mark.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -69,10 +70,11 @@ std::string covering_name(const testing::TestParamInfo<Covering::ParamType>& one
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Covering,
                          testing::Combine(testing::Values("circle", "square", "cross", "triangle", "end-effector"),
-                                          testing::Range(1, 3)),
+                                          testing::Range(1, campaign(2, 3))),
                          covering_name);
 INSTANTIATE_TEST_SUITE_P(Seeds, CoveringATriangle,
-                         testing::Combine(testing::Values("triangle", "end-effector"), testing::Range(1, 3)),
+                         testing::Combine(testing::Values("triangle", "end-effector"),
+                                          testing::Range(1, campaign(2, 3))),
                          covering_name);
 
 }  // namespace

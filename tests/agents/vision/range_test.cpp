@@ -100,7 +100,11 @@ TEST(Spreads, AreThoseOfTheErrorsInSmallImages) {
 }
 
 TEST(Spreads, AreThoseOfTheErrorsInLargeImages) {
-  for (const Case& one : cases) expect_true_spreads(large_images(), one, campaign(20, 60));
+  // Every other condition: in large images a look takes longest.
+  const std::size_t step = is_nightly() ? 1 : 2;
+  for (std::size_t i = 0; i < std::size(cases); i += step) {
+    expect_true_spreads(large_images(), cases[i], campaign(20, 60));
+  }
 }
 
 TEST(Spread, IsThatOfATagsCornersToo) {

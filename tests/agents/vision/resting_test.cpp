@@ -2,6 +2,7 @@
 // meanwhile no position is told that is not the mark's, and when it has left the mark is seen again where it is.
 
 #include "tests/agents/vision/covered_mark.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -140,7 +141,7 @@ std::string resting_name(const testing::TestParamInfo<Resting::ParamType>& one) 
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Resting,
                          testing::Combine(testing::Values("circle", "square", "cross", "triangle", "end-effector"),
-                                          testing::Range(1, 3)),
+                                          testing::Range(1, campaign(2, 3))),
                          resting_name);
 
 }  // namespace

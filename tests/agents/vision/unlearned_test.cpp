@@ -7,6 +7,7 @@
 #include "agents/vision/sight/wholeness.hpp"
 #include "tests/agents/vision/eyes.hpp"
 #include "tests/bench/vision/scene.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -115,13 +116,13 @@ int times_taken(bench::Shape (*shape)(Random&), int scenes) {
 
 // What is smaller than most learned marks.
 TEST(Unlearned, RingWhoseHoleIsBlurredIsHardlyEverADisc) {
-  constexpr int scenes = 1000;
+  const int scenes = campaign(400, 1000);
   EXPECT_LE(times_taken(small_ring, scenes), scenes / 200);
 }
 
 // As small as a learned triangle is sought.
 TEST(Unlearned, SmallAngleIsHardlyEverATriangle) {
-  constexpr int scenes = 4000;
+  const int scenes = campaign(800, 4000);
   EXPECT_LE(times_taken(small_angle, scenes), scenes / 50);
 }
 
