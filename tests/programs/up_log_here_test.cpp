@@ -153,7 +153,9 @@ TEST_F(UpWithLogHere, WaitsForTheOthersWhereAMemberHasLostItsData) {
   for (const char* host : {"a", "b", "c"}) end(host);
   std::filesystem::remove_all(scratch_folder() + "member-c");
   up("c", {});
-  const auto waits_aloud = [&] { return running_.at("c")->said().contains("member-c has no data, and waits for "); };
+  // `up` tells it once the member has given up for now. The member says it at once.
+  const std::string of_member = scratch_folder() + "pizarra/here@c/log.log";
+  const auto waits_aloud = [&] { return text_of(of_member).contains("member-c has no data, and waits for "); };
   ASSERT_TRUE(wait_until(waits_aloud, seconds(60))) << said();
   // With this one alone it has no majority that remembers.
   up("b", {"--standby", standby_});
