@@ -74,6 +74,23 @@ await page.waitForFunction(() => ![...document.querySelectorAll('.objects strong
 expect(!(await objects()).includes('square'), 'and is not known');
 await clickAt(x, y);
 await page.waitForSelector('#learned-window:not([hidden]) dl');
+const accept = (name) => page.fill('#new-name', name).then(() => page.click('#learned-window button:text("Accept")'));
+for (const name of ['<img src=x onerror=alert(1)>', 'two words', '"q\'', '\u202eabc \u05d0', '']) {
+  await accept(name);
+  const wrong = await page.$eval('#new-name', (field) => field.validationMessage);
+  expect(wrong !== '' && (await page.isVisible('#learned-window')), `it is asked again for what is no name: ${name}: ${wrong}`);
+}
+// As much of it as a name may have.
+const long = 'x'.repeat(64);
+await accept('x'.repeat(200));
+await hint(`${long} is accepted`);
+await page.waitForFunction((name) => [...document.querySelectorAll('.objects strong')].some((one) => one.textContent === name), long);
+expect(await page.$eval('#eyes', (panel) => panel.scrollWidth <= panel.clientWidth), 'a name of 64 letters fits into the view');
+await page.click(`.objects li:has(strong:text-is("${long}")) button:text("Forget")`);
+await page.waitForFunction((name) => ![...document.querySelectorAll('.objects strong')].some((one) => one.textContent === name), long);
+
+await clickAt(x, y);
+await page.waitForSelector('#learned-window:not([hidden]) dl');
 await page.fill('#new-name', 'square');
 await page.click('#learned-window button:text("Accept")');
 await hint('square is accepted');
