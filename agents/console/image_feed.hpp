@@ -1,9 +1,9 @@
 #pragma once
 
-// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread, one frame at a time,
-// and only in the sizes that somebody wants then. Only the newest frame of a stream is encoded: a frame that comes
-// meanwhile replaces the one that waits. A page on a slow line gets a light picture: 240 px wide at most, and of less
-// quality.
+// Image streams as JPEGs. Each frame is encoded once for all pages, away from the agents' thread, and only in the sizes
+// that somebody wants then. Frames of several streams are encoded one at a time, in the order in which they came. Only
+// the newest frame of a stream is encoded: a frame that comes meanwhile replaces the one that waits. A page on a slow
+// line gets a light picture: 240 px wide at most, and of less quality.
 //
 //   ImageFeeds feeds(executor, streams);
 //   auto look = feeds.look("vision-colour", [](const std::shared_ptr<const ImageFeeds::Picture>& picture) { ... });
@@ -73,6 +73,7 @@ class ImageFeeds {
   Executor& executor_;
   Streams& streams_;
   std::map<std::string, std::shared_ptr<Feed>> feeds_;
+  std::uint64_t frames_ = 0;  // that have come, of all streams
   std::uint64_t next_look_ = 1;
   Job encoding_;
 };

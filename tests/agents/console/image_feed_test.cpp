@@ -16,17 +16,17 @@ using Pictures = std::vector<std::shared_ptr<const ImageFeeds::Picture>>;
 
 class ImageFeedTest : public testing::Test {
  protected:
-  std::unique_ptr<ImageFeeds::Look> look(Pictures& into) {
-    return feeds_.look("eyes", [&into](const auto& picture) { into.push_back(picture); });
+  std::unique_ptr<ImageFeeds::Look> look(Pictures& into, const std::string& stream = "eyes") {
+    return feeds_.look(stream, [&into](const auto& picture) { into.push_back(picture); });
   }
 
-  void publish(std::uint64_t number, int width = 640, int height = 480) {
+  void publish(std::uint64_t number, int width = 640, int height = 480, const std::string& stream = "eyes") {
     auto image = std::make_shared<Image>();
     image->width = width;
     image->height = height;
     image->channels = 3;
     image->pixels.assign(static_cast<std::size_t>(width) * height * 3, 90);
-    streams_.publish("eyes", {.number = number, .captured = executor_.now(), .image = image});
+    streams_.publish(stream, {.number = number, .captured = executor_.now(), .image = image});
   }
 
   // How long the work takes that there is.
@@ -101,6 +101,22 @@ TEST_F(ImageFeedTest, ShowsTheNewestFrameToWhoCanTakeOneAgain) {
   busy_look->want(Size::full);
   work();
   EXPECT_EQ(busy.size(), 1U) << "each frame is shown once";
+}
+
+TEST_F(ImageFeedTest, ShowsStreamsInTheOrderInWhichTheirFramesCame) {
+  Pictures shown;
+  const std::vector<std::string> streams{"eyes-annotated", "eyes-colour", "eyes-grey"};
+  std::vector<std::unique_ptr<ImageFeeds::Look>> looks;
+  for (const std::string& stream : streams) {
+    looks.push_back(look(shown, stream));
+    looks.back()->want(Size::light);
+  }
+  publish(1, 640, 480, streams[1]);
+  publish(2, 640, 480, streams[0]);
+  publish(3, 640, 480, streams[2]);
+  work();
+  ASSERT_EQ(shown.size(), 3U);
+  for (std::uint64_t i = 0; i < 3; ++i) EXPECT_EQ(shown[i]->number, i + 1);
 }
 
 TEST_F(ImageFeedTest, MakesLightPicturesOfTheirFramesShape) {
