@@ -14,11 +14,14 @@ namespace {
 constexpr int jpeg_quality = 80;
 constexpr int light_quality = 35;
 constexpr int light_width = 240;
+// How many more bytes a full picture takes for a pixel, at most.
+constexpr double full_to_light = 2.5;
 constexpr Duration encoding_cost = 3ms;
 
 // Its tables are made for it: a light picture is a seventh smaller by that, and its way over a slow line shorter.
 std::string jpeg_of(const cv::Mat& pixels, int quality) {
-  const Result<camera::ImageBytes> bytes = camera::encoded_image(".jpg", pixels, {cv::IMWRITE_JPEG_QUALITY, quality, cv::IMWRITE_JPEG_OPTIMIZE, 1});
+  const Result<camera::ImageBytes> bytes =
+      camera::encoded_image(".jpg", pixels, {cv::IMWRITE_JPEG_QUALITY, quality, cv::IMWRITE_JPEG_OPTIMIZE, 1});
   assert(bytes);
   return {bytes->begin(), bytes->end()};
 }
@@ -41,9 +44,19 @@ cv::Mat light_pixels(const cv::Mat& pixels) {
   return light;
 }
 
-std::string jpeg_in(ImageFeeds::Size size, const Image& image) {
-  if (size == ImageFeeds::Size::full) return full_jpeg(image);
-  return jpeg_of(light_pixels(pixels_of(image)), light_quality);
+ImageFeeds::Picture picture_in(ImageFeeds::Size size, const StreamFrame& frame) {
+  const Image& image = *frame.image;
+  ImageFeeds::Picture picture{frame.number, frame.captured, image.width, image.height, {}, 0};
+  if (size == ImageFeeds::Size::full) {
+    picture.jpeg = full_jpeg(image);
+    picture.full_bytes = picture.jpeg.size();
+  } else {
+    const cv::Mat pixels = light_pixels(pixels_of(image));
+    picture.jpeg = jpeg_of(pixels, light_quality);
+    const double larger = static_cast<double>(image.width) * image.height / static_cast<double>(pixels.total());
+    picture.full_bytes = static_cast<std::size_t>(full_to_light * larger * static_cast<double>(picture.jpeg.size()));
+  }
+  return picture;
 }
 
 }  // namespace
@@ -71,7 +84,9 @@ class ImageFeeds::Feed {
 
   // `waits`: somebody waits for a picture. `frames`: how many have come, of all streams.
   Feed(Streams& streams, const std::string& stream, std::uint64_t& frames, std::function<void()> waits)
-      : frames_(frames), waits_(std::move(waits)), subscription_(streams.subscribe(stream, [this](const StreamFrame& frame) {
+      : frames_(frames),
+        waits_(std::move(waits)),
+        subscription_(streams.subscribe(stream, [this](const StreamFrame& frame) {
           if (!can_be_encoded(*frame.image)) return;
           newest_ = frame;
           ++count_;
@@ -135,11 +150,8 @@ class ImageFeeds::Feed {
 namespace {
 
 void make_pictures(ImageFeeds::Feed::Wanted& wanted) {
-  const StreamFrame& frame = wanted.frame;
   for (auto& [size, picture] : wanted.pictures) {
-    if (picture) continue;
-    picture = std::make_shared<ImageFeeds::Picture>(ImageFeeds::Picture{
-        frame.number, frame.captured, frame.image->width, frame.image->height, jpeg_in(size, *frame.image)});
+    if (!picture) picture = std::make_shared<ImageFeeds::Picture>(picture_in(size, wanted.frame));
   }
 }
 

@@ -37,6 +37,7 @@ class ImageFeeds {
     int width = 0;
     int height = 0;
     std::string jpeg;
+    std::size_t full_bytes = 0;  // of the full picture of that frame; of a light one, what it is likely to take at most
   };
   enum class Size : std::uint8_t { full, light };
   using Receiver = std::function<void(const std::shared_ptr<const Picture>&)>;

@@ -57,8 +57,8 @@ void PageImages::hear(Lane& lane, std::string_view message) {
 
 void PageImages::note_drawn(Lane& lane, Duration drawing) {
   const Duration line = pulse_.line().value_or(Duration(0));
-  lane.waited = std::max(Duration(0), executor_.now() - lane.sent - drawing - line);
-  weigh_line(lane.waited);
+  lane.image.waited = std::max(Duration(0), executor_.now() - lane.image.sent - drawing - line);
+  size_.note(lane.image);
   lane.stream.clear();
   renew_if_slow(lane, line);
   send_what_waits();
@@ -66,7 +66,7 @@ void PageImages::note_drawn(Lane& lane, Duration drawing) {
 
 // One each half second at most, so that the others go on with the images.
 void PageImages::renew_if_slow(Lane& lane, Duration line) {
-  const bool slow = line > longest_near && lane.waited >= line;
+  const bool slow = line > longest_near && lane.image.waited >= line;
   if (!slow || executor_.now() - renewed_ < between_renewals) return;
   renewed_ = executor_.now();
   lane.socket->send(web::WebSocket::Class::control, "(renew)");
@@ -86,7 +86,7 @@ void PageImages::say_wishes() {
   const bool free = free_lane() != nullptr;
   for (auto& [name, stream] : streams_) {
     const bool takes = free && under_way(name) < most_under_way();
-    const ImageFeeds::Size size = light_ ? ImageFeeds::Size::light : ImageFeeds::Size::full;
+    const ImageFeeds::Size size = size_.is_light() ? ImageFeeds::Size::light : ImageFeeds::Size::full;
     stream.look->want(takes ? std::optional(size) : std::nullopt);
   }
 }
@@ -95,7 +95,7 @@ void PageImages::say_wishes() {
 PageImages::Lane* PageImages::free_lane() {
   Lane* quickest = nullptr;
   for (Lane& lane : lanes_) {
-    if (lane.stream.empty() && (quickest == nullptr || lane.waited < quickest->waited)) quickest = &lane;
+    if (lane.stream.empty() && (quickest == nullptr || lane.image.waited < quickest->image.waited)) quickest = &lane;
   }
   return quickest;
 }
@@ -119,7 +119,7 @@ std::size_t PageImages::under_way(const std::string& stream) const {
 
 std::size_t PageImages::bytes_under_way() const {
   std::size_t bytes = 0;
-  for (const Lane& lane : lanes_) bytes += lane.stream.empty() ? 0 : lane.bytes;
+  for (const Lane& lane : lanes_) bytes += lane.stream.empty() ? 0 : lane.image.bytes;
   return bytes;
 }
 
@@ -132,20 +132,10 @@ void PageImages::send(Lane& lane, const std::string& name, Stream& stream) {
   const auto picture = std::exchange(stream.newest, nullptr);
   stream.sent = executor_.now();
   lane.stream = name;
-  lane.bytes = picture->jpeg.size();
-  lane.sent = stream.sent;
+  lane.image = {stream.sent, picture->jpeg.size(), picture->full_bytes, lane.image.waited};
   lane.socket->send(web::WebSocket::Class::images, fmt::format("(image {} {} {} {} {})\n{}", name, picture->number,
                                                                picture->captured.time_since_epoch().count(),
                                                                picture->width, picture->height, picture->jpeg));
-}
-
-// Light images where they wait for the line, and full ones, which are several times larger, where light ones hardly
-// wait.
-void PageImages::weigh_line(Duration waited) {
-  constexpr Duration hardly = 20ms;
-  constexpr int smoothing = 8;
-  wait_ += (waited - wait_) / smoothing;
-  light_ = light_ ? wait_ > hardly : wait_ > too_long;
 }
 
 }  // namespace pizarra::console

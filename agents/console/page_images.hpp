@@ -16,8 +16,8 @@
 // lane and opens another, which begins as quick as the first was.
 //
 // Bounds: 4 streams; 8 lanes; of a stream two to four images under way, as the round trip needs; 64 kB under way
-// on all lanes together, or one larger image. Images are light (image_feed.hpp) until full ones are known to hardly
-// wait.
+// on all lanes together, or one larger image. Images are light (image_feed.hpp) until the line is known to carry full
+// ones (picture_size.hpp).
 
 #include <functional>
 #include <list>
@@ -26,6 +26,7 @@
 #include <string>
 
 #include "agents/console/image_feed.hpp"
+#include "agents/console/picture_size.hpp"
 #include "agents/console/pulse.hpp"
 #include "drivers/web/web_socket.hpp"
 #include "lisp/datum.hpp"
@@ -53,7 +54,6 @@ class PageImages {
   void add_lane(web::UpgradedSocket socket);
 
  private:
-  static constexpr Duration too_long = 150ms;
   static constexpr Duration longest_near = 50ms;  // a line that takes longer is long
   static constexpr Duration between_renewals = 500ms;
   struct Stream {
@@ -63,10 +63,8 @@ class PageImages {
   };
   struct Lane {
     std::unique_ptr<web::WebSocket> socket;
-    std::string stream = {};  // of the image that is under way; empty: none is
-    std::size_t bytes = 0;
-    Time sent{};
-    Duration waited{};  // how much longer than the line takes the one before it was under way
+    std::string stream = {};        // of the image that is under way; empty: none is
+    PictureSize::Drawn image = {};  // it, and how long the one before it waited
   };
 
   void hear(Lane& lane, std::string_view message);
@@ -80,7 +78,6 @@ class PageImages {
   std::size_t most_under_way() const;
   std::size_t bytes_under_way() const;
   void send(Lane& lane, const std::string& name, Stream& stream);
-  void weigh_line(Duration waited);
 
   Executor& executor_;
   ImageFeeds& feeds_;
@@ -88,9 +85,7 @@ class PageImages {
   const Words words_;
   std::map<std::string, Stream> streams_;
   std::list<Lane> lanes_;
-  // How long images wait on all lanes, smoothed. It starts high, so that the first images are light.
-  Duration wait_ = too_long;
-  bool light_ = true;
+  PictureSize size_;
   Time renewed_{};  // when a lane was last
 };
 

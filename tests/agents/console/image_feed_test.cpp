@@ -3,6 +3,7 @@
 #include "agents/console/image_feed.hpp"
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "blackboard/time/virtual_executor.hpp"
@@ -27,6 +28,27 @@ class ImageFeedTest : public testing::Test {
     image->channels = 3;
     image->pixels.assign(static_cast<std::size_t>(width) * height * 3, 90);
     streams_.publish(stream, {.number = number, .captured = executor_.now(), .image = image});
+  }
+
+  // Edges and shades, as a camera shows them, with its noise.
+  void publish_scene(int width, int height) {
+    const cv::Scalar table(120, 140, 150);
+    cv::Mat pixels(height, width, CV_8UC3, table);
+    cv::RNG random(7);
+    for (int i = 0; i < 40; ++i) {
+      const cv::Point corner(random.uniform(0, width), random.uniform(0, height));
+      const cv::Scalar colour(random.uniform(60, 200), random.uniform(60, 200), random.uniform(60, 200));
+      cv::rectangle(pixels, cv::Rect(corner, cv::Size(width / 8, height / 8)), colour, cv::FILLED);
+    }
+    cv::Mat noise(pixels.size(), CV_8UC3);
+    random.fill(noise, cv::RNG::NORMAL, 8, 2);
+    pixels += noise;
+    auto image = std::make_shared<Image>();
+    image->width = width;
+    image->height = height;
+    image->channels = 3;
+    image->pixels.assign(pixels.datastart, pixels.dataend);
+    streams_.publish("eyes", {.number = 1, .captured = executor_.now(), .image = image});
   }
 
   // How long the work takes that there is.
@@ -117,6 +139,28 @@ TEST_F(ImageFeedTest, ShowsStreamsInTheOrderInWhichTheirFramesCame) {
   work();
   ASSERT_EQ(shown.size(), 3U);
   for (std::uint64_t i = 0; i < 3; ++i) EXPECT_EQ(shown[i]->number, i + 1);
+}
+
+TEST_F(ImageFeedTest, KnowsOfALightPictureHowManyBytesAFullOneTakesAtMost) {
+  struct Case {
+    int width, height;
+  };
+  for (const Case& given : std::vector<Case>{{640, 480}, {1280, 720}, {320, 240}, {200, 150}}) {
+    Pictures light;
+    Pictures full;
+    const auto light_look = look(light);
+    const auto full_look = look(full);
+    light_look->want(Size::light);
+    full_look->want(Size::full);
+    publish_scene(given.width, given.height);
+    work();
+    ASSERT_EQ(light.size(), 1U);
+    ASSERT_EQ(full.size(), 1U);
+    const std::size_t bytes = full[0]->jpeg.size();
+    EXPECT_EQ(full[0]->full_bytes, bytes);
+    EXPECT_GE(light[0]->full_bytes, bytes) << given.width;
+    EXPECT_LE(light[0]->full_bytes, 5 * bytes) << given.width;
+  }
 }
 
 TEST_F(ImageFeedTest, MakesLightPicturesOfTheirFramesShape) {
