@@ -55,6 +55,25 @@ const stays = async (label) => {
 };
 expect(await stays('Take the arm in hand'), 'who lets the arm go by a double click has let it go');
 expect(await stays('Let the arm go'), 'and who takes it so has it');
+
+// Escape while a slide is held, which the hand then draws on.
+const slide = page.locator('#drive input[aria-label="Turn left / right"]');
+await slide.scrollIntoViewIfNeeded();
+const { x, y, width, height } = await slide.boundingBox();
+await page.mouse.move(x + width / 2, y + height / 2);
+await page.mouse.down();
+await page.mouse.move(x + width * 0.6, y + height / 2);
+await page.keyboard.press('Escape');
+await page.waitForSelector('#stopped:not([hidden])');
+await page.mouse.move(x + width * 0.7, y + height / 2);
+await page.mouse.up();
+expect((await slide.inputValue()) === '0', 'a slide that is held when STOP is told goes back to zero');
+await driving.driven('Monitor', '(monitor)');
+expect(!/\(turn /.test(await text(page, '#drive .log')), 'and is not sent when it is let go');
+await page.click('#clear-stops');
+await page.click('#confirm button[value=yes]');
+await page.waitForSelector('#stopped', { state: 'hidden' });
+
 await page.dblclick('#stop');
 await page.waitForSelector('#stopped:not([hidden])');
 expect((await text(page, '#stopped-by')).match(/operator's STOP/g).length === 1, 'STOP that is pressed twice stands once');

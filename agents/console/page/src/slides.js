@@ -23,28 +23,39 @@ function rowOf(label, unit, range) {
   return { row: element('label', { class: 'slide' }, element('span', {}, label), input, shown), input, show };
 }
 
-// Says `letGo` once the pointer or the last key is up, and `drop` where the hand leaves without that.
+// Says `letGo` once the pointer or the last key is up, and `drop` where the hand leaves without that. By Escape it leaves,
+// though the pointer may still be down and move.
 /** @param {HTMLInputElement} input @param {{ letGo: () => void, drop: () => void }} hand */
 function follow(input, { letGo, drop }) {
   let by = ''; // what holds it
-  input.addEventListener('pointerdown', () => (by = 'pointer'));
-  input.addEventListener('keydown', (event) => {
-    if (steps.test(event.key)) by = 'key';
+  let left = false; // by Escape, with the pointer down
+  /** @param {string} what */
+  const hold = (what) => {
+    by = what;
+    left = false;
+  };
+  const leave = () => {
+    by = '';
+    drop();
+  };
+  input.addEventListener('pointerdown', () => hold('pointer'));
+  input.addEventListener('keydown', ({ key }) => {
+    if (steps.test(key)) hold('key');
+    if (key !== 'Escape') return;
+    left = by === 'pointer';
+    leave();
   });
   const end = () => {
     by = '';
-    letGo();
+    if (left) drop();
+    else letGo();
+    left = false;
   };
   // Each step of a key is a change to the browser, too.
   input.addEventListener('change', () => by !== 'key' && end());
   input.addEventListener('keyup', () => by === 'key' && end());
   input.addEventListener('pointerup', () => (by = ''));
-  for (const loss of ['pointercancel', 'blur']) {
-    input.addEventListener(loss, () => {
-      by = '';
-      drop();
-    });
-  }
+  for (const loss of ['pointercancel', 'blur']) input.addEventListener(loss, leave);
   return () => by !== '';
 }
 
@@ -63,7 +74,6 @@ export function springSlide({ label, unit, most, form }, send) {
     if (value !== 0) send(form(value));
   };
   follow(input, { letGo, drop: spring });
-  input.addEventListener('keydown', (event) => event.key === 'Escape' && spring());
   return { row, input };
 }
 
