@@ -43,6 +43,8 @@ for (const name of ['<img src=x onerror=alert(1)>', '"q\' (', '\u202eabc \u05d0\
   expect((await wide()) && told.length > 0, `an action that is none: ${name.slice(0, 30)}`);
 }
 expect((await page.locator('#drive .log img').count()) === 0, 'text stays text');
+const log = await text(page, '#drive .log');
+expect(!log.includes('\u202e') && log.includes('\ufffdabc'), 'and turns the direction of no text behind it');
 
 // A double click is one press, also of a button that says something else by its second click.
 const stays = async (label) => {

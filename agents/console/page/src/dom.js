@@ -46,9 +46,14 @@ export function arrange(parent, children) {
   });
 }
 
+// Characters that turn the direction of the text behind them, so that it reads otherwise than it is.
+const turning = /[\u202a-\u202e\u2066-\u2069]/g;
+const turningNothing = (/** @type {string} */ text) => text.replace(turning, '\ufffd');
+
+// What somebody told, as it may stand beside other words.
 /** @param {string} text */
 export const clipped = (text, most = 300) =>
-  text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text;
+  turningNothing(text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text);
 
 // Never -0.
 /** @param {number} value @param {number} digits */
