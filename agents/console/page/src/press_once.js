@@ -1,7 +1,7 @@
 // A double click is one press. By its second click a button may say something else: "Let the arm go" where it said "Take
 // the arm in hand". So that click does nothing, in the parts that command. STOP counts each.
 
-const commanding = ['#want', '#eyes', '#drive', '#head', '#stopped', '#confirm'];
+const commanding = ['#want', '#eyes', '#drive', '#head', '#stopped', '#hands-note', '#confirm'];
 
 export function pressOnce() {
   /** @param {MouseEvent} event */
