@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 #include <span>
 
-#include "agents/vision/sight/pose_numbers.hpp"
-
 namespace pizarra::programs {
 namespace {
 

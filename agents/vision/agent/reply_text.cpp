@@ -6,8 +6,6 @@
 #include <numbers>
 #include <ranges>
 
-#include "agents/vision/sight/pose_numbers.hpp"
-
 namespace pizarra::vision {
 namespace {
 

@@ -1,6 +1,8 @@
 #include "agents/vision/sight/mark_pose.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "agents/vision/sight/seen_range.hpp"
 #include "agents/vision/sight/tag_pose.hpp"
@@ -11,6 +13,7 @@ namespace {
 // Less likely, and less turned, another tilt need not be told.
 constexpr double least_share = 0.01;
 constexpr double least_apart = 0.05;  // rad
+constexpr double degrees_a_rad = 180 / std::numbers::pi;
 
 // The same where the range is known better.
 void move_to(MarkPose& pose, const SeenRange& range) {
@@ -67,6 +70,19 @@ std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedO
   }
   const std::optional<MarkPose> tag = pose_of_tag(model, object, pair.left);
   return tag ? std::optional(at_base(*tag, model, range)) : std::nullopt;
+}
+
+cv::Vec3d angles_deg(const cv::Matx33d& r) {
+  return degrees_a_rad * cv::Vec3d(std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
+                                   std::atan2(r(1, 0), r(0, 0)));
+}
+
+std::array<double, 6> spreads_of(const MarkPose& pose) {
+  std::array<double, 6> out{};
+  for (int i = 0; i < 6; ++i) {
+    out[static_cast<std::size_t>(i)] = std::sqrt(pose.covariance(i, i)) * (i < 3 ? 1 : degrees_a_rad);
+  }
+  return out;
 }
 
 }  // namespace pizarra::vision

@@ -4,9 +4,12 @@
 //
 //   if (const std::optional<MarkPose> pose = pose_of(sight.model(), object, pair, range)) pose->place_mm, pose->turn
 //
+//   const cv::Vec3d turned = angles_deg(pose->turn);
+//
 // Of a tag by its corners, of a shape by its outline; where the pair knows the range, at that.
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "agents/vision/objects/learned.hpp"
@@ -35,5 +38,10 @@ std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedO
                                 const std::optional<SeenRange>& range);
 // Of a shape, by its plane.
 MarkPose pose_of(const camera::StereoModel& model, const PlanePose& plane, const std::optional<SeenRange>& range);
+
+// As a person reads it: degrees about x, then y, then z.
+cv::Vec3d angles_deg(const cv::Matx33d& turn);
+// Standard deviations of the place, mm, and of small turns about the camera's axes, degrees.
+std::array<double, 6> spreads_of(const MarkPose& pose);
 
 }  // namespace pizarra::vision

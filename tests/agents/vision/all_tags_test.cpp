@@ -9,7 +9,7 @@
 #include <set>
 
 #include "agents/vision/marks/tag_text.hpp"
-#include "agents/vision/sight/pose_numbers.hpp"
+#include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/tags_in_view.hpp"
 #include "tests/bench/vision/scene.hpp"
 
