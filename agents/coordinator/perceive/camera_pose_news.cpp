@@ -1,9 +1,9 @@
 #include "agents/coordinator/perceive/camera_pose_news.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 
 #include "agents/coordinator/retried_commit.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::coordinator {
 
@@ -11,13 +11,13 @@ namespace {
 
 using News = CameraWatch::News;
 
-double hundredths(double value) { return std::round(value * 100) / 100; }
-double thousandths(double value) { return std::round(value * 1000) / 1000; }
-
 std::vector<Datum> numbers_of(const forms::CameraPose& pose) {
-  return {to_datum(hundredths(pose.at_mm[0])),  to_datum(hundredths(pose.at_mm[1])),
-          to_datum(hundredths(pose.at_mm[2])),  to_datum(thousandths(pose.pan_deg)),
-          to_datum(thousandths(pose.tilt_deg)), to_datum(thousandths(pose.roll_deg))};
+  std::vector<Datum> out;
+  for (const double mm : pose.at_mm) out.push_back(to_datum(rounded(mm, 100)));
+  for (const double deg : {pose.pan_deg, pose.tilt_deg, pose.roll_deg}) {
+    out.push_back(to_datum(rounded(deg, 1000)));
+  }
+  return out;
 }
 
 std::string state_of(const CameraWatch& camera) {
@@ -63,7 +63,7 @@ Task<void> CameraPoseNews::tell(const CameraWatch& camera, News news) {
   std::vector<Datum> fact = numbers_of(camera.pose());
   fact.insert(fact.begin(), "camera-pose"_sym);
   fact.push_back(Datum::symbol(state));
-  fact.push_back(to_datum(hundredths(camera.spread_mm())));
+  fact.push_back(to_datum(rounded(camera.spread_mm(), 100)));
   fact.push_back(Datum::list(numbers_of(guess_)));
   const Datum pose = Datum::list(std::move(fact));
   Transaction transaction;

@@ -1,9 +1,8 @@
 #include "agents/coordinator/perceive/mirror.hpp"
 
-#include <cmath>
-
 #include "agents/coordinator/retried_commit.hpp"
 #include "agents/runtime/follow.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::coordinator {
 
@@ -13,8 +12,6 @@ namespace {
 constexpr Duration put_right_pause = 100ms;
 // A mark that moved less is not told anew.
 constexpr double told_again_mm = 1;
-
-double rounded(double mm) { return std::round(mm * 10) / 10; }
 
 // A belief is told as itself and as (believed BELIEF).
 const Datum& belief_in(const Datum& fact) { return fact.is_form("believed") ? fact[1] : fact; }
@@ -67,8 +64,9 @@ void Mirror::add_places(Transaction& transaction, const Sightings& sightings, Fa
     const Eigen::Vector3d& at = sighting.place_mm;
     if (told != told_places_.end() && (told->second - at).norm() < told_again_mm) continue;
     const Datum symbol = Datum::symbol(name);
-    transaction.tell(list("place"_sym, symbol, rounded(at.x()), rounded(at.y()), rounded(at.z()), sighting.frame),
-                     {look}, service_.presence());
+    transaction.tell(
+        list("place"_sym, symbol, rounded(at.x(), 10), rounded(at.y(), 10), rounded(at.z(), 10), sighting.frame),
+        {look}, service_.presence());
     told_places_.insert_or_assign(name, at);
   }
 }

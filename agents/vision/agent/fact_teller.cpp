@@ -1,10 +1,10 @@
 #include "agents/vision/agent/fact_teller.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "agents/vision/agent/reply_text.hpp"
 #include "agents/vision/database/told_by.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::vision {
 
@@ -74,8 +74,8 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, Time captured, const std:
     std::string& told = told_tracks_[sighting.name];
     if (told == state) continue;
     told = state;
-    const double confidence = std::round(sighting.confidence * 1000) / 1000;
-    facts.push_back(list("tracked"_sym, sighting.name, Datum::symbol(state), frame, confidence));
+    facts.push_back(
+        list("tracked"_sym, sighting.name, Datum::symbol(state), frame, rounded(sighting.confidence, 1000)));
   }
   facts.push_back(look_fact(frame, captured, sightings));
   add(transaction, facts);

@@ -1,15 +1,13 @@
 #include "agents/vision/agent/reply_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <ranges>
+
+#include "lisp/numbers.hpp"
 
 namespace pizarra::vision {
 namespace {
-
-double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
 void add_pose(std::vector<Datum>& parts, const MarkPose& pose) {
   parts.push_back(pose_datum(pose));
@@ -69,7 +67,6 @@ Datum places_datum(const SeenPlaces& places) {
 }
 
 Datum pose_datum(const MarkPose& pose) {
-  const double degrees = 180 / std::numbers::pi;
   std::vector<Datum> out{"pose"_sym};
   const auto add = [&](double value, double parts) { out.push_back(to_datum(rounded(value, parts))); };
   add(pose.place_mm[0], 100);
@@ -77,7 +74,7 @@ Datum pose_datum(const MarkPose& pose) {
   add(pose.place_mm[2], 100);
   for (const double angle : angles_deg(pose.turn).val) add(angle, 100);
   std::vector<Datum> covariance;
-  const auto unit = [&](int i) { return i < 3 ? 1 : degrees; };
+  const auto unit = [&](int i) { return i < 3 ? 1 : degrees(1); };
   for (int i = 0; i < 6; ++i) {
     for (int k = i; k < 6; ++k) {
       covariance.push_back(to_datum(rounded(pose.covariance(i, k) * unit(i) * unit(k), 10000)));

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "lisp/numbers.hpp"
+
 namespace pizarra::vision {
 namespace {
-
-double rounded(double value) { return std::round(value * 1000) / 1000; }
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
@@ -143,8 +143,8 @@ void LearnedObjects::add(const std::string& name, LearnedSample sample) {
 }
 
 Datum learned_fact(const std::string& name, const LearnedSample& sample) {
-  return list("learned"_sym, name, sample.number, rounded(sample.area_px), sample.perimeter_px, sample.corners,
-              rounded(sample.moments[0]), rounded(sample.moments[1]), rounded(sample.moments[2]));
+  return list("learned"_sym, name, sample.number, rounded(sample.area_px, 1000), sample.perimeter_px, sample.corners,
+              rounded(sample.moments[0], 1000), rounded(sample.moments[1], 1000), rounded(sample.moments[2], 1000));
 }
 
 Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {

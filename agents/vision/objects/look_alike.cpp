@@ -1,10 +1,10 @@
 #include "agents/vision/objects/look_alike.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "agents/vision/objects/recognise.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::vision {
 
@@ -16,11 +16,11 @@ std::vector<Datum> look_alikes(const LearnedObjects& objects) {
       const LearnedObject& other = objects.all()[i];
       const double error = likeness_error(object, other);
       if (error >= alike_below) continue;
-      const double rounded = std::round(error * 1000) / 1000;
+      const double told = rounded(error, 1000);
       const std::string sentence =
           fmt::format("{} and {} look much alike: they differ by {}, where {} is safe; one may be taken for the other",
-                      object.name, other.name, rounded, alike_below);
-      out.push_back(list("look-alike"_sym, object.name, other.name, rounded, sentence));
+                      object.name, other.name, told, alike_below);
+      out.push_back(list("look-alike"_sym, object.name, other.name, told, sentence));
     }
   }
   return out;
