@@ -34,13 +34,16 @@ Task<Result<Datum>> Eyes::ask(Datum operation) {
   }
 }
 
+Task<Result<Datum>> Eyes::answer_to(Datum operation) {
+  const Result<Datum> reply = co_await ask(std::move(operation));
+  if (!reply) co_return reply;
+  if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
+  co_return forms::interpret_vision_reply((*reply)[0].text());
+}
+
 Task<Result<std::vector<std::string>>> Eyes::objects() {
   const Datum operation = list("get-objects"_sym);
-  const Result<Datum> reply = co_await ask(operation);
-  if (!reply) co_return fail(reply);
-  if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
-  const std::string text((*reply)[0].text());
-  const Result<Datum> known = forms::interpret_vision_reply(text);
+  const Result<Datum> known = co_await answer_to(operation);
   if (!known) co_return fail(known);
   std::vector<std::string> names;
   for (const Datum& name : known->items().subspan(1)) {
@@ -52,11 +55,7 @@ Task<Result<std::vector<std::string>>> Eyes::objects() {
 
 Task<Result<bool>> Eyes::find(std::string name) {
   const Datum operation = list("find"_sym, name);
-  const Result<Datum> reply = co_await ask(operation);
-  if (!reply) co_return fail(reply);
-  if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
-  const std::string text((*reply)[0].text());
-  const Result<Datum> found = forms::interpret_vision_reply(text);
+  const Result<Datum> found = co_await answer_to(operation);
   if (!found) co_return fail(found);
   co_return found->size() > 2 && (*found)[2].is_symbol("ok");
 }

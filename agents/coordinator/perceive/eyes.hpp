@@ -35,6 +35,8 @@ class Eyes {
   bool tracks_all() const;
   Task<Result<void>> begin_tracking();
   Task<Result<Datum>> ask(Datum operation);
+  // The reply's text, as data.
+  Task<Result<Datum>> answer_to(Datum operation);
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
