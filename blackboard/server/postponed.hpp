@@ -1,7 +1,7 @@
 #pragma once
 
 // The messages of a client that wait, in order. The first waits for an index that it needs, for the client's turn
-// (costly_turns.hpp), or because the frame that it came with has cost enough for once. The others wait behind it. A
+// (workload.hpp), or because the frame that it came with has cost enough for once. The others wait behind it. A
 // request that waited is done anew.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it

@@ -166,7 +166,7 @@ bool Requests::answer(wire::SessionId id, Session& session, wire::RequestId numb
 std::optional<Result<Datum>> Requests::perform_in_turn(wire::SessionId id, Session& session,
                                                        const Postponed::Message& waiting) {
   const bool has_turn = waiting.has_waited() || workload_.is_free();
-  const std::size_t before = has_turn ? 0 : limits::examined - CostlyTurns::out_of_turn;
+  const std::size_t before = has_turn ? 0 : limits::examined - Workload::out_of_turn;
   const bool may_wait = has_turn && waiting.may_wait();
   const store::Indexing indexing(may_wait ? store::Indexing::May::make_in_parts : store::Indexing::May::not_make,
                                  &board_.store().index_maker());

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/limits.hpp"
-#include "blackboard/server/costly_turns.hpp"
+#include "blackboard/server/workload.hpp"
 #include "blackboard/store/store.hpp"
 #include "tests/blackboard/wall.hpp"
 
@@ -76,7 +76,7 @@ TEST_F(CostlyTells, RetractedByTheirKeysCountTheSame) {
 
 TEST_F(CostlyTells, OneNeedsNoTurnWhateverItsRelationHas) {
   make_indexes(arguments, true);
-  EXPECT_LE(tell(1), server::CostlyTurns::out_of_turn);
+  EXPECT_LE(tell(1), server::Workload::out_of_turn);
 }
 
 TEST_F(CostlyTells, BeyondTheBoundAreRefusedAndChangeNothing) {

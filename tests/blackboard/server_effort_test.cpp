@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "blackboard/limits.hpp"
+#include "blackboard/server/workload.hpp"
+#include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/server_fixture.hpp"
 
 namespace pizarra {
@@ -167,36 +169,44 @@ TEST_F(ServerEffort, ALoneClientHasAllMessagesOfItsFramesDoneInOrder) {
 }
 
 // Whatever waits of a client, the next turn is another's.
-TEST(CostlyTurns, EachClientHasOneAfterAnotherAndItsSessionsTakeThemInTurn) {
-  server::CostlyTurns turns;
-  for (const wire::SessionId session : {11U, 12U, 13U, 12U}) turns.wait("greedy", session);
-  turns.wait("polite", 21);
+TEST(Workload, GivesEachClientATurnAfterAnotherAndItsSessionsTakeThemInTurn) {
+  VirtualExecutor executor;
+  server::Workload workload(executor);
+  for (const wire::SessionId session : {11U, 12U, 13U, 12U}) workload.wait("greedy", session);
+  workload.wait("polite", 21);
   std::vector<wire::SessionId> order;
-  for (; !turns.empty(); order.push_back(turns.next())) EXPECT_LE(turns.clients(), 2U);
+  for (; !workload.empty(); order.push_back(workload.next())) EXPECT_LE(workload.clients(), 2U);
   EXPECT_EQ(order, (std::vector<wire::SessionId>{11, 21, 12, 13}));
 }
 
-TEST(CostlyTurns, AfterOneOthersAreHeardForAsLongAsItTook) {
-  server::CostlyTurns turns;
-  const Time begun(3600s);
-  turns.took(1, limits::examined, begun);
-  turns.heard(1);
-  EXPECT_TRUE(turns.is_free(begun)) << "nobody else speaks";
-  turns.heard(2);
-  EXPECT_TRUE(turns.is_resting(begun + 24ms));
-  EXPECT_FALSE(turns.is_free(begun + 24ms));
-  EXPECT_TRUE(turns.is_free(begun + 25ms));
-  turns.wait("greedy", 1);
-  EXPECT_FALSE(turns.is_resting(begun + 25ms));
-  EXPECT_FALSE(turns.is_free(begun + 25ms)) << "another waits";
+TEST(Workload, HearsOthersAfterATurnForAsLongAsItTook) {
+  VirtualExecutor executor;
+  server::Workload workload(executor);
+  std::optional<Time> turn;
+  workload.on_turn = [&] { turn = executor.now(); };
+  const Time begun = executor.now();
+  workload.took(1, limits::examined);
+  workload.heard(1);
+  EXPECT_TRUE(workload.is_free()) << "nobody else speaks";
+  workload.heard(2);
+  executor.run_for(24ms);
+  EXPECT_TRUE(workload.is_resting());
+  EXPECT_FALSE(workload.is_free());
+  workload.wait("greedy", 1);
+  executor.run_for(1ms);
+  EXPECT_FALSE(workload.is_resting());
+  EXPECT_FALSE(workload.is_free()) << "another waits";
+  EXPECT_EQ(turn, begun + 25ms);
+  workload.next();
+  EXPECT_TRUE(workload.is_free());
 }
 
-TEST(CostlyTurns, WhatLooksAtLittleNeedsNone) {
-  server::CostlyTurns turns;
-  const Time begun(3600s);
-  turns.took(1, server::CostlyTurns::out_of_turn, begun);
-  turns.heard(2);
-  EXPECT_FALSE(turns.is_resting(begun));
+TEST(Workload, NeedsNoRestAfterWhatLooksAtLittle) {
+  VirtualExecutor executor;
+  server::Workload workload(executor);
+  workload.took(1, server::Workload::out_of_turn);
+  workload.heard(2);
+  EXPECT_FALSE(workload.is_resting());
 }
 
 }  // namespace
