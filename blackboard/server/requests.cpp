@@ -110,15 +110,8 @@ void Requests::note_journey(const Datum& body, Time sent) {
 
 bool Requests::serve(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
   const Datum& message = waiting.datum;
-  const Revision before = board_.store().revision();
-  if (!answer(id, session, *wire::count_at(message, 2), waiting)) return false;
-  const bool timed = message.size() == 5;
-  if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
-  return true;
-}
-
-bool Requests::answer(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting) {
-  const Datum& body = waiting.datum[3];
+  const Datum& body = message[3];
+  const wire::RequestId number = *wire::count_at(message, 2);
   if (asks_past(body)) {
     ask_past(id, session, number, body);
     return true;
@@ -129,37 +122,41 @@ bool Requests::answer(wire::SessionId id, Session& session, wire::RequestId numb
     refuse_undone(session, number, body, room.error());
     return true;
   }
-  const Durability::Position before = durability_.position();
-  const std::optional<Result<Datum>> performed = perform_in_turn(id, session, waiting);
-  if (!performed) return false;
-  const Result<Datum>& result = *performed;
+  const Revision before = board_.store().revision();
+  const Done done{number, body, durable, durability_.position()};
+  const std::optional<Result<Datum>> result = perform_in_turn(id, session, waiting);
+  if (!result) return false;
+  answer(id, session, done, *result);
+  const bool timed = message.size() == 5;
+  if (timed && board_.store().revision() > before) note_journey(body, Time(Duration(message[4].integer())));
+  return true;
+}
+
+void Requests::answer(wire::SessionId id, Session& session, const Done& done, const Result<Datum>& result) {
   if (!result && is_refusal(result.error())) refusals_.note(session.client(), result.error());
   const Datum said = result_to_datum(result);
-  std::string text = reply_text(number, said);
-  const bool changed = durable && durability_.position() > before;
+  std::string text = reply_text(done.number, said);
+  const bool changed = done.durable && durability_.position() > done.before;
   if (changed) durability_.changed();
-  const Durability::Position awaited = durability_.awaited(board_.store(), body, durable);
+  const Durability::Position awaited = durability_.awaited(board_.store(), done.body, done.durable);
   const bool stands = result && changed;
-  if (must_be_done_once(body)) {
-    session.done.add(number, {text, awaited, stands});
+  if (must_be_done_once(done.body)) {
+    session.done.add(done.number, {text, awaited, stands});
     if (changed) {
       const std::string key = session.key ? session.key->key : "";
-      durability_.remember({id, session.teller, number, said, key});
+      durability_.remember({id, session.teller, done.number, said, key});
     }
   }
-  const bool goes_with_others = outbox_.is_receiving() && body.is_form("transact") && awaited == 0 && !session.holds;
-  if (goes_with_others) {
-    outbox_.owe(session.peer, text);
-    return true;
-  }
+  const bool goes_with_others =
+      outbox_.is_receiving() && done.body.is_form("transact") && awaited == 0 && !session.holds;
+  if (goes_with_others) return outbox_.owe(session.peer, text);
   // Changes go before the reply to the request that made them, and after the one to the request for them.
-  if (!body.is_form("watch")) outbox_.flush_all();
+  if (!done.body.is_form("watch")) outbox_.flush_all();
   if (awaited > 0) {
-    durability_.hold(id, number, {std::move(text), awaited, stands});
+    durability_.hold(id, done.number, {std::move(text), awaited, stands});
   } else {
     outbox_.reply(session, text);
   }
-  return true;
 }
 
 // Out of its turn it may look at few facts alone. Nothing where it must wait.
@@ -171,7 +168,9 @@ std::optional<Result<Datum>> Requests::perform_in_turn(wire::SessionId id, Sessi
   const store::Indexing indexing(may_wait ? store::Indexing::May::make_in_parts : store::Indexing::May::not_make,
                                  &board_.store().index_maker());
   std::size_t examined = before;
-  Result<Datum> result = perform(id, session, waiting.datum[3], examined);
+  const Datum& body = waiting.datum[3];
+  Result<Datum> result =
+      body.is_form("watch") ? watch(id, session, body, examined) : permitted_.perform(session.asking(), body, examined);
   const std::size_t looked_at = examined - before + indexing.examined();
   workload_.took_for_request(id, looked_at);
   if (indexing.awaited() != 0) {
@@ -181,11 +180,6 @@ std::optional<Result<Datum>> Requests::perform_in_turn(wire::SessionId id, Sessi
   if (has_turn || result || result.error().symbol != "too-costly") return result;
   workload_.wait(session.client(), id);
   return std::nullopt;
-}
-
-Result<Datum> Requests::perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
-  if (body.is_form("watch")) return watch(id, session, body, examined);
-  return permitted_.perform(session.asking(), body, examined);
 }
 
 bool Requests::asks_past(const Datum& body) const {

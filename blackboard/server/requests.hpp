@@ -53,9 +53,14 @@ class Requests {
 
  private:
   bool was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
-  bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
   std::optional<Result<Datum>> perform_in_turn(wire::SessionId id, Session& session, const Postponed::Message& waiting);
-  Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
+  struct Done {
+    wire::RequestId number;
+    const Datum& body;
+    bool durable;                 // whether it is about durable facts
+    Durability::Position before;  // where the journal ended
+  };
+  void answer(wire::SessionId id, Session& session, const Done& done, const Result<Datum>& result);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   bool asks_past(const Datum& body) const;
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
