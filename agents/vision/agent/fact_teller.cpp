@@ -28,9 +28,7 @@ void VisionFacts::add(Transaction& transaction, const std::vector<Datum>& facts)
 }
 
 void VisionFacts::retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const {
-  std::vector<Datum> pattern(arguments + 1, "?"_sym);
-  pattern.front() = std::move(relation);
-  transaction.retract(told_by(context_.name, Datum::list(std::move(pattern))));
+  transaction.retract(any_told_by(context_.name, std::move(relation), arguments));
 }
 
 Task<void> VisionFacts::tell(std::vector<Datum> facts) {
@@ -91,8 +89,7 @@ Task<void> VisionFacts::tell_tags(std::uint64_t frame, Time captured, std::vecto
 }
 
 Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& objects) {
-  const Datum any =
-      told_by(context_.name, list("found"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
+  const Datum any = any_told_by(context_.name, "found"_sym, 7);
   const Result<std::vector<Fact>> standing = co_await context_.board.facts(any);
   if (!standing) co_return;
   Transaction transaction;

@@ -13,13 +13,6 @@ constexpr Duration busy_pause = 50ms;
 
 bool is_busy(const Failure& failure) { return failure.symbol == "busy"; }
 
-// Any fact of a relation that has so many arguments besides the agent's name.
-Datum any_of(std::string_view agent, Datum relation, std::size_t arguments) {
-  std::vector<Datum> items(arguments + 1, "?"_sym);
-  items.front() = std::move(relation);
-  return told_by(agent, Datum::list(std::move(items)));
-}
-
 Transaction all_told_by(std::string_view agent, Transaction transaction) {
   for (Transaction::Step& step : transaction.steps) {
     if (auto* tell = std::get_if<Transaction::Tell>(&step)) tell->fact = told_by(agent, tell->fact);
@@ -49,9 +42,9 @@ Result<LearnedSample> sample_of(const Fact& learned, const std::vector<Fact>& te
 ObjectMemory::ObjectMemory(runtime::AgentContext& context, std::string directory)
     : context_(context),
       directory_(std::move(directory)),
-      samples_(any_of(context.name, "learned"_sym, 8)),
-      templates_(any_of(context.name, "learned-template"_sym, 10)),
-      focals_(any_of(context.name, "learned-focal"_sym, 3)) {}
+      samples_(any_told_by(context.name, "learned"_sym, 8)),
+      templates_(any_told_by(context.name, "learned-template"_sym, 10)),
+      focals_(any_told_by(context.name, "learned-focal"_sym, 3)) {}
 
 Result<void> ObjectMemory::open() {
   if (database_ && database_->in_place()) return {};
@@ -165,11 +158,12 @@ Task<Result<LearnedObjects>> ObjectMemory::known_to(std::string agent) {
 }
 
 Task<Result<ObjectMemory::Recalled>> ObjectMemory::read_facts(std::string agent) {
-  const Result<std::vector<Fact>> samples = co_await context_.board.facts(any_of(agent, "learned"_sym, 8));
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(any_told_by(agent, "learned"_sym, 8));
   if (!samples) co_return fail(samples);
-  const Result<std::vector<Fact>> templates = co_await context_.board.facts(any_of(agent, "learned-template"_sym, 10));
+  const Result<std::vector<Fact>> templates =
+      co_await context_.board.facts(any_told_by(agent, "learned-template"_sym, 10));
   if (!templates) co_return fail(templates);
-  const Result<std::vector<Fact>> focals = co_await context_.board.facts(any_of(agent, "learned-focal"_sym, 3));
+  const Result<std::vector<Fact>> focals = co_await context_.board.facts(any_told_by(agent, "learned-focal"_sym, 3));
   if (!focals) co_return fail(focals);
   Recalled recalled;
   for (const Fact& fact : *samples) {
