@@ -93,10 +93,16 @@ std::optional<SeenRange> range_of_tag(const camera::StereoModel& model, double f
 }
 
 SeenRange range_of_pose(const camera::StereoModel& model, const PlanePose& pose) {
-  const Eigen::Vector3d place(pose.place_mm[0] - model.base_line_mm / 2, pose.place_mm[1], pose.place_mm[2]);
+  const auto from_base = [&](const cv::Vec3d& place_mm) {
+    return Eigen::Vector3d(place_mm[0] - model.base_line_mm / 2, place_mm[1], place_mm[2]);
+  };
+  const Eigen::Vector3d place = from_base(pose.place_mm);
   const double range = place.norm();
   const Eigen::Vector3d sight = place / range;
-  const double variance = sight.dot(pose.covariance.topLeftCorner<3, 3>() * sight);
+  // In the other tilt it is elsewhere.
+  const double apart = from_base(pose.other.place_mm).norm() - range;
+  const double variance =
+      sight.dot(pose.covariance.topLeftCorner<3, 3>() * sight) + pose.share_of_other() * square(apart);
   return {range, std::hypot(pose.by_both ? 0 : spread_by_size * range, std::sqrt(variance))};
 }
 
