@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "agents/vision/image/levels.hpp"
+#include "agents/vision/marks/edge_shifts.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -20,6 +21,8 @@ constexpr double least_reach_px = 2.5;
 constexpr int spread_px = 5;
 constexpr double least_share = 0.12;
 constexpr double least_contrast = 10;  // grey levels
+// The change at a place is that of the levels one pixel to either side, which makes it wider by this, px^2.
+constexpr double variance_of_change = 1.0 / 3;
 // Nearer to a corner than this blur bends a border: the image's, px, and the template's, as a part of the mark's
 // standard deviation.
 constexpr double corner_px = 2.5;
@@ -53,7 +56,7 @@ class Profile {
     }
   }
   // Of the edge nearest and steepest; nothing where there is none.
-  bool find(double& off, double& inner, double& outer) const {
+  bool find(PlaneEdge& edge, double& width_px2) const {
     if (reach_ == 0) return false;
     int best = 0;
     double most = 0;
@@ -73,14 +76,17 @@ class Profile {
     while (high < best + spread_px && high < half_ - 1 && change(high + 1) > least) ++high;
     double sum = 0;
     double moment = 0;
+    double second = 0;
     for (int t = low; t <= high; ++t) {
       sum += change(t);
       moment += change(t) * t;
+      second += change(t) * t * t;
     }
-    off = moment / sum;
-    inner = level(std::max(low - 1, -half_));
-    outer = level(std::min(high + 1, half_));
-    return sign_ * (outer - inner) >= least_contrast;
+    edge.off_px = moment / sum;
+    width_px2 = second / sum - edge.off_px * edge.off_px - variance_of_change;
+    edge.inner = level(std::max(low - 1, -half_));
+    edge.outer = level(std::min(high + 1, half_));
+    return sign_ * (edge.outer - edge.inner) >= least_contrast;
   }
 
  private:
@@ -106,6 +112,7 @@ class Registration {
     const cv::Matx22d slope = fit_.slope();
     size_px_ = std::sqrt(std::abs(cv::determinant(slope)));
     fit_.edges.resize((outline.points.size() + search.every - 1) / search.every);
+    widths_px2_.resize(fit_.edges.size());
   }
 
   // Elsewhere nothing is asked of the outline.
@@ -141,9 +148,8 @@ class Registration {
       edge.normal = normal;
       const double bent = std::max(corner_share, corner_px / size_px_);
       edge.counts = point.from_corner > bent;
-      edge.is_straight = point.from_bend > bent;
       edge.measures = edge.counts && (shows_.empty() || shows_[i]);
-      edge.found = Profile(image_, at, normal, reach, sign_).find(edge.off_px, edge.inner, edge.outer);
+      edge.found = Profile(image_, at, normal, reach, sign_).find(edge, widths_px2_[i]);
       edge.at = at + edge.off_px * cv::Point2d(normal[0], normal[1]);
       if (!edge.measures) continue;
       ++counted;
@@ -238,6 +244,7 @@ class Registration {
     fit_.rms_px = std::sqrt(squares / supporting);
     fit_.middle_spread_px = middle_spread_px();
     fit_.supported = static_cast<double>(supporting) / counted;
+    note_shifts(outline_, widths_px2_, fit_);
     return true;
   }
 
@@ -256,7 +263,8 @@ class Registration {
   const PlaneSearch search_;
   const double sign_;  // 1 where the ground is lighter
   double size_px_;
-  std::vector<bool> shows_;  // the border, by the outline's points; empty: all may
+  std::vector<double> widths_px2_;  // of the edges' changes: variances
+  std::vector<bool> shows_;         // the border, by the outline's points; empty: all may
   Matrix8 normal_ = Matrix8::Identity();
   PlaneFit fit_;
 };

@@ -21,7 +21,7 @@ namespace pizarra::vision {
 struct PlaneEdge {
   bool found = false;
   std::size_t point = 0;  // of the outline
-  cv::Point2d at;         // px
+  cv::Point2d at;         // px; on an arc where it would be without blur
   cv::Vec2d normal;       // of the border where it was expected, out of the mark
   double off_px = 0;      // along the normal, from where the fit puts the border
   double inner = 0;       // grey levels on either side

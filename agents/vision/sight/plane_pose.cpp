@@ -11,8 +11,8 @@
 namespace pizarra::vision {
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector7 = Eigen::Matrix<double, 7, 1>;
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
 using Eigen::Vector2d;
 
 // Of an edge, px, at least.
@@ -38,6 +38,16 @@ constexpr double stretch_of_outline = 0.0003;
 constexpr double least_straight = 0.5;
 // How far the pixels' phase moves a mark's middle, px. It moves all of a side alike, so that no scatter shows it.
 constexpr double middle_phase_px = 0.015;
+// Grey levels: from here on lighter ones look alike, but for noise and what a JPEG leaves of them.
+constexpr double full_scale = 250;
+// It cuts off up to 40 % of a clipped edge's change, one part as likely as another. The centroid of what is left of a
+// Gaussian blur of 0.8 px lies so much nearer to the darker side: in the mean, by how much it differs from that, and by
+// how much of it from one side of the mark to another.
+constexpr double usual_pull_px = 0.2;
+constexpr double pull_spread_px = 0.2;
+constexpr double side_spread_px = 0.12;
+// One side of a mark turns by no more than this.
+constexpr double turn_of_side_rad = 0.8;
 // By how much worse another explanation must be.
 constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
@@ -48,14 +58,17 @@ constexpr double usual_turn_rad = 0.5;
 // A tilt that is less likely is none.
 constexpr double least_share_of_other = 0.01;
 
-// A look whose six numbers are those of an affine map.
-double affine_misfit(const std::vector<PlanePoint>& edges, double weight) {
-  Matrix6 normal = Matrix6::Zero();
-  Vector6 right = Vector6::Zero();
-  double squares = 0;
+// A look whose six numbers are those of an affine map, but for what pulls clipped edges.
+double affine_misfit(const std::vector<PlanePoint>& edges, const PlaneErrors& errors, double weight) {
+  const double known = 1 / (errors.pull_spread_px * errors.pull_spread_px);
+  Matrix7 normal = Matrix7::Zero();
+  Vector7 right = Vector7::Zero();
+  normal(6, 6) = known;
+  right[6] = known * errors.usual_pull_px;
+  double squares = right[6] * errors.usual_pull_px;
   for (const PlanePoint& edge : edges) {
-    Vector6 j;
-    j << edge.normal.x() * edge.plane, edge.normal.x(), edge.normal.y() * edge.plane, edge.normal.y();
+    Vector7 j;
+    j << edge.normal.x() * edge.plane, edge.normal.x(), edge.normal.y() * edge.plane, edge.normal.y(), edge.pulled;
     const double seen = edge.normal.dot(edge.seen);
     normal += weight * j * j.transpose();
     right += weight * j * seen;
@@ -87,6 +100,8 @@ struct Scatter {
   }
 };
 
+bool is_clipped(const PlaneEdge& edge) { return std::max(edge.inner, edge.outer) >= full_scale; }
+
 // The edges that a pose goes by.
 class PoseEdges {
  public:
@@ -115,12 +130,21 @@ class PoseEdges {
     scatter_.squares += edge.off_px * edge.off_px;
     if (before != nullptr) scatter_.beside += edge.off_px * before->off_px;
     ++scatter_.edges;
+    const bool is_same_side = before != nullptr && is_clipped(*before) == is_clipped(edge) &&
+                              edge.normal.dot(side_) > std::cos(turn_of_side_rad);
+    if (!is_same_side) {
+      side_ = edge.normal;
+      ++sides_;
+    }
+    const double darker = edge.inner < edge.outer ? -1 : 1;
     const cv::Vec2d p = outline_.points[edge.point].at - outline_.middle;
     points_.push_back(
         {Vector2d(p[0], p[1]) * unit_mm_,
          {(edge.at.x - model_.centre_x_px) / model_.focal_px, (edge.at.y - model_.centre_y_px) / model_.focal_px},
          Vector2d(edge.normal[0], edge.normal[1]) * model_.focal_px,
-         beside_mm});
+         beside_mm,
+         is_clipped(edge) ? darker : 0,
+         sides_});
   }
   const camera::StereoModel& model_;
   const PlaneOutline& outline_;
@@ -128,6 +152,8 @@ class PoseEdges {
   const Which which_;
   std::vector<PlanePoint> points_;
   Scatter scatter_;
+  cv::Vec2d side_;  // the normal where it begins
+  int sides_ = 0;
 };
 
 cv::Point2d in_image(const camera::StereoModel& model, const cv::Vec3d& place_mm) {
@@ -146,6 +172,9 @@ PlaneErrors errors_of(const PoseEdges& edges, const PlaneFace& face, double stre
   const double stretch = (1 - face.slimness) / (1 + face.slimness);
   out.stretch_spread = std::max(stretch_at_least, stretch * one_of_two);
   if (by_both) out.size_spread = size_spread_of_pair;
+  out.usual_pull_px = usual_pull_px;
+  out.pull_spread_px = pull_spread_px;
+  out.side_spread_px = side_spread_px;
   return out;
 }
 
@@ -214,7 +243,7 @@ std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const Plan
   };
   PlanePose out{told(both.front()), told(both.back())};
   out.by_both = by_both;
-  if (!by_both) out.affine_misfit = affine_misfit(edges.points(), weight);
+  if (!by_both) out.affine_misfit = affine_misfit(edges.points(), errors, weight);
   out.free_misfit = weight * explaining.scatter().squares / 2;
   return out;
 }

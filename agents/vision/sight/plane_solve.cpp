@@ -8,8 +8,9 @@
 namespace pizarra::vision {
 namespace {
 
-using Vector9 = Eigen::Matrix<double, 9, 1>;
-using Matrix9 = Eigen::Matrix<double, 9, 9>;
+constexpr int numbers = 10;
+using Numbers = Eigen::Matrix<double, numbers, 1>;
+using NumbersMatrix = Eigen::Matrix<double, numbers, numbers>;
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -27,14 +28,15 @@ Matrix3d turned_by(const Vector3d& rad) {
   return angle < 1e-12 ? Matrix3d(Matrix3d::Identity()) : Eigen::AngleAxisd(angle, rad / angle).toRotationMatrix();
 }
 
-PlaneGuess moved(const PlaneGuess& pose, const Vector9& change) {
-  return {turned_by(change.segment<3>(3)) * pose.turn, pose.place + change.head<3>(), pose.form + change.tail<3>()};
+PlaneGuess moved(const PlaneGuess& pose, const Numbers& change) {
+  return {turned_by(change.segment<3>(3)) * pose.turn, pose.place + change.head<3>(), pose.form + change.segment<3>(6),
+          pose.pull_px + change[9]};
 }
 
 // The normal matrix, the step's right side, and half the squared deviations.
 struct Equations {
-  Matrix9 normal = Matrix9::Zero();
-  Vector9 right = Vector9::Zero();
+  NumbersMatrix normal = NumbersMatrix::Zero();
+  Numbers right = Numbers::Zero();
   double misfit = 0;
 };
 
@@ -54,33 +56,70 @@ Vector3d in_space(const PlanePoint& point, const PlaneGuess& pose) {
   return turned(point, pose) + pose.place - point.beside_mm * Vector3d::UnitX();
 }
 
+// How far a point is off, px, and how it goes with each number.
+struct PointError {
+  double off;
+  Numbers by;
+};
+
+// Nothing where it lies behind the camera.
+std::optional<PointError> error_of(const PlanePoint& point, const PlaneGuess& pose) {
+  const Vector3d at = in_space(point, pose);
+  if (!(at.z() > 0)) return std::nullopt;
+  const Vector2d slope = at.head<2>() / at.z();
+  const Vector3d by_place = Vector3d(point.normal.x(), point.normal.y(), -point.normal.dot(slope)) / at.z();
+  const Vector2d in_plane = pose.turn.leftCols<2>().transpose() * by_place;
+  PointError out;
+  out.off = point.normal.dot(point.seen - slope) - point.pulled * pose.pull_px;
+  out.by << by_place, turned(point, pose).cross(by_place), by_form(point.plane).transpose() * in_plane, point.pulled;
+  return out;
+}
+
+// Adds what was known of the form and of the pull before.
+void add_known(Equations& to, const PlaneGuess& pose, const PlaneErrors& errors) {
+  to.normal.diagonal().segment<3>(3).array() += 1 / (unknown_turn_rad * unknown_turn_rad);
+  const Eigen::Vector4d spread(errors.size_spread, errors.stretch_spread, errors.stretch_spread, errors.pull_spread_px);
+  const Eigen::Vector4d prior = spread.array().square().inverse();
+  Eigen::Vector4d off;
+  off << pose.form - Vector3d::UnitX(), pose.pull_px - errors.usual_pull_px;
+  to.normal.diagonal().tail<4>() += prior;
+  to.right.tail<4>() -= prior.cwiseProduct(off);
+  to.misfit += prior.dot(off.cwiseAbs2()) / 2;
+}
+
 // Nothing where it lies behind the camera in part.
 std::optional<Equations> equations_of(std::span<const PlanePoint> points, const PlaneGuess& pose,
                                       const PlaneErrors& errors) {
   Equations out;
   for (const PlanePoint& point : points) {
-    const Vector3d at = in_space(point, pose);
-    if (!(at.z() > 0)) return std::nullopt;
-    const Vector2d slope = at.head<2>() / at.z();
-    const double off = point.normal.dot(point.seen - slope);
-    const Vector3d by_place = Vector3d(point.normal.x(), point.normal.y(), -point.normal.dot(slope)) / at.z();
-    const Vector2d in_plane = pose.turn.leftCols<2>().transpose() * by_place;
-    Vector9 j;
-    j << by_place, turned(point, pose).cross(by_place), by_form(point.plane).transpose() * in_plane;
-    for (int row = 0; row < 9; ++row) {
-      for (int column = 0; column <= row; ++column) out.normal(row, column) += errors.weight * j[row] * j[column];
+    const std::optional<PointError> error = error_of(point, pose);
+    if (!error) return std::nullopt;
+    for (int row = 0; row < numbers; ++row) {
+      for (int column = 0; column <= row; ++column) {
+        out.normal(row, column) += errors.weight * error->by[row] * error->by[column];
+      }
     }
-    out.right += errors.weight * off * j;
-    out.misfit += errors.weight * off * off / 2;
+    out.right += errors.weight * error->off * error->by;
+    out.misfit += errors.weight * error->off * error->off / 2;
   }
   out.normal.triangularView<Eigen::StrictlyUpper>() = out.normal.transpose();
-  out.normal.diagonal().segment<3>(3).array() += 1 / (unknown_turn_rad * unknown_turn_rad);
-  const Vector3d spread(errors.size_spread, errors.stretch_spread, errors.stretch_spread);
-  const Vector3d prior = spread.array().square().inverse();
-  const Vector3d off = pose.form - Vector3d::UnitX();
-  out.normal.diagonal().tail<3>() += prior;
-  out.right.tail<3>() -= prior.cwiseProduct(off);
-  out.misfit += prior.dot(off.cwiseAbs2()) / 2;
+  add_known(out, pose, errors);
+  return out;
+}
+
+// The covariance of an error that all pulled points of a side share.
+NumbersMatrix shared_by_sides(std::span<const PlanePoint> points, const PlaneGuess& pose, const PlaneErrors& errors,
+                              const NumbersMatrix& covariance) {
+  NumbersMatrix out = NumbersMatrix::Zero();
+  Numbers by_side = Numbers::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<PointError> error = error_of(points[i], pose);
+    if (error) by_side += errors.weight * points[i].pulled * error->by;
+    if (i + 1 < points.size() && points[i + 1].side == points[i].side) continue;
+    const Numbers moved_by_side = errors.side_spread_px * (covariance * by_side);
+    out += moved_by_side * moved_by_side.transpose();
+    by_side.setZero();
+  }
   return out;
 }
 
@@ -89,7 +128,7 @@ std::optional<SolvedPlane> solved(std::span<const PlanePoint> points, PlaneGuess
   if (!first) return std::nullopt;
   Equations now = *first;
   for (int step = 0; step < most_steps; ++step) {
-    Vector9 change = now.normal.ldlt().solve(now.right);
+    Numbers change = now.normal.ldlt().solve(now.right);
     if (!change.allFinite()) return std::nullopt;
     if (change.dot(now.right) < least_gain) break;
     std::optional<Equations> then;
@@ -103,7 +142,9 @@ std::optional<SolvedPlane> solved(std::span<const PlanePoint> points, PlaneGuess
     if (!then) break;
     now = *then;
   }
-  return SolvedPlane{pose, now.normal.inverse().topLeftCorner<6, 6>(), now.misfit};
+  NumbersMatrix covariance = now.normal.inverse();
+  covariance += shared_by_sides(points, pose, errors, covariance);
+  return SolvedPlane{pose, covariance.topLeftCorner<6, 6>(), now.misfit};
 }
 
 }  // namespace
@@ -138,7 +179,8 @@ std::vector<PlaneGuess> plane_guesses(const camera::StereoModel& model, cv::Poin
 std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::span<const PlaneGuess> guesses,
                                      const PlaneErrors& errors) {
   std::vector<SolvedPlane> out;
-  for (const PlaneGuess& guess : guesses) {
+  for (PlaneGuess guess : guesses) {
+    guess.pull_px = errors.usual_pull_px;
     const std::optional<SolvedPlane> one = solved(points, guess, errors);
     if (one) out.push_back(*one);
   }
@@ -148,7 +190,7 @@ std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::sp
 
 double off_px(const PlanePoint& point, const PlaneGuess& pose) {
   const Vector3d at = in_space(point, pose);
-  return point.normal.dot(point.seen - at.head<2>() / at.z());
+  return point.normal.dot(point.seen - at.head<2>() / at.z()) - point.pulled * pose.pull_px;
 }
 
 cv::Matx33d matx_of(const Matrix3d& turn) {

@@ -1,13 +1,14 @@
 #pragma once
 
-// Where a plane is in space, by points of it that one image shows, or both of a pair: Gauss-Newton steps on six numbers
-// and the plane's form, from both tilts that a look without perspective allows.
+// Where a plane is in space, by points of it that one image shows, or both of a pair: Gauss-Newton steps on six
+// numbers, the plane's form and what pulls edges, from both tilts that a look without perspective allows.
 //
 //   const std::vector<PlaneGuess> both = plane_guesses(model, middle, px_a_mm);
 //   const std::vector<SolvedPlane> poses = solve_plane(points, both, {.weight = 40});     // the likelier one first
 //
 // (D. Oberkampf, D. F. DeMenthon, L. S. Davis, Iterative pose estimation using coplanar feature points, 1996.) The
-// inverse of the normal matrix is the covariance (JCGM 100:2008, 6.2).
+// inverse of the normal matrix is the covariance (JCGM 100:2008, 6.2). The points of a side may share an error, which
+// no scatter shows. Its covariance is added.
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -24,6 +25,8 @@ struct PlanePoint {
   Eigen::Vector2d seen;    // slopes off the camera's axis
   Eigen::Vector2d normal;  // times the focal length, so that an error along it is in px
   double beside_mm = 0;    // how far to the right of the left camera the one stands that sees it
+  double pulled = 0;       // 1 or -1 where a clipped edge pulls it, along the normal or against it
+  int side = 0;            // of the plane's border: what is pulled on one side is pulled alike
 };
 
 struct PlaneGuess {
@@ -32,6 +35,7 @@ struct PlaneGuess {
   // How many times larger than said the plane is; by how much more it reaches along x, and less along y; and along one
   // diagonal, and less along the other.
   Eigen::Vector3d form = {1, 0, 0};
+  double pull_px = 0;  // how far what is pulled lies off
 };
 
 struct SolvedPlane {
@@ -45,6 +49,10 @@ struct PlaneErrors {
   // Of the form: what is nearly zero is known.
   double size_spread = 1e-6;
   double stretch_spread = 1e-6;
+  // Of the pull, in all; and how far that of one side may differ, px.
+  double usual_pull_px = 0;
+  double pull_spread_px = 1e-6;
+  double side_spread_px = 0;
 };
 
 // The image shows the plane's axes shortened. The rest of their length is depth, towards the camera or away from it,

@@ -181,6 +181,49 @@ TEST(Plane, IsTurnedAboutAsFarOffAsItsSpreadsSay) {
   }
 }
 
+Corners circle() {
+  Corners out;
+  for (int i = 0; i < 180; ++i) {
+    out.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
+  }
+  return out;
+}
+
+// Blur moves an arc inwards, and motion blurs two sides of it alone: that looks like a tilt of five degrees.
+TEST(Plane, OfACircleThatMovesFacesTheCamera) {
+  Random random(19);
+  const LearnedSample sample = learned(circle(), random);
+  for (const int motion_px : {5, 9}) {
+    cv::Mat1b image = filled(projected(circle(), cv::Matx33d::eye(), {0, 0, 500}), random, 1, 32);
+    cv::blur(image, image, {motion_px, 1});
+    const std::optional<Registered> seen = registered(image, sample);
+    ASSERT_TRUE(seen);
+    EXPECT_LT(degrees_between(seen->pose.turn, cv::Matx33d::eye()), 2) << motion_px;
+  }
+}
+
+// The ground of one side is lighter than white, by a lamp's reflection that falls on the print as well.
+TEST(Plane, OfASquareWithASideInGlareIsWithinItsSpreads) {
+  Random random(20);
+  const LearnedSample sample = learned(square, random);
+  double squares = 0;
+  constexpr int tries = 40;
+  for (int i = 0; i < tries; ++i) {
+    SCOPED_TRACE(i);
+    const double lies = random.uniform(0, 2 * CV_PI);
+    const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * random.uniform(0, 0.3)) *
+                             turned_about({0, 0, random.uniform(-0.7, 0.7)});
+    const cv::Vec3d place(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(400, 600));
+    cv::Mat1b image = filled(projected(square, turn, place), random, 1, 32);
+    const double from = projected({{0, 0}}, turn, place).front().x;
+    for (int x = 0; x < image.cols; ++x) image.col(x) += std::clamp(2 * (x - from), 0.0, 110.0);
+    const std::optional<Registered> seen = registered(image, sample);
+    ASSERT_TRUE(seen);
+    squares += std::min(squares_in_spreads(seen->pose, turn), squares_in_spreads(seen->pose.other, turn));
+  }
+  EXPECT_LT(std::sqrt(squares / (2 * tries)), 1);
+}
+
 TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
   Random random(5);
   const LearnedSample sample = learned(square, random);
@@ -229,12 +272,8 @@ TEST(Plane, PutsTheMiddleOfACrossWhereItsPoseIs) {
 // Two tilts of a circle look alike, and put its middle in two places. Telling one of them
 // would be off by 0.7 of the way between them, root mean square.
 TEST(Plane, PutsTheMiddleOfACircleBetweenBothOfItsTilts) {
-  Corners circle;
-  for (int i = 0; i < 180; ++i) {
-    circle.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
-  }
   Random random(13);
-  const LearnedSample sample = learned(circle, random);
+  const LearnedSample sample = learned(circle(), random);
   double off2 = 0;
   double apart2 = 0;
   for (int i = 0; i < 40; ++i) {
@@ -242,7 +281,7 @@ TEST(Plane, PutsTheMiddleOfACircleBetweenBothOfItsTilts) {
     const double lies = random.uniform(0, 2 * CV_PI);
     const cv::Matx33d turn = turned_about(cv::Vec3d(std::cos(lies), std::sin(lies), 0) * random.uniform(0.3, 0.9));
     const cv::Vec3d place(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(400, 600));
-    const std::optional<Registered> seen = registered(filled(projected(circle, turn, place), random), sample);
+    const std::optional<Registered> seen = registered(filled(projected(circle(), turn, place), random), sample);
     ASSERT_TRUE(seen);
     const auto in_image = [](const cv::Vec3d& at) { return projected({{0, 0}}, cv::Matx33d::eye(), at).front(); };
     const double apart = cv::norm(in_image(seen->pose.place_mm) - in_image(seen->pose.other.place_mm));
