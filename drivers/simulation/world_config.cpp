@@ -14,7 +14,9 @@ namespace pizarra::simulation {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> mark_names = {"circle", "square", "cross", "triangle"};
+constexpr std::array<std::string_view, 12> names_of_marks = {"circle",   "square",    "cross",    "triangle",
+                                                             "arrow",    "hourglass", "house",    "star",
+                                                             "letter-h", "letter-t",  "letter-y", "letter-z"};
 constexpr std::size_t longest_name = 64;
 constexpr double narrowest_view_px = 16;
 constexpr double widest_view_px = 4096;
@@ -84,12 +86,14 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
 }  // namespace
 
 std::optional<Mark> mark_from_name(std::string_view name) {
-  const auto found = std::ranges::find(mark_names, name);
-  if (found == mark_names.end()) return std::nullopt;
-  return static_cast<Mark>(found - mark_names.begin());
+  const auto found = std::ranges::find(names_of_marks, name);
+  if (found == names_of_marks.end()) return std::nullopt;
+  return static_cast<Mark>(found - names_of_marks.begin());
 }
 
-std::string_view mark_name(Mark mark) { return mark_names[static_cast<std::size_t>(mark)]; }
+std::string_view mark_name(Mark mark) { return names_of_marks[static_cast<std::size_t>(mark)]; }
+
+std::span<const std::string_view> mark_names() { return names_of_marks; }
 
 bool valid_name(std::string_view name) {
   return !name.empty() && name.size() <= longest_name && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&

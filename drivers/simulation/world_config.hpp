@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,25 @@
 
 namespace pizarra::simulation {
 
-enum class Mark : std::uint8_t { circle, square, cross, triangle };
+enum class Mark : std::uint8_t {
+  circle,
+  square,
+  cross,
+  triangle,
+  arrow,
+  hourglass,
+  house,
+  star,
+  letter_h,
+  letter_t,
+  letter_y,
+  letter_z
+};
 
-// "circle", "square", "cross", "triangle"; nothing for another word.
+// Such as "circle" and "letter-h"; nothing for another word.
 std::optional<Mark> mark_from_name(std::string_view name);
 std::string_view mark_name(Mark mark);
+std::span<const std::string_view> mark_names();
 // The form of an object's name: [A-Za-z][A-Za-z0-9-]*, at most 64 characters.
 bool valid_name(std::string_view name);
 

@@ -67,7 +67,7 @@ namespace pizarra::forms {
 
 struct CubePlacement {
   std::string name;
-  std::string mark;  // circle, triangle, square or cross
+  std::string mark;  // such as circle: docs/write-a-cell.md lists them
   double x_mm = 0;
   double y_mm = 0;
   double yaw_deg = 0;

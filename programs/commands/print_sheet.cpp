@@ -15,7 +15,7 @@ std::vector<Vector2d> box(double left, double top, double width, double height) 
 }
 
 void add_mark(Sheet& sheet, simulation::Mark mark, const Vector2d& centre) {
-  for (const auto& part : simulation::mark_outline(mark)) {
+  for (const simulation::Polygon& part : simulation::mark_shape(mark)) {
     std::vector<Vector2d>& area = sheet.areas.emplace_back();
     for (const Vector2d& point : part) area.emplace_back(centre + Vector2d(point.x(), -point.y()));
   }

@@ -10,25 +10,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double mark_size_mm = 44;
-constexpr double cross_arm_mm = 14.7;
-constexpr double triangle_height_mm = 37;
-constexpr int circle_sides = 48;
-
-std::vector<Vector2d> rectangle(double half_width, double half_height) {
-  return {
-      {-half_width, -half_height}, {half_width, -half_height}, {half_width, half_height}, {-half_width, half_height}};
-}
-
-std::vector<Vector2d> circle() {
-  // The polygon's area is the circle's.
-  const double sector = 2 * std::numbers::pi / circle_sides;
-  const double radius = mark_size_mm / 2 * std::sqrt(sector / std::sin(sector));
-  std::vector<Vector2d> out;
-  for (int i = 0; i < circle_sides; ++i) out.emplace_back(radius * std::cos(i * sector), radius * std::sin(i * sector));
-  return out;
-}
-
 Face make_face(const Points& points, std::vector<int> vertices, const Colour& colour) {
   const Vector3d a = points[static_cast<std::size_t>(vertices[0])];
   const Vector3d b = points[static_cast<std::size_t>(vertices[1])];
@@ -84,27 +65,11 @@ Solid make_prism(const Vector3d& from_mm, const Vector3d& to_mm, double from_rad
   return solid;
 }
 
-std::vector<std::vector<Vector2d>> mark_outline(Mark mark) {
-  const double half = mark_size_mm / 2;
-  switch (mark) {
-    case Mark::circle:
-      return {circle()};
-    case Mark::square:
-      return {rectangle(half, half)};
-    case Mark::cross:
-      return {rectangle(half, cross_arm_mm / 2), rectangle(cross_arm_mm / 2, half)};
-    case Mark::triangle:
-      break;
-  }
-  const double low = -triangle_height_mm / 3;
-  return {{{-half, low}, {half, low}, {0, low + triangle_height_mm}}};
-}
-
 void paint_mark(Face& face, const Vector3d& centre_mm, const Vector3d& up, Mark mark, double scale,
                 const Colour& colour, int id) {
   const Vector3d right = up.cross(face.normal);
   Decal decal{{}, lit(colour, face.normal), id};
-  for (const auto& part : mark_outline(mark)) {
+  for (const Polygon& part : mark_shape(mark)) {
     Points& points = decal.parts.emplace_back();
     for (const Vector2d& point : part)
       points.push_back(centre_mm + right * (scale * point.x()) + up * (scale * point.y()));

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "drivers/simulation/world_config.hpp"
+#include "drivers/simulation/render/mark_shape.hpp"
 
 namespace pizarra::simulation {
 
@@ -45,10 +45,6 @@ Solid make_box(const Eigen::Isometry3d& pose, const Eigen::Vector3d& centre_mm, 
 Solid make_prism(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm, double from_radius_mm,
                  double to_radius_mm, int sides, const Colour& colour);
 
-// A mark's convex parts around its centroid; x right, y up, mm.
-std::vector<std::vector<Eigen::Vector2d>> mark_outline(Mark mark);
-// The cube that a mark of this size is made for.
-inline constexpr double marked_cube_mm = 60;
 // Paints the mark, `scale` times its size, on a face's plane; `centre_mm` in the base frame, `up` the mark's upward
 // direction in the plane.
 void paint_mark(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up, Mark mark, double scale,

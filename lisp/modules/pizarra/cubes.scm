@@ -13,7 +13,7 @@
   #:use-module (pizarra forms)
   #:export (cubes-of cube-size-of openings-of row-of))
 
-(define marks '(circle triangle square cross))
+(define marks '(circle triangle square cross arrow hourglass house star letter-h letter-t letter-y letter-z))
 ;; Smaller marks are not recognised, and the fingers do not open wider.
 (define cube-sizes-mm '(40 64))
 (define most-opening-mm 100)
