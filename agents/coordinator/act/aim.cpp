@@ -112,7 +112,8 @@ std::optional<Eigen::Vector2d> Aims::free_spot_among(std::string_view held,
   lines.mark_half_mm = options_.gripper.outline.mark_half_mm;
   lines.margin_mm = off_spot_mm;
   const Shown shown = [&](const Eigen::Vector2d& spot) {
-    return scene_.view()->shows(on_table(spot.x(), spot.y(), cube), lines.mark_half_mm);
+    // The eyes need the white around a mark too.
+    return scene_.view()->shows(on_table(spot.x(), spot.y(), cube), cube / 2 + off_spot_mm);
   };
   const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
   const double from_y_mm = grip ? grip->y() : 0;
