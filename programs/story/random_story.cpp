@@ -9,7 +9,8 @@ namespace pizarra::story {
 
 namespace {
 
-// Every cube has its share of the row, and a pile stands in the middle of one, a little off.
+// The row is cut into equal shares, one for each cube, or as many as have room. A pile stands in the middle of one, a
+// little off.
 constexpr double off_x_mm = 25;
 constexpr double off_y_mm = 6;
 constexpr double off_yaw_deg = 10;
@@ -24,25 +25,34 @@ void shuffle(std::vector<T>& items, Random& random) {
   for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
 }
 
-Piles random_piles(std::vector<std::string> names, Random& random) {
+// At most `most` piles.
+Piles random_piles(std::vector<std::string> names, std::size_t most, Random& random) {
   shuffle(names, random);
   Piles piles;
   for (const std::string& name : names) {
-    const std::uint64_t pile = random.below(piles.size() + 1);
+    const std::uint64_t pile = random.below(std::min(piles.size() + 1, most));
     if (pile == piles.size()) piles.emplace_back();
     piles[pile].push_back(name);
   }
   return piles;
 }
 
-double share_mm(const forms::CellDescription& cell) {
-  return (cell.row.y_high_mm - cell.row.y_low_mm) / static_cast<double>(cell.cubes.size());
+double row_mm(const forms::CellDescription& cell) { return cell.row.y_high_mm - cell.row.y_low_mm; }
+
+std::size_t shares(const forms::CellDescription& cell) {
+  return std::min(cell.cubes.size(), static_cast<std::size_t>(row_mm(cell) / cell.openings.wide_mm));
+}
+
+// Where not every cube has a share, one is left free, so that cubes can be put down.
+std::size_t most_piles(const forms::CellDescription& cell) {
+  return shares(cell) < cell.cubes.size() ? shares(cell) - 1 : shares(cell);
 }
 
 std::vector<forms::CubePlacement> place_piles(const Piles& piles, const forms::CellDescription& cell, Random& random) {
   std::vector<double> middles_mm;
-  for (std::size_t i = 0; i < cell.cubes.size(); ++i) {
-    middles_mm.push_back(cell.row.y_low_mm + (static_cast<double>(i) + 0.5) * share_mm(cell));
+  const double share_mm = row_mm(cell) / static_cast<double>(shares(cell));
+  for (std::size_t i = 0; i < shares(cell); ++i) {
+    middles_mm.push_back(cell.row.y_low_mm + (static_cast<double>(i) + 0.5) * share_mm);
   }
   shuffle(middles_mm, random);
   std::vector<forms::CubePlacement> out;
@@ -77,12 +87,13 @@ bool stands_on(const Piles& piles, std::string_view upper, std::string_view lowe
 
 // A goal made of an arrangement of all cubes: which stands on which, and at times which stand on the table. It differs
 // from the start, so that there is something to do.
-std::vector<Datum> random_goal(const std::vector<std::string>& names, const Piles& start, Random& random) {
+std::vector<Datum> random_goal(const std::vector<std::string>& names, std::size_t most, const Piles& start,
+                               Random& random) {
   std::vector<Datum> goal;
   bool differs = false;
   while (!differs) {
     goal.clear();
-    for (const auto& pile : random_piles(names, random)) {
+    for (const auto& pile : random_piles(names, most, random)) {
       for (std::size_t i = 1; i < pile.size(); ++i) {
         goal.push_back(on(pile[i], pile[i - 1]));
         differs = differs || !stands_on(start, pile[i], pile[i - 1]);
@@ -130,11 +141,12 @@ std::vector<Datum> random_disturbance(std::vector<std::string> names, const form
 }  // namespace
 
 Result<void> check_random_cell(const forms::CellDescription& cell, const forms::Domain& domain) {
-  if (cell.cubes.size() < 2 || share_mm(cell) < cell.openings.wide_mm) {
-    return fail("bad-cell",
-                fmt::format("random stories are about 2 cubes or more with {} mm of the row each, and this "
-                            "cell has {} and a row of {} mm",
-                            cell.openings.wide_mm, cell.cubes.size(), cell.row.y_high_mm - cell.row.y_low_mm));
+  if (cell.cubes.size() < 2 || shares(cell) < 2) {
+    return fail(
+        "bad-cell",
+        fmt::format("random stories are about 2 cubes or more in 2 piles or more with {} mm of the row each, and "
+                    "this cell has {} and a row of {} mm",
+                    cell.openings.wide_mm, cell.cubes.size(), row_mm(cell)));
   }
   for (const auto& [name, arguments] : {std::pair("on", 2U), std::pair("on-table", 1U)}) {
     const auto found = std::ranges::find(domain.predicates, name, &forms::Predicate::name);
@@ -154,10 +166,11 @@ RandomStory random_story(forms::CellDescription cell, Random random) {
 
   RandomStory story;
   story.cell = std::move(cell);
-  const Piles piles = random_piles(names, start);
+  const std::size_t most = most_piles(story.cell);
+  const Piles piles = random_piles(names, most, start);
   story.cell.cubes = place_piles(piles, story.cell, start);
   story.scenario.name = "random";
-  story.scenario.goal = random_goal(names, piles, wish);
+  story.scenario.goal = random_goal(names, most, piles, wish);
   story.scenario.within_s = within_s;
   const double at_s = trouble.uniform(0, latest_disturbance_s);
   std::vector<Datum> actions{list("wait"_sym, at_s)};

@@ -1,5 +1,6 @@
 #include "programs/story/random_story.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -42,6 +43,19 @@ TEST(RandomStory, EveryStoryCanBePlayedInASoundWorld) {
     EXPECT_TRUE(story::check_scenario(story.scenario)) << "seed " << seed;
     EXPECT_FALSE(story.scenario.goal.empty()) << "seed " << seed;
     EXPECT_EQ(story.cell.cubes.size(), 4U) << "seed " << seed;
+  }
+}
+
+TEST(RandomStory, MoreCubesThanTheRowHasRoomForStandInPilesThatLeaveAPlaceFree) {
+  forms::CellDescription cell = four_cubes();
+  for (const char* name : {"star", "house", "arrow", "letter-h"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
+  const auto room = static_cast<std::ptrdiff_t>((cell.row.y_high_mm - cell.row.y_low_mm) / cell.openings.wide_mm);
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const story::RandomStory story = story::random_story(cell, Random(seed));
+    EXPECT_TRUE(launcher::world_config(story.cell, seed)) << "seed " << seed;
+    EXPECT_EQ(story.cell.cubes.size(), 8U) << "seed " << seed;
+    const auto piles = std::ranges::count(story.cell.cubes, std::string(), &forms::CubePlacement::on);
+    EXPECT_LT(piles, room) << "seed " << seed;
   }
 }
 
