@@ -33,7 +33,7 @@ std::string file_in(const std::string& folder, const char* name) { return folder
 
 // A member that speaks TLS alone closes the connection of a client that does not, without a word.
 std::string why_no_answer(CURLcode code, bool encrypted) {
-  const std::string why = curl_easy_strerror(code);
+  std::string why = curl_easy_strerror(code);
   if (encrypted || code != CURLE_GOT_NOTHING) return why;
   return why + ": where it asks for TLS, name the folder of ca.crt, client.crt and client.key with --log-certificates";
 }
@@ -46,6 +46,8 @@ class EtcdClient::Connection {
     headers_ = curl_slist_append(nullptr, "Content-Type: application/json");
     // Without it curl asks first whether it may send a large body, and waits.
     headers_ = curl_slist_append(headers_, "Expect:");
+    // With it, a member that asks for certificates writes a warning of each request into its log.
+    headers_ = curl_slist_append(headers_, "Accept:");
     curl_easy_setopt(curl_, CURLOPT_HTTPHEADER, headers_);
     curl_easy_setopt(curl_, CURLOPT_NOSIGNAL, 1L);
     // With TLS, etcd's port between members offers HTTP/2 and does not answer it.

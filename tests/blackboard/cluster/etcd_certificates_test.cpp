@@ -60,6 +60,15 @@ TEST_F(EtcdWithCertificates, AsksAClientWithoutOneForTheFolderOfCertificates) {
   EXPECT_TRUE(bare.error().sentence.contains("--log-certificates")) << bare.error().sentence;
 }
 
+// A board asks ten times a second, and nothing bounds that log.
+TEST_F(EtcdWithCertificates, WritesNoLineOfItsLogForARequest) {
+  ASSERT_TRUE(put(*client(own_), std::chrono::seconds(60)).has_value());
+  for (int request = 0; request < 5; ++request) ASSERT_TRUE(get(*client(own_), "a", 5s).has_value());
+  const std::string said = etcd_->said();
+  EXPECT_TRUE(said.contains("serving client requests")) << said;
+  EXPECT_FALSE(said.contains("proxy request")) << said;
+}
+
 TEST_F(EtcdWithCertificates, IsRefusedWhereAFileIsMissing) {
   std::filesystem::remove(own_ + "/client.key");
   const auto refused = EtcdClient::open(LogAddress::from(etcd_->address("cell"), own_, false).value());

@@ -6,6 +6,8 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -99,6 +101,11 @@ RealEtcd::~RealEtcd() {
 
 std::string RealEtcd::address(const std::string& cell) const {
   return fmt::format("etcd://127.0.0.1:{}/{}", port_, cell);
+}
+
+std::string RealEtcd::said() const {
+  std::ifstream log(folder_ + ".log");
+  return {std::istreambuf_iterator<char>(log), {}};
 }
 
 void RealEtcd::signal(int number) const {

@@ -31,6 +31,8 @@ class RealEtcd {
   ~RealEtcd();
   std::string address(const std::string& cell) const;
   void signal(int number) const;
+  // Its own log.
+  std::string said() const;
 
  private:
   pid_t pid_ = 0;
