@@ -122,6 +122,17 @@ TEST_P(Links, EndEverythingOnAHostWithoutPower) {
   EXPECT_EQ(probe("arm-pc", comes_through), 0);
 }
 
+// No process has such a number. Another test beside this one may be the next.
+TEST_P(Links, TakeTheHostsAwayThatAKilledTestLeft) {
+  const std::string left = fmt::format("pz2147483647-{}", getpid());
+  ASSERT_EQ(run({"ip", "netns", "add", left}).status, 0);
+  FILE* asleep = popen(("exec ip netns exec " + left + " sh -c 'echo on; exec sleep 300' 2>&1").c_str(), "r");
+  EXPECT_NE(std::fgetc(asleep), EOF);
+  const Network next("next", {"arm-pc"}, GetParam());
+  EXPECT_FALSE(run({"ip", "netns", "list"}).text.contains(left));
+  EXPECT_NE(pclose(asleep), 0) << "it was not killed";
+}
+
 TEST_P(Links, AreSlowLossyNarrowOrOneWay) {
   if (GetParam() == Network::Wires::veth) GTEST_SKIP() << "veth is whole or cut";
   network_->link("arm-pc", "both delay 40");

@@ -1,5 +1,6 @@
 #include "tests/network/network.hpp"
 
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -31,6 +32,25 @@ std::string first_line_of(int file) {
   return line;
 }
 
+// The process of the test that made it; 0 where none of ours did.
+int test_of(const std::string& name_space) {
+  int test = 0;
+  if (!name_space.starts_with("pz")) return 0;
+  std::from_chars(name_space.data() + 2, name_space.data() + name_space.size(), test);
+  return test;
+}
+
+// A test that was killed took nothing away with it: its hosts, and what runs there, go before the next one's come.
+void remove_what_dead_tests_left() {
+  std::error_code none_yet;
+  for (const auto& entry : std::filesystem::directory_iterator("/run/netns", none_yet)) {
+    const std::string name = entry.path().filename();
+    const int test = test_of(name);
+    if (test == 0 || std::filesystem::exists(fmt::format("/proc/{}", test))) continue;
+    quietly(fmt::format("for pid in $(ip netns pids {0}); do kill -9 $pid; done; ip netns del {0}", name));
+  }
+}
+
 }  // namespace
 
 std::string Network::unavailable() {
@@ -49,6 +69,7 @@ Network::Network(const std::string& name, Wires wires)
 // Where it fails midway, the destructor takes away what there is: Ctrl-C may have ended a program `ip`.
 Network::Network(const std::string& name, const std::vector<std::string>& hosts, Wires wires) : Network(name, wires) {
   int number = 0;
+  remove_what_dead_tests_left();
   std::filesystem::create_directories(shared_folder());
   for (const std::string& host : hosts) {
     const Host& made = hosts_[host] = {fmt::format("{}-{}", prefix_, host), fmt::format("10.83.0.{}", ++number),

@@ -12,7 +12,7 @@
 //
 // With veth, hosts are on a bridge, and a link is whole or cut; forwarded, every packet comes through pizarra-links.
 // All of it goes with the object: its processes are killed, its namespaces removed. Names hold the test's process, so
-// that two tests never meet.
+// that two tests never meet, and the next test removes what is left of one that was killed.
 
 #include <chrono>
 #include <map>
