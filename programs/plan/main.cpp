@@ -13,7 +13,7 @@
 #include "agents/planner/external/external_plan.hpp"
 #include "agents/planner/fast/fast_planner.hpp"
 #include "agents/planner/files/task_files.hpp"
-#include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/plan_mode.hpp"
 #include "lisp/json.hpp"

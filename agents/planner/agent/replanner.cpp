@@ -33,12 +33,7 @@ std::set<std::string_view> predicates_of_absents(const PlanningTask& task) {
 bool is_complement(const Datum& fact) { return fact.is_form("not") && fact.size() == 2 && fact[1].is_list(); }
 
 Outcome plan_of(LastPlan::Steps steps, std::string_view engine) {
-  return {.kind = Outcome::Kind::plan,
-          .steps = std::move(steps),
-          .culprits = {},
-          .spent = {},
-          .nodes = 0,
-          .engine = engine};
+  return {.kind = Outcome::Kind::plan, .steps = std::move(steps), .engine = engine};
 }
 
 }  // namespace
@@ -116,7 +111,7 @@ Outcome Replanner::search_fast(const Budget& budget, const std::function<bool()>
   if (!known_->nearness) known_->nearness.emplace(problem, cancelled);
   if (stopped) {
     known_->nearness.reset();
-    return {.kind = Outcome::Kind::cancelled, .steps = {}, .culprits = {}, .spent = {}};
+    return {.kind = Outcome::Kind::cancelled};
   }
   Nearness& nearness = *known_->nearness;
   if (known_->last) {

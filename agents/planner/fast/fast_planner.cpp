@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <new>
 
+#include "agents/planner/distance/compact_problem.hpp"
 #include "agents/planner/distance/impossible_goals.hpp"
 #include "agents/planner/fast/beam_search.hpp"
 #include "agents/planner/fast/greedy_search.hpp"
 #include "agents/planner/fast/hill_climbing.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
-#include "agents/planner/fast/plan_shape.hpp"
 #include "agents/planner/fast/proved_shortest.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 
@@ -27,17 +27,36 @@ constexpr std::size_t first_attempts_an_action = 5;
 constexpr std::size_t vain_attempts = 1000;
 constexpr std::size_t vain_attempts_an_action = 60;
 
-Outcome ended(Outcome::Kind kind, std::size_t nodes) {
-  return {.kind = kind, .steps = {}, .culprits = {}, .spent = {}, .nodes = nodes, .engine = "fast"};
+bool comes_after(const GroundAction& later, const GroundAction& earlier) {
+  const auto needed = [&](std::size_t fact) { return std::ranges::binary_search(later.preconditions, fact); };
+  return std::ranges::any_of(earlier.adds, needed) || interfere(later, earlier);
 }
+
+// Every action in the first step that its order with those before it allows.
+std::vector<std::vector<std::size_t>> in_parallel(const Problem& problem, const std::vector<ActionIndex>& plan) {
+  std::vector<std::vector<std::size_t>> steps;
+  for (const ActionIndex index : plan) {
+    std::size_t step = steps.size();
+    const GroundAction& action = problem.actions[index];
+    const auto free_of = [&](const std::vector<std::size_t>& others) {
+      return std::ranges::none_of(others,
+                                  [&](std::size_t other) { return comes_after(action, problem.actions[other]); });
+    };
+    while (step > 0 && free_of(steps[step - 1])) --step;
+    if (step == steps.size()) steps.emplace_back();
+    steps[step].push_back(index);
+  }
+  for (std::vector<std::size_t>& step : steps) std::ranges::sort(step);
+  return steps;
+}
+
+Outcome ended(Outcome::Kind kind, std::size_t nodes) { return {.kind = kind, .nodes = nodes, .engine = "fast"}; }
 
 Outcome without_plan(SearchEnd end, const Problem& problem, const Effort& effort) {
   if (end == SearchEnd::cancelled) return ended(Outcome::Kind::cancelled, effort.nodes());
   Outcome outcome = ended(end == SearchEnd::spent ? Outcome::Kind::gave_up : Outcome::Kind::none, effort.nodes());
   if (end == SearchEnd::spent) outcome.spent = fmt::format("{} states", effort.nodes());
-  if (end == SearchEnd::exhausted) {
-    problem.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
-  }
+  if (end == SearchEnd::exhausted) outcome.culprits = problem.goals.members();
   return outcome;
 }
 

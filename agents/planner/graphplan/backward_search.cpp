@@ -11,12 +11,6 @@ namespace {
 constexpr std::size_t max_depth = 6000;
 constexpr std::size_t nodes_between_looks = 1024;
 
-std::vector<std::size_t> facts_of(const Bits& bits) {
-  std::vector<std::size_t> facts;
-  bits.for_each([&](std::size_t fact) { facts.push_back(fact); });
-  return facts;
-}
-
 }  // namespace
 
 BackwardSearch::BackwardSearch(const Problem& problem, const PlanningGraph& graph, const Budget& budget,
@@ -55,7 +49,7 @@ bool BackwardSearch::solve(const Bits& goals, std::size_t level, Bits& conflict)
   if (support(goals, level, nullptr, conflict)) return true;
   if (stopped()) return false;
   shrink(conflict, level);
-  nogoods_.add(facts_of(conflict), level);
+  nogoods_.add(conflict.members(), level);
   return false;
 }
 
@@ -64,7 +58,7 @@ void BackwardSearch::shrink(Bits& conflict, std::size_t level) {
   if (level == 1) return;
   const Horizon horizon{nogoods_, level - 1};
   Bits smaller(problem_.facts.size());
-  for (const std::size_t fact : facts_of(conflict)) {
+  for (const std::size_t fact : conflict.members()) {
     if (!conflict.test(fact)) continue;
     Bits without = conflict;
     without.reset(fact);
@@ -108,8 +102,7 @@ bool BackwardSearch::choose(Level& level, const Bits& open, const Bits& excluded
   Bits candidates = graph_.supporters(goal);
   candidates &= level.actions.present;
   candidates -= excluded;
-  std::vector<std::size_t> order;
-  candidates.for_each([&](std::size_t action) { order.push_back(action); });
+  std::vector<std::size_t> order = candidates.members();
   // To keep what holds adds nothing to the plan; of the others those of the domain's first operators are preferred.
   std::ranges::stable_partition(order, [&](std::size_t action) { return graph_.keeps(action); });
 
@@ -204,7 +197,7 @@ bool BackwardSearch::push_all(std::size_t level) {
     if (support(facts, level + 1, &horizon, conflict)) {
       all = false;
     } else if (!stopped()) {
-      nogoods_.add(facts_of(conflict), level + 1);
+      nogoods_.add(conflict.members(), level + 1);
     }
   }
   return all;

@@ -11,7 +11,7 @@ GuidedSearch::GuidedSearch(const Problem& problem, Nearness& nearness, LandmarkB
     : problem_(problem), nearness_(nearness), bound_(bound), dead_ends_(dead_ends) {}
 
 Outcome GuidedSearch::ended(Outcome::Kind kind, std::string spent) const {
-  return {.kind = kind, .steps = {}, .culprits = {}, .spent = std::move(spent), .nodes = nodes_};
+  return {.kind = kind, .spent = std::move(spent), .nodes = nodes_};
 }
 
 std::size_t GuidedSearch::know(const Bits& state) {
@@ -117,7 +117,7 @@ Outcome GuidedSearch::run(const Budget& budget, const std::function<bool()>& can
   }
   if (cancelled()) return ended(Outcome::Kind::cancelled);
   Outcome outcome = ended(Outcome::Kind::none);
-  problem_.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
+  outcome.culprits = problem_.goals.members();
   return outcome;
 }
 

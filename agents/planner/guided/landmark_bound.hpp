@@ -29,11 +29,10 @@ std::optional<FactGroup> resource_of_all(const Problem& problem, const Bits& act
 class LandmarkBound {
  public:
   // The arguments outlive it.
-  LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group)
-      : LandmarkBound(problem, exclusions, group, [] { return false; }) {}
   // Worthless once cancelled() was true.
-  LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group,
-                const std::function<bool()>& cancelled);
+  LandmarkBound(
+      const Problem& problem, const Exclusions& exclusions, const FactGroup& group,
+      const std::function<bool()>& cancelled = [] { return false; });
 
   // Whether each action that can be taken is counted, so that no two of them fit into one step.
   bool counts_every_action() const { return counts_every_action_; }

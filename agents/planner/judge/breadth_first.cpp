@@ -23,10 +23,6 @@ std::vector<std::vector<std::size_t>> steps_to(const std::vector<Reached>& reach
   return steps;
 }
 
-Outcome ended(Outcome::Kind kind, std::size_t nodes) {
-  return {.kind = kind, .steps = {}, .culprits = {}, .spent = {}, .nodes = nodes};
-}
-
 }  // namespace
 
 Outcome BreadthFirst::solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) {
@@ -35,15 +31,11 @@ Outcome BreadthFirst::solve(const Problem& problem, const Budget& budget, const 
   const std::size_t bytes_a_state = 2 * problem.initials.words().size() * 8 + 128;
   for (std::size_t index = 0; index < reached.size(); ++index) {
     if (problem.goals.subset_of(reached[index].state)) {
-      Outcome outcome = ended(Outcome::Kind::plan, reached.size());
-      outcome.steps = steps_to(reached, index);
-      return outcome;
+      return {.kind = Outcome::Kind::plan, .steps = steps_to(reached, index), .nodes = reached.size()};
     }
-    if (index % 256 == 0 && cancelled()) return ended(Outcome::Kind::cancelled, reached.size());
+    if (index % 256 == 0 && cancelled()) return {.kind = Outcome::Kind::cancelled, .nodes = reached.size()};
     if (reached.size() > budget.nodes || reached.size() * bytes_a_state > budget.bytes) {
-      Outcome outcome = ended(Outcome::Kind::gave_up, reached.size());
-      outcome.spent = fmt::format("{} states", reached.size());
-      return outcome;
+      return {.spent = fmt::format("{} states", reached.size()), .nodes = reached.size()};
     }
     for (std::size_t i = 0; i < problem.actions.size(); ++i) {
       const GroundAction& action = problem.actions[i];
@@ -53,9 +45,7 @@ Outcome BreadthFirst::solve(const Problem& problem, const Budget& budget, const 
       if (seen.insert(next).second) reached.push_back({std::move(next), index, i});
     }
   }
-  Outcome outcome = ended(Outcome::Kind::none, reached.size());
-  problem.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
-  return outcome;
+  return {.kind = Outcome::Kind::none, .culprits = problem.goals.members(), .nodes = reached.size()};
 }
 
 Result<bool> any_plan(const PlanningTask& task, const Budget& budget) {

@@ -16,12 +16,7 @@ constexpr std::size_t stepwise_nodes = 100'000;
 constexpr std::size_t most_facts_for_dead_ends = 5000;
 
 Outcome none_because(std::vector<std::size_t> culprits) {
-  return {.kind = Outcome::Kind::none,
-          .steps = {},
-          .culprits = std::move(culprits),
-          .spent = {},
-          .nodes = 0,
-          .engine = "exclusions"};
+  return {.kind = Outcome::Kind::none, .culprits = std::move(culprits), .engine = "exclusions"};
 }
 
 // A goal that can never hold, or two that never hold together.
@@ -45,10 +40,7 @@ std::vector<std::size_t> excluded_goals(const Bits& goals, const Exclusions& exc
 std::size_t table_bytes(const Problem& problem) { return 3 * problem.facts.size() * problem.facts.size() / 8; }
 
 Outcome out_of_memory(const Budget& budget) {
-  return {.kind = Outcome::Kind::gave_up,
-          .steps = {},
-          .culprits = {},
-          .spent = fmt::format("{} MB of memory", budget.bytes >> 20)};
+  return {.kind = Outcome::Kind::gave_up, .spent = fmt::format("{} MB of memory", budget.bytes >> 20)};
 }
 
 Budget part(Budget budget, std::size_t nodes, std::size_t used) {
@@ -89,13 +81,13 @@ void OptimalSearch::forget() {
 
 Outcome OptimalSearch::run(const Budget& budget, const std::function<bool()>& caller_cancelled) {
   if (problem_.goals.subset_of(problem_.initials)) {
-    return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0, .engine = "guided"};
+    return {.kind = Outcome::Kind::plan, .engine = "guided"};
   }
   bool stopped = false;  // for good: what was given up half-way must not be used
   const std::function<bool()> cancelled = [&] { return stopped = stopped || caller_cancelled(); };
   const auto gone = [&] {
     forget();
-    return Outcome{.kind = Outcome::Kind::cancelled, .steps = {}, .culprits = {}, .spent = {}};
+    return Outcome{.kind = Outcome::Kind::cancelled};
   };
   if (!exclusions_ && table_bytes(problem_) > budget.bytes) return out_of_memory(budget);
   if (!exclusions_) exclusions_.emplace(problem_, cancelled);
@@ -104,9 +96,7 @@ Outcome OptimalSearch::run(const Budget& budget, const std::function<bool()>& ca
   if (!excluded.empty()) return none_because(std::move(excluded));
   if (!prepare(cancelled)) return gone();
   if (!dead_ends_ || !dead_ends_->contain(problem_.initials)) return attempt(budget, cancelled);
-  std::vector<std::size_t> goals;
-  problem_.goals.for_each([&](std::size_t goal) { goals.push_back(goal); });
-  return none_because(std::move(goals));
+  return none_because(problem_.goals.members());
 }
 
 // One search after another, while budget is left.

@@ -47,4 +47,12 @@ class OptimalSearch {
   std::optional<SatSearch> sat_;
 };
 
+// The same for one plan alone.
+class OptimalPlanner : public PlanEngine {
+ public:
+  Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override {
+    return OptimalSearch(problem).run(budget, cancelled);
+  }
+};
+
 }  // namespace pizarra::planner

@@ -116,7 +116,7 @@ bool SatSearch::prove_none(Run& run) {
 }
 
 Outcome SatSearch::run(std::size_t at_least, const Budget& budget, const std::function<bool()>& cancelled) {
-  Run run{budget, cancelled, {.kind = Outcome::Kind::gave_up, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0}};
+  Run run{budget, cancelled, {.kind = Outcome::Kind::gave_up}};
   if (solver_ && solver_->bytes() > budget.bytes / 2) solver_.reset();
   if (!solver_) solver_ = std::make_unique<Solver>(problem_, exclusions_, regression_);
   std::size_t until_proof = steps_before_proof;
@@ -127,7 +127,7 @@ Outcome SatSearch::run(std::size_t at_least, const Budget& budget, const std::fu
     if (!regression_.allows(problem_.initials, steps)) {
       if (!levelled_off) continue;
       run.outcome.kind = Outcome::Kind::none;
-      problem_.goals.for_each([&](std::size_t goal) { run.outcome.culprits.push_back(goal); });
+      run.outcome.culprits = problem_.goals.members();
       return run.outcome;
     }
     if (try_steps(run, steps)) return run.outcome;

@@ -45,12 +45,9 @@ class Search {
     if (goal_) steps = without_idle_actions(problem_, steps_to(*goal_));
     Outcome outcome{.kind = goal_ && stop_ == Outcome::Kind::none ? Outcome::Kind::plan : stop_,
                     .steps = std::move(steps),
-                    .culprits = {},
                     .spent = fmt::format("{} steps from {} states", steps_seen_, index),
                     .nodes = steps_seen_};
-    if (outcome.kind == Outcome::Kind::none) {
-      problem_.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
-    }
+    if (outcome.kind == Outcome::Kind::none) outcome.culprits = problem_.goals.members();
     return outcome;
   }
 
@@ -142,14 +139,10 @@ class Search {
 
 Outcome StepSearch::solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) {
   if (problem.goals.subset_of(problem.initials)) {
-    return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0};
+    return {.kind = Outcome::Kind::plan};
   }
   if (problem.actions.size() > max_actions) {
-    return {.kind = Outcome::Kind::gave_up,
-            .steps = {},
-            .culprits = {},
-            .spent = fmt::format("{} actions", max_actions),
-            .nodes = 0};
+    return {.kind = Outcome::Kind::gave_up, .spent = fmt::format("{} actions", max_actions)};
   }
   return Search(problem, budget, cancelled).run();
 }

@@ -13,10 +13,10 @@ namespace pizarra::planner {
 
 class DeadEnds {
  public:
-  DeadEnds(const Problem& problem, const Exclusions& exclusions)
-      : DeadEnds(problem, exclusions, [] { return false; }) {}
   // Worthless once cancelled() was true.
-  DeadEnds(const Problem& problem, const Exclusions& exclusions, const std::function<bool()>& cancelled);
+  DeadEnds(
+      const Problem& problem, const Exclusions& exclusions,
+      const std::function<bool()>& cancelled = [] { return false; });
 
   // True: proved. The state respects the exclusions.
   bool contain(const Bits& state) const;

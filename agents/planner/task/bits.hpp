@@ -79,6 +79,13 @@ class Bits {
     }
   }
 
+  // Ascending.
+  std::vector<std::size_t> members() const {
+    std::vector<std::size_t> all;
+    for_each([&](std::size_t index) { all.push_back(index); });
+    return all;
+  }
+
   const std::vector<std::uint64_t>& words() const { return words_; }
   auto operator<=>(const Bits&) const = default;
 

@@ -59,11 +59,11 @@ struct Outcome {
     cancelled  // by the caller
   };
   Kind kind = Kind::gave_up;
-  std::vector<std::vector<std::size_t>> steps;  // indices of actions, ascending within a step
+  std::vector<std::vector<std::size_t>> steps = {};  // indices of actions, ascending within a step
   // For `none`: goals that cannot all hold together, as few as the engine found: one that can never hold, two that
   // exclude each other, or more. For `gave_up`: empty.
-  std::vector<std::size_t> culprits;
-  std::string spent;             // for `gave_up`: which bound, for people
+  std::vector<std::size_t> culprits = {};
+  std::string spent = {};        // for `gave_up`: which bound, for people
   std::size_t nodes = 0;         // work done
   std::string_view engine = {};  // which search answered, where there are several; a literal
   bool shortest = false;         // a plan's: proved that none has fewer steps, nor fewer actions

@@ -11,7 +11,7 @@
 #include "agents/planner/fast/hill_climbing.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/judge/breadth_first.hpp"
-#include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 #include "lisp/writer.hpp"

@@ -1,5 +1,3 @@
-#include "agents/planner/optimal/optimal_planner.hpp"
-
 #include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/explanation/fewest_culprits.hpp"
 #include "agents/planner/guided/guided_search.hpp"
@@ -19,7 +17,7 @@ class SatAlone : public PlanEngine {
  public:
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override {
     if (problem.goals.subset_of(problem.initials)) {
-      return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0};
+      return {.kind = Outcome::Kind::plan};
     }
     const Exclusions exclusions(problem);
     return SatSearch(problem, exclusions).run(1, budget, cancelled);
@@ -234,7 +232,7 @@ TEST(OptimalSearch, CanBeCancelledWhereverItIsAndThenAnswersAsIfItHadNotBeen) {
 TEST(OptimalPlanner, StopsLookingForWhomToBlameWhenCancelled) {
   Random random(2);
   const Problem problem = ground(random_blocks(9, random)).value();
-  Outcome outcome{.kind = Outcome::Kind::none, .steps = {}, .culprits = {}, .spent = {}};
+  Outcome outcome{.kind = Outcome::Kind::none};
   problem.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
   const std::vector<std::size_t> all = outcome.culprits;
   ASSERT_GE(all.size(), 2u);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/task/grounding.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 

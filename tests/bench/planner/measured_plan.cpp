@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "agents/planner/fast/fast_planner.hpp"
-#include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/task/grounding.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/measure.hpp"
