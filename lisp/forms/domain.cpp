@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "lisp/forms/domain_extension.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/guile/interpret.hpp"
 
 namespace pizarra::forms {
@@ -47,17 +48,6 @@ Domain from_form(const Datum& form, Source source) {
   return out;
 }
 
-// ?ob1 to <ob1>, anywhere in it.
-Datum with_thesis_variables(const Datum& datum) {
-  if (datum.is_list()) {
-    std::vector<Datum> items;
-    for (const Datum& item : datum.items()) items.push_back(with_thesis_variables(item));
-    return Datum::list(std::move(items));
-  }
-  if (!datum.is_symbol() || !datum.text().starts_with('?')) return datum;
-  return Datum::symbol("<" + std::string(datum.text().substr(1)) + ">");
-}
-
 }  // namespace
 
 const Predicate* Domain::find_predicate(std::string_view predicate) const {
@@ -94,13 +84,13 @@ Result<Domain> read_domain_file(const std::string& path) {
 Datum operator_form(const Operator& from) {
   std::vector<Datum> params{"params"_sym};
   for (const TypedName& param : from.params) {
-    params.push_back(with_thesis_variables(list(Datum::symbol(param.name), Datum::symbol(param.type))));
+    params.push_back(without_variables(list(Datum::symbol(param.name), Datum::symbol(param.type))));
   }
   std::vector<Datum> preconds{"preconds"_sym};
-  for (const Datum& fact : from.preconds) preconds.push_back(with_thesis_variables(fact));
+  for (const Datum& fact : from.preconds) preconds.push_back(without_variables(fact));
   std::vector<Datum> effects{"effects"_sym};
-  for (const Datum& fact : from.adds) effects.push_back(with_thesis_variables(fact));
-  for (const Datum& fact : from.deletes) effects.push_back(list("del"_sym, with_thesis_variables(fact)));
+  for (const Datum& fact : from.adds) effects.push_back(without_variables(fact));
+  for (const Datum& fact : from.deletes) effects.push_back(list("del"_sym, without_variables(fact)));
   return list("operator"_sym, Datum::symbol(from.name), Datum::list(std::move(params)),
               Datum::list(std::move(preconds)), Datum::list(std::move(effects)));
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/planner/task/notation.hpp"
+#include "lisp/forms/goal_formula.hpp"
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
@@ -176,7 +176,7 @@ std::vector<Datum> operations_of(const PlanSteps& steps) {
 }
 
 Failure as_asked(Failure failure) {
-  failure.subject = with_angles(failure.subject);
+  failure.subject = forms::without_variables(failure.subject);
   return failure;
 }
 

@@ -6,12 +6,13 @@
 //   written(task, read_one("(holding ?x)").value());      // (holding <x>), where the task is the thesis'
 
 #include "agents/planner/task/planning_task.hpp"
+#include "lisp/forms/goal_formula.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::planner {
 
-// `<x>` in the place of `?x`, everywhere in the datum.
-Datum with_angles(const Datum& datum);
-
-std::string written(const PlanningTask& task, const Datum& datum);
+inline std::string written(const PlanningTask& task, const Datum& datum) {
+  return write(task.angles ? forms::without_variables(datum) : datum);
+}
 
 }  // namespace pizarra::planner
