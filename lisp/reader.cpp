@@ -9,6 +9,7 @@
 
 #include "lisp/characters.hpp"
 #include "lisp/decimal.hpp"
+#include "lisp/shortened.hpp"
 #include "lisp/strict_reading.hpp"
 
 namespace pizarra {
@@ -184,7 +185,7 @@ class Reader {
     const bool bare_point =
         point != std::string_view::npos && (!is_digit_at(token, point - 1) || !is_digit_at(token, point + 1));
     if (read_real.ptr != end || bare_point || read_real.ec == std::errc::invalid_argument) {
-      return refuse(start, "bad-number", fmt::format("`{}` begins like a number but is none", shortened(token)));
+      return refuse(start, "bad-number", fmt::format("`{}` begins like a number but is none", shortened(token, 40)));
     }
     if (read_real.ec != std::errc()) return refuse(start, "bad-number", "this number is too large or too small");
     return add(Datum::real(real), start);
@@ -192,11 +193,6 @@ class Reader {
 
   static bool is_digit_at(std::string_view token, std::size_t at) {
     return at < token.size() && token[at] >= '0' && token[at] <= '9';
-  }
-
-  static std::string shortened(std::string_view token) {
-    constexpr std::size_t most = 40;
-    return token.size() <= most ? std::string(token) : std::string(token.substr(0, most)) + "...";
   }
 
   bool read_string() {

@@ -49,7 +49,6 @@ class Lines {
   void receive();
   void transmit();
   void look_for_more();
-  void wake();
   std::optional<std::string> take_line();
   void pass_over_line();
 

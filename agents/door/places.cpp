@@ -1,21 +1,13 @@
 #include "agents/door/places.hpp"
 
 #include <arpa/inet.h>
-#include <charconv>
 #include <optional>
+
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::door {
 
 namespace {
-
-template <class Number>
-std::optional<Number> number_from(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  if (text.empty() || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-  return number;
-}
 
 std::unexpected<Failure> bad_address(const std::string& text, const char* usage) {
   return fail("bad-address", std::string("that is no place for devices: ") + usage, to_datum(text));

@@ -2,7 +2,6 @@
 // nor Bullet, so that it starts at once.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <new>
@@ -17,6 +16,7 @@
 #include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/plan_mode.hpp"
 #include "lisp/json.hpp"
+#include "lisp/plain_text.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/plan/memory_limit.hpp"
@@ -37,8 +37,6 @@ constexpr double improving_s = 10;
 // A foreign planner is not left alone for ever, and has a moment even where reading took all the time.
 constexpr double longest_s = 86'400;
 constexpr double shortest_s = 0.01;
-constexpr const char* blanks = " \t\n";
-
 struct PlanChoices {
   std::string domain, problem;
   double limit_s = PlanClock::for_ever;
@@ -183,11 +181,10 @@ int run_plan(const PlanChoices& choices) {
 // CLI11 takes `nan` for a number.
 CLI::Validator seconds_check() {
   const auto check = [](const std::string& text) {
-    double seconds = 0;
-    const char* end = text.data() + text.size();
-    const auto [read_to, error] = std::from_chars(text.data(), end, seconds);
-    const bool fits = error == std::errc() && read_to == end && std::isfinite(seconds) && seconds > 0;
-    return fits ? std::string() : fmt::format("a time is a number of seconds above 0, not {}", text);
+    const std::optional<double> seconds = number_from<double>(text);
+    return seconds && std::isfinite(*seconds) && *seconds > 0
+               ? std::string()
+               : fmt::format("a time is a number of seconds above 0, not {}", text);
   };
   return {check, "S"};
 }

@@ -1,21 +1,18 @@
 #include "drivers/simulation/controllers/ptu_axis_command.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
 
 std::optional<int> ptu_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   // A count beyond any unit's is a slip of the other side, not a place.
   constexpr int most = 10'000'000;
-  if (value > most || value < -most) return std::nullopt;
-  return value;
+  return number_from(text, -most, most);
 }
 
 std::string PtuAxisCommand::say(std::string_view before, double value, std::string_view after) const {

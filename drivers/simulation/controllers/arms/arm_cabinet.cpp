@@ -1,23 +1,12 @@
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "drivers/arm/route.hpp"
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
-
-namespace {
-
-std::optional<int> number_in(std::string_view text, int low, int high) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 Result<void> ArmCabinet::obey(std::string_view words) {
   const std::size_t blank = words.find(' ');
@@ -25,12 +14,12 @@ Result<void> ArmCabinet::obey(std::string_view words) {
   const std::string_view how = blank == std::string_view::npos ? "" : words.substr(blank + 1);
   if (how == "on" || how == "off") return turn(what, how == "on");
   constexpr int highest_alarm = 9999;
-  if (const auto code = number_in(how, 0, highest_alarm); code && what == "alarm") {
+  if (const auto code = number_from(how, 0, highest_alarm); code && what == "alarm") {
     if (*code != 0) raise(*code);
     alarm_ = *code;
     return {};
   }
-  if (const auto percent = number_in(how, 1, 100); percent && what == "override") {
+  if (const auto percent = number_from(how, 1, 100); percent && what == "override") {
     override_ = *percent / 100.0;
     return {};
   }

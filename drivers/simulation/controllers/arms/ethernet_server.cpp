@@ -1,4 +1,3 @@
-#include <charconv>
 #include <fmt/format.h>
 
 #include "drivers/arm/motoman/motoman_codes.hpp"
@@ -6,6 +5,7 @@
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/switched_wire.hpp"
 #include "drivers/simulation/controllers/serve.hpp"
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
 
@@ -17,14 +17,6 @@ constexpr std::string_view keep_alive = "Keep-Alive:";
 constexpr std::string_view request = "HOSTCTRL_REQUEST ";
 constexpr std::string_view nonsense = "NG: HTTP Error Response\r\n";
 
-std::optional<int> count_in(std::string_view text, int low, int high) {
-  int value = 0;
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool sound = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
-  return sound ? std::optional(value) : std::nullopt;
-}
-
 // How many commands the line asks for, -1 for any number; none where it is no start.
 std::optional<int> commands_asked_for(std::string_view line) {
   constexpr int most = 32767;
@@ -33,7 +25,7 @@ std::optional<int> commands_asked_for(std::string_view line) {
   while (line.starts_with(' ')) line.remove_prefix(1);
   if (line.empty()) return 1;
   if (!line.starts_with(keep_alive)) return std::nullopt;
-  return count_in(line.substr(keep_alive.size()), -1, most);
+  return number_from(trimmed(line.substr(keep_alive.size())), -1, most);
 }
 
 struct Request {
@@ -47,7 +39,7 @@ std::optional<Request> request_in(std::string_view line) {
   line.remove_prefix(request.size());
   const std::size_t blank = line.find(' ');
   if (blank == std::string_view::npos) return std::nullopt;
-  const std::optional<int> size = count_in(line.substr(blank + 1), 0, longest);
+  const std::optional<int> size = number_from(trimmed(line.substr(blank + 1)), 0, longest);
   if (!size) return std::nullopt;
   return Request{std::string(line.substr(0, blank)), static_cast<std::size_t>(*size)};
 }
@@ -78,8 +70,7 @@ class Session {
  private:
   Task<Result<std::string>> next() {
     const Time deadline = executor_.now() + silence;
-    Result<std::string> line = co_await lines_.next(deadline);
-    co_return line;
+    co_return co_await lines_.next(deadline);
   }
 
   // False where the session is over.

@@ -1,8 +1,9 @@
 #include "drivers/simulation/controllers/arms/ur_fields.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <span>
+
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
 
@@ -108,11 +109,8 @@ std::optional<UrType> register_type(std::string_view name, std::string_view side
                             {"bit_register_", UrType::boolean, 64, 127}};
   for (const Kind& kind : kinds) {
     if (!name.starts_with(kind.prefix)) continue;
-    const std::string_view digits = name.substr(kind.prefix.size());
-    int number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    const bool whole = error == std::errc() && end == digits.data() + digits.size();
-    return whole && number >= kind.first && number <= kind.last ? std::optional(kind.type) : std::nullopt;
+    const bool known = number_from(name.substr(kind.prefix.size()), kind.first, kind.last).has_value();
+    return known ? std::optional(kind.type) : std::nullopt;
   }
   return std::nullopt;
 }

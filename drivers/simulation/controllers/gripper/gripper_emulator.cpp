@@ -1,8 +1,9 @@
 #include "drivers/simulation/controllers/gripper/gripper_emulator.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
 
@@ -16,11 +17,7 @@ constexpr forms::RegisterField target_echo{2001, 0, 8};
 
 std::optional<int> number_after(std::string_view words, std::string_view what) {
   if (!words.starts_with(what)) return std::nullopt;
-  words.remove_prefix(what.size());
-  int value = 0;
-  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), value);
-  const bool sound = error == std::errc() && end == words.data() + words.size() && value >= 0 && value <= 255;
-  return sound ? std::optional(value) : std::nullopt;
+  return number_from(words.substr(what.size()), 0, 255);
 }
 
 }  // namespace
