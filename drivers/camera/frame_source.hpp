@@ -14,6 +14,7 @@
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <vector>
 
 #include "lisp/forms/camera_setup.hpp"
 #include "lisp/result.hpp"
@@ -35,5 +36,8 @@ class FrameSource {
   // Images of a recording that have no partner on the other side, and are never given. Known once open.
   virtual std::size_t left_out() const { return 0; }
 };
+
+// The sources of a cell file's (camera ...), not opened yet: one, or the left camera's and the right one's.
+std::vector<std::unique_ptr<FrameSource>> sources_of(const forms::CameraSetup& setup);
 
 }  // namespace pizarra::camera

@@ -53,14 +53,6 @@ std::string no_images_at(const std::string& where) {
                      formats_read, first->path().filename().string());
 }
 
-std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup) {
-  const bool two = setup.arrangement == forms::CameraSetup::Arrangement::side_by_side;
-  const ImageFiles::Reading reading{setup.rate_hz, setup.grey, two ? largest_pair : largest_image};
-  if (setup.sources.size() < 2) return std::make_unique<ImageFiles>(source.where, reading);
-  const std::array<std::string, 2> wheres{setup.sources[0].where, setup.sources[1].where};
-  return std::make_unique<ImageFiles>(wheres, source == setup.sources[0] ? 0 : 1, reading);
-}
-
 Result<void> ImageFiles::open() {
   files_ = image_files_at(where_);
   taken_ = 0;

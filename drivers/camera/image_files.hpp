@@ -49,9 +49,6 @@ class ImageFiles : public FrameSource {
   std::size_t taken_ = 0;
 };
 
-// Of a source that is of images.
-std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup);
-
 // The files that ImageFiles reads, sorted; bounded.
 std::vector<std::string> image_files_at(const std::string& where);
 // Where there are none: why.

@@ -1,12 +1,13 @@
 #include "drivers/camera/image_pairs.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
 #include <set>
+
+#include "lisp/plain_text.hpp"
 
 namespace pizarra::camera {
 namespace {
@@ -72,10 +73,7 @@ std::optional<std::int64_t> as_integer(const Numbers& numbers) {
   if (numbers.size() != 1) return std::nullopt;
   const std::string& text = numbers.front();
   constexpr std::size_t most_digits = 18;  // sums of two are within 64 bits
-  if (text.size() > most_digits) return std::nullopt;
-  std::int64_t out = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  return error == std::errc() ? std::optional(out) : std::nullopt;
+  return text.size() > most_digits ? std::nullopt : number_from<std::int64_t>(text);
 }
 
 // Of the images of one side, in the order of their names.

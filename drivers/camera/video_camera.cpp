@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "blackboard/time/detached_work.hpp"
-#include "drivers/camera/camera_sources.hpp"
+#include "drivers/camera/frame_source.hpp"
 
 namespace pizarra::camera {
 namespace {

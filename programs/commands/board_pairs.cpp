@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "drivers/camera/camera_sources.hpp"
+#include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/image_pairs.hpp"
 #include "drivers/camera/stereo_reader.hpp"

@@ -12,7 +12,7 @@
 #include "agents/vision/marks/tag_detection.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/camera/camera_sources.hpp"
+#include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "lisp/forms/cell_file.hpp"
 #include "lisp/reader.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
-#include "drivers/camera/camera_sources.hpp"
+#include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/image_file.hpp"
 #include "tests/scratch.hpp"
 

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/camera/camera_sources.hpp"
+#include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/image_pairs.hpp"
 #include "drivers/camera/video_camera.hpp"
