@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/repl/answer_text.hpp"
 #include "agents/repl/eyes_commands.hpp"
-#include "agents/repl/json_answers.hpp"
 #include "agents/repl/present_agents.hpp"
 #include "lisp/writer.hpp"
 

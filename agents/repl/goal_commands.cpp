@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "agents/repl/agent_commands.hpp"
-#include "agents/repl/json_answers.hpp"
+#include "agents/repl/answer_text.hpp"
 #include "agents/repl/role_commands.hpp"
 #include "agents/repl/why_fact.hpp"
 #include "agents/runtime/declared.hpp"
@@ -49,8 +49,7 @@ Task<Evaluation> GoalCommands::goal(Typed typed) {
   if (patience_ == Patience::accepted) co_return Evaluation::done;
   std::string facts;
   for (const Datum& fact : typed.form.items().subspan(1)) facts += (facts.empty() ? "" : " ") + write(fact);
-  const Evaluation outcome = co_await wait_for_end(number, std::move(facts));
-  co_return outcome;
+  co_return co_await wait_for_end(number, std::move(facts));
 }
 
 Task<Evaluation> GoalCommands::wait_for_end(Datum number, std::string typed) {
@@ -92,8 +91,7 @@ Task<bool> GoalCommands::being_taught() {
 
 Task<Evaluation> GoalCommands::cancel(Typed typed) {
   const std::string coordinator = co_await coordinator_of_prompts(prompt_.board);
-  const Evaluation outcome = co_await ask_agent(prompt_, coordinator, typed.form);
-  co_return outcome;
+  co_return co_await ask_agent(prompt_, coordinator, typed.form);
 }
 
 Task<Evaluation> GoalCommands::why_fact(Datum pattern) {
@@ -121,8 +119,7 @@ Task<Evaluation> GoalCommands::why(Typed typed) {
   if (!coordinator) co_return prompt_.show(coordinator.error());
   const bool of_a_goal = typed.form.size() > 2;
   const Datum asked = of_a_goal ? why_not_of(typed.form) : typed.form;
-  const Evaluation outcome = co_await ask_agent(prompt_, *coordinator, asked);
-  co_return outcome;
+  co_return co_await ask_agent(prompt_, *coordinator, asked);
 }
 
 Task<Evaluation> GoalCommands::plan(Typed) {

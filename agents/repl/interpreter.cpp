@@ -35,8 +35,7 @@ Task<Evaluation> Interpreter::evaluate(std::string text) {
 Task<Evaluation> Interpreter::evaluate_form(Datum form) {
   if (const Command* command = commands_.find(form.head())) {
     Typed typed{form, command->usage};
-    const Evaluation outcome = co_await command->run(std::move(typed));
-    co_return outcome;
+    co_return co_await command->run(std::move(typed));
   }
   if (form.size() != 2) {
     const std::string sentence =
@@ -45,8 +44,7 @@ Task<Evaluation> Interpreter::evaluate_form(Datum form) {
     co_return prompt_.show(failure, Evaluation::malformed);
   }
   const Datum operation = as_form(form[1]);
-  const Evaluation outcome = co_await ask_agent(prompt_, std::string(form.head()), operation);
-  co_return outcome;
+  co_return co_await ask_agent(prompt_, std::string(form.head()), operation);
 }
 
 // What cannot be learned now keeps its old names.

@@ -1,15 +1,78 @@
 #include "agents/repl/name_commands.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "agents/repl/trading.hpp"
 #include "agents/runtime/declared.hpp"
 #include "lisp/json.hpp"
 #include "lisp/nearest.hpp"
+#include "lisp/result.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::repl {
 
 namespace {
+
+// A condition of (find KIND CONDITION ...).
+struct Wish {
+  std::string name;
+  std::string compare;  // empty: whatever it is
+  Datum value;
+};
+
+constexpr std::array comparisons = {">", ">=", "<", "<=", "=", "/="};
+
+bool is_met(const Wish& wish, const Datum& value) {
+  if (wish.compare.empty()) return true;
+  const bool numbers = value.is_number() && wish.value.is_number();
+  // A text is compared with a name as it is spelled: hosts are texts, and typed as names.
+  const bool same = numbers ? value.number() == wish.value.number() : value.text() == wish.value.text();
+  if (wish.compare == "=") return same;
+  if (wish.compare == "/=") return !same;
+  if (!numbers) return false;
+  const double difference = value.number() - wish.value.number();
+  if (wish.compare == ">") return difference > 0;
+  if (wish.compare == ">=") return difference >= 0;
+  return wish.compare == "<" ? difference < 0 : difference <= 0;
+}
+
+// Failure malformed.
+Result<std::vector<Wish>> wishes_from(const Datum& form) {
+  std::vector<Wish> wishes;
+  for (const Datum& item : form.items().subspan(2)) {
+    const bool named = item.size() > 1 && item[0].is_symbol();
+    if (named && item.size() == 2 && item[1].is_symbol("?")) {
+      wishes.push_back({std::string(item[0].text()), {}, {}});
+      continue;
+    }
+    const bool compared = named && item.size() == 3 && item[1].is_symbol() &&
+                          std::ranges::find(comparisons, item[1].text()) != comparisons.end() && !item[2].is_list();
+    if (!compared) {
+      return fail("malformed", "a condition is (NAME ?) or (NAME OP VALUE), OP one of > >= < <= = /=", item);
+    }
+    wishes.push_back({std::string(item[0].text()), std::string(item[1].text()), item[2]});
+  }
+  return wishes;
+}
+
+// "reach 710, host bench" where the properties meet every wish; nothing where one is missing or differs. Only numbers
+// are compared as greater or less.
+std::optional<std::string> met_by(const std::vector<Wish>& wishes, const std::map<std::string, Datum>& properties) {
+  std::string text;
+  for (const Wish& wish : wishes) {
+    const auto found = properties.find(wish.name);
+    if (found == properties.end() || !is_met(wish, found->second)) return std::nullopt;
+    const Datum& value = found->second;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", wish.name,
+                        value.is_string() ? std::string(value.text()) : write(value));
+  }
+  return text;
+}
 
 // (cell arms left); nothing where it is not a list of symbols.
 std::optional<runtime::Path> path_from(const Datum& form) {

@@ -97,8 +97,7 @@ Task<Result<std::string>> present_coordinator(runtime::AgentContext& context, st
 
 Task<Evaluation> wire(Prompt& prompt, Typed typed) {
   if (typed.form.size() == 1) {
-    const Evaluation listed = co_await list_wiring(prompt);
-    co_return listed;
+    co_return co_await list_wiring(prompt);
   }
   if (typed.form.size() < 3 || typed.form.size() > 4) co_return prompt.misused(typed);
   for (const Datum& word : typed.form.items()) {

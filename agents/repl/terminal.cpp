@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "lisp/reader.hpp"
+
 namespace pizarra::repl {
 
 namespace fs = std::filesystem;
@@ -56,24 +58,8 @@ Spot spot_after(std::string_view prompt, int bytes) {
 }  // namespace
 
 bool is_complete(std::string_view text) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == ';') {
-      i = std::min(text.find('\n', i), text.size());
-    } else if (c == '(') {
-      ++depth;
-    } else if (c == ')' && --depth < 0) {
-      return true;
-    }
-  }
-  return depth == 0 && !in_string;
+  const Result<std::vector<Datum>> read = read_all(text);
+  return read || !read.error().symbol.starts_with("unclosed-");
 }
 
 Terminal::Terminal(Executor& executor, std::string prompt)

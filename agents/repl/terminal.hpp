@@ -20,7 +20,7 @@
 
 namespace pizarra::repl {
 
-// Whether every list and string that was opened is closed; what stands behind a superfluous `)` does not count.
+// Whether every list and string that was opened is closed, up to where the text cannot be read.
 bool is_complete(std::string_view text);
 
 class Terminal {

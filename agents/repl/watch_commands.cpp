@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "agents/repl/answer_text.hpp"
-#include "agents/repl/json_answers.hpp"
 
 namespace pizarra::repl {
 

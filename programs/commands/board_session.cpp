@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "agents/repl/json_answers.hpp"
+#include "agents/repl/answer_text.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/away.hpp"
 #include "blackboard/client/keyed_board.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "agents/repl/answer_text.hpp"
-#include "agents/repl/json_answers.hpp"
 #include "blackboard/client/keyed_board.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "agents/repl/json_answers.hpp"
+#include "agents/repl/answer_text.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
