@@ -1,6 +1,7 @@
 #pragma once
 
-// Requests to the hand, `(hand push NAME DX DY)` and so on as in world.hpp, understood and begun.
+// Requests that disturb the arm's work, as in world.hpp, understood and begun: to the hand, `(hand push NAME DX DY)`
+// and so on, and those that make the gripper's fingers clumsy.
 
 #include "drivers/simulation/physics/physical_cell.hpp"
 
@@ -12,5 +13,8 @@ std::unexpected<Failure> bad_request(const Datum& request);
 
 // Failures: unknown-object, busy, bad-request.
 Result<void> begin_hand(Cell& cell, const Datum& request);
+
+// Failures: bad-request; not-held, where nothing is held that could slip.
+Result<void> make_clumsy(Cell& cell, const Datum& request);
 
 }  // namespace pizarra::simulation

@@ -16,8 +16,7 @@ HeadLine::HeadLine(Executor& executor, const PtuModel& model)
 Task<Result<Message>> HeadLine::handle(Datum request) {
   const std::string_view what = word(request, 1);
   if (what == "hear" && request.size() == 2) {
-    Result<Message> heard = co_await hear();
-    co_return heard;
+    co_return co_await hear();
   }
   if (what == "send" && request.size() == 3 && request[2].is_string()) {
     unit_.receive(request[2].text());

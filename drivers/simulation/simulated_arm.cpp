@@ -68,8 +68,7 @@ Task<Result<void>> SimulatedArm::take_control() {
 Task<Result<void>> SimulatedArm::release_control() {
   had_control_ = false;
   Datum request = list(device_, "release-control"_sym);
-  Result<void> released = co_await command(std::move(request));
-  co_return released;
+  co_return co_await command(std::move(request));
 }
 
 Task<Result<void>> SimulatedArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
@@ -78,8 +77,7 @@ Task<Result<void>> SimulatedArm::start_move(std::vector<arm::Joints> waypoints, 
   std::vector<Datum> request{device_, "move"_sym, Datum::real(speed)};
   for (const arm::Joints& joints : waypoints) request.push_back(joints_to_datum(joints));
   Datum form = Datum::list(std::move(request));
-  Result<void> started = co_await command(std::move(form));
-  co_return started;
+  co_return co_await command(std::move(form));
 }
 
 Task<Result<void>> SimulatedArm::stop() { return command(list(device_, "stop"_sym)); }
@@ -87,8 +85,7 @@ Task<Result<void>> SimulatedArm::stop() { return command(list(device_, "stop"_sy
 Task<Result<void>> SimulatedArm::start_gripper(double opening_mm) {
   if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
   Datum request = list(device_, "gripper"_sym, opening_mm);
-  Result<void> started = co_await command(std::move(request));
-  co_return started;
+  co_return co_await command(std::move(request));
 }
 
 Task<Result<arm::ArmReading>> SimulatedArm::read() {

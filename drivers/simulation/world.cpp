@@ -5,7 +5,6 @@
 
 #include "drivers/simulation/arm_requests.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
-#include "drivers/simulation/fingers_request.hpp"
 #include "drivers/simulation/frame_clock.hpp"
 #include "drivers/simulation/hand_request.hpp"
 #include "drivers/simulation/head_line.hpp"
@@ -125,27 +124,22 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
   advance();
   const std::string_view device = request.head();
   if (device == "arm") {
-    Result<Message> answer = co_await answer_arm(arm, std::move(request));
-    co_return answer;
+    co_return co_await answer_arm(arm, std::move(request));
   }
   if (device == "second-arm") {
     if (!second_arm) co_return fail("bad-request", "there is no second arm in this world", request);
-    Result<Message> answer = co_await answer_arm(*second_arm, std::move(request));
-    co_return answer;
+    co_return co_await answer_arm(*second_arm, std::move(request));
   }
   if (device == "camera") {
-    Result<Message> taken = co_await camera(std::move(request));
-    co_return taken;
+    co_return co_await camera(std::move(request));
   }
   if (device == "head") {
     if (!head) co_return fail("bad-request", "the cameras of this world stand on no pan-tilt unit", request);
     if (word(request, 1) == "nudge") co_return nudge(request);
-    Result<Message> said = co_await head->handle(std::move(request));
-    co_return said;
+    co_return co_await head->handle(std::move(request));
   }
   if (device == "hand") {
-    Result<Message> done = co_await hand(std::move(request));
-    co_return done;
+    co_return co_await hand(std::move(request));
   }
   if (device == "fingers") {
     const Result<void> clumsy = make_clumsy(cell, request);

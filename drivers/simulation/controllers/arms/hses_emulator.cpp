@@ -1,6 +1,7 @@
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 
 #include "drivers/line/octets.hpp"
+#include "drivers/simulation/controllers/serve.hpp"
 
 namespace pizarra::simulation {
 
@@ -128,13 +129,11 @@ namespace {
 // Each datagram's answer, for as long as this lives.
 template <class Answer>
 Task<void> serve_datagrams(Executor& executor, line::DatagramWire& port, Answer answer) {
-  constexpr Duration patience = 3600s;
-  constexpr Duration retry_pause = 100ms;
   while (true) {
-    const Time heard_by = executor.now() + patience;
+    const Time heard_by = executor.now() + opening_patience;
     Result<std::string> datagram = co_await port.receive(heard_by);
     if (!datagram) {
-      if (datagram.error().symbol != "timeout") co_await sleep(executor, retry_pause);
+      if (datagram.error().symbol != "timeout") co_await sleep(executor, opening_pause);
       continue;
     }
     const std::string reply = co_await answer(std::move(*datagram));

@@ -112,8 +112,7 @@ Task<arm::MotomanPose> MotomanController::pose() {
 Task<Refusal> MotomanController::move_joints(arm::MotomanPulses target, double part) {
   std::vector<arm::Joints> waypoints;
   waypoints.push_back(joints_of(cabinet_.model(), target));
-  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
-  co_return refusal;
+  co_return co_await cabinet_.move(std::move(waypoints), part);
 }
 
 Task<Refusal> MotomanController::move_straight(arm::MotomanPose target, double mm_s) {
@@ -121,8 +120,7 @@ Task<Refusal> MotomanController::move_straight(arm::MotomanPose target, double m
   const arm::ArmModel& model = cabinet_.model();
   const Result<StraightWay> way = straight_way(model, reading.joints, grip_in_cell(model, target), mm_s);
   if (!way) co_return reading.moving ? Refusal::running : Refusal::out_of_range;
-  const Refusal refusal = co_await cabinet_.move(way->waypoints, way->part);
-  co_return refusal;
+  co_return co_await cabinet_.move(way->waypoints, way->part);
 }
 
 Task<Refusal> MotomanController::move_joints_to(arm::MotomanPose target, double part) {
@@ -132,8 +130,7 @@ Task<Refusal> MotomanController::move_joints_to(arm::MotomanPose target, double 
   if (!joints) co_return Refusal::out_of_range;
   std::vector<arm::Joints> waypoints;
   waypoints.push_back(*joints);
-  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
-  co_return refusal;
+  co_return co_await cabinet_.move(std::move(waypoints), part);
 }
 
 arm::MotomanPose MotomanController::pose_of(const arm::MotomanPulses& pulses) const {

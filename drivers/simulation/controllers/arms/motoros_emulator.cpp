@@ -5,7 +5,6 @@
 
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/arm/route.hpp"
-#include "drivers/simulation/controllers/arms/serve_frames.hpp"
 
 namespace pizarra::simulation {
 
@@ -16,10 +15,6 @@ namespace motoros = arm::motoros;
 constexpr double every_angle = 1;  // angles count as the axes' do
 constexpr double start_slack = 0.05;
 constexpr double fastest = 1.02;  // of an axis' speed: what rounding leaves
-
-line::FrameReader motoros_frames(line::ByteOrder order) {
-  return order == line::ByteOrder::little ? arm::frame_of_tcp_little : arm::frame_of_tcp_big;
-}
 
 // The part of the axes' full speeds at which a way takes `wanted_s`, ramps included. Without them, at full speed, it
 // takes `way_s`. The ramps reach full speed within a quarter of a second.
@@ -32,6 +27,10 @@ double part_for(double way_s, double wanted_s) {
 }
 
 }  // namespace
+
+line::FrameReader MotorosEmulator::frames() const {
+  return order_ == line::ByteOrder::little ? arm::frame_of_tcp_little : arm::frame_of_tcp_big;
+}
 
 std::string MotorosEmulator::framed(const arm::SimpleMessage& message) const {
   return arm::tcp_frame(arm::write_simple(message, order_), order_);
@@ -205,36 +204,6 @@ Task<std::string> MotorosEmulator::state() {
   told.type = arm::simple::status;
   told.data = arm::write_status(status, order_);
   co_return both + framed(told);
-}
-
-Task<void> serve_motion(Executor& executor, MotorosEmulator& emulator, line::ByteWire& line) {
-  FrameService service{.reader = motoros_frames(emulator.order())};
-  service.answer = [&emulator](std::string message) { return emulator.answer(std::move(message)); };
-  co_await serve_frames(executor, std::move(service), line);
-}
-
-namespace {
-
-Task<void> tell_motoros_states(Executor& executor, MotorosEmulator& emulator, line::ByteWire& line) {
-  constexpr Duration told_every = 25ms;
-  while (true) {
-    co_await sleep(executor, told_every);
-    if (!emulator.powered()) continue;
-    const std::string state = co_await emulator.state();
-    // What nobody takes is lost.
-    static_cast<void>(line.write(state));
-  }
-}
-
-Task<std::string> silence() { co_return std::string(); }
-
-}  // namespace
-
-Task<void> serve_state(Executor& executor, MotorosEmulator& emulator, line::ByteWire& line) {
-  const Job telling = executor.spawn(tell_motoros_states(executor, emulator, line));
-  FrameService service{.reader = motoros_frames(emulator.order())};
-  service.answer = [](std::string) { return silence(); };
-  co_await serve_frames(executor, std::move(service), line);
 }
 
 }  // namespace pizarra::simulation

@@ -19,6 +19,7 @@
 
 #include "drivers/arm/simple_message/motoros_message.hpp"
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+#include "drivers/simulation/controllers/arms/serve_frames.hpp"
 
 namespace pizarra::simulation {
 
@@ -27,7 +28,8 @@ class MotorosEmulator {
   // Both outlive it.
   MotorosEmulator(Executor& executor, ArmCabinet& cabinet, line::ByteOrder order = line::ByteOrder::little)
       : executor_(executor), cabinet_(cabinet), order_(order) {}
-  line::ByteOrder order() const { return order_; }
+  static constexpr Duration told_every = 25ms;  // its state
+  line::FrameReader frames() const;
   bool powered() const { return cabinet_.powered(); }
   // A message without its frame, and the reply with one; empty: none.
   Task<std::string> answer(std::string message);
@@ -61,9 +63,5 @@ class MotorosEmulator {
   bool following_ = false;
   Job job_;
 };
-
-// Each until destroyed. All outlive them.
-Task<void> serve_motion(Executor& executor, MotorosEmulator& emulator, line::ByteWire& line);
-Task<void> serve_state(Executor& executor, MotorosEmulator& emulator, line::ByteWire& line);
 
 }  // namespace pizarra::simulation

@@ -1,22 +1,19 @@
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
 
-#include "drivers/simulation/controllers/arms/serve_frames.hpp"
-
 namespace pizarra::simulation {
 
 namespace {
 
-constexpr Duration told_every = 20ms;
 constexpr std::int32_t version = 2;          // a type of message
 constexpr std::int32_t begin_download = -1;  // in place of a sequence number
 constexpr std::int32_t begin_streaming = -2;
 
-line::FrameReader frames_of(const SimpleKind& kind) {
-  if (kind.serial) return arm::frame_of_serial;
-  return kind.order == line::ByteOrder::little ? arm::frame_of_tcp_little : arm::frame_of_tcp_big;
-}
-
 }  // namespace
+
+line::FrameReader SimpleEmulator::frames() const {
+  if (kind_.serial) return arm::frame_of_serial;
+  return kind_.order == line::ByteOrder::little ? arm::frame_of_tcp_little : arm::frame_of_tcp_big;
+}
 
 std::string SimpleEmulator::framed(const arm::SimpleMessage& message) const {
   const std::string octets = arm::write_simple(message, kind_.order);
@@ -92,35 +89,6 @@ Task<std::string> SimpleEmulator::state() {
   told.type = arm::simple::joint_position;
   told.data = arm::write_position(position, kind_.order);
   co_return both + framed(told);
-}
-
-Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line) {
-  FrameService service{.reader = frames_of(emulator.kind())};
-  service.answer = [&emulator](std::string message) { return emulator.answer(std::move(message)); };
-  co_await serve_frames(executor, std::move(service), line);
-}
-
-namespace {
-
-Task<void> tell_states(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line) {
-  while (true) {
-    co_await sleep(executor, told_every);
-    if (!emulator.powered()) continue;
-    const std::string state = co_await emulator.state();
-    // What nobody takes is lost.
-    static_cast<void>(line.write(state));
-  }
-}
-
-Task<std::string> no_answer() { co_return std::string(); }
-
-}  // namespace
-
-Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line) {
-  const Job telling = executor.spawn(tell_states(executor, emulator, line));
-  FrameService service{.reader = frames_of(emulator.kind())};
-  service.answer = [](std::string) { return no_answer(); };
-  co_await serve_frames(executor, std::move(service), line);
 }
 
 }  // namespace pizarra::simulation

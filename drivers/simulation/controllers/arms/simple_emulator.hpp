@@ -16,6 +16,7 @@
 
 #include "drivers/arm/simple_message/simple_message.hpp"
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+#include "drivers/simulation/controllers/arms/serve_frames.hpp"
 
 namespace pizarra::simulation {
 
@@ -33,7 +34,8 @@ class SimpleEmulator {
   SimpleEmulator(ArmCabinet& cabinet, SimpleKind kind) : cabinet_(cabinet), kind_(kind) {
     static_cast<void>(cabinet_.servo(true));
   }
-  const SimpleKind& kind() const { return kind_; }
+  static constexpr Duration told_every = 20ms;  // its state
+  line::FrameReader frames() const;
   bool powered() const { return cabinet_.powered(); }
   // A message without its frame, and the reply with one; empty: none.
   Task<std::string> answer(std::string message);
@@ -48,9 +50,5 @@ class SimpleEmulator {
   SimpleKind kind_;
   std::int32_t last_sequence_ = -1;
 };
-
-// Each until destroyed. All outlive them.
-Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line);
-Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line);
 
 }  // namespace pizarra::simulation
