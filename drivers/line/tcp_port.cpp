@@ -22,17 +22,18 @@ int accept_one(int listener) { return ::accept4(listener, nullptr, nullptr, SOCK
 
 }  // namespace
 
-Result<Listening> listen_at(const std::string& address, std::uint16_t port) {
+Result<Listening> listen_at(const std::string& address, std::uint16_t port, int type) {
   sockaddr_in at{};
   at.sin_family = AF_INET;
   at.sin_port = htons(port);
   if (::inet_pton(AF_INET, address.c_str(), &at.sin_addr) != 1) return refused(address, port, "no such address");
-  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  const bool connects = type == SOCK_STREAM;
+  const int listener = ::socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   const int on = 1;
   socklen_t size = sizeof at;
-  ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  if (connects) ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   auto* generic = reinterpret_cast<sockaddr*>(&at);
-  if (::bind(listener, generic, size) != 0 || ::listen(listener, most_waiting) != 0 ||
+  if (::bind(listener, generic, size) != 0 || (connects && ::listen(listener, most_waiting) != 0) ||
       ::getsockname(listener, generic, &size) != 0) {
     const std::string why = system_error();
     ::close(listener);

@@ -6,6 +6,7 @@
 //   Result<std::unique_ptr<TcpPort>> port = TcpPort::listen(executor, "127.0.0.1", 4000);    // 0: any free port
 
 #include <memory>
+#include <sys/socket.h>
 
 #include "drivers/line/file_wire.hpp"
 
@@ -16,8 +17,8 @@ struct Listening {
   int file;
   std::uint16_t port;
 };
-// Failure: bad-address.
-Result<Listening> listen_at(const std::string& address, std::uint16_t port);
+// For connections, or for datagrams (SOCK_DGRAM). Failure: bad-address.
+Result<Listening> listen_at(const std::string& address, std::uint16_t port, int type = SOCK_STREAM);
 
 class TcpPort : public FileWire {
  public:

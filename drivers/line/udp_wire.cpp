@@ -1,6 +1,5 @@
 #include "drivers/line/udp_wire.hpp"
 
-#include <arpa/inet.h>
 #include <cerrno>
 #include <fmt/format.h>
 #include <netdb.h>
@@ -8,12 +7,11 @@
 #include <unistd.h>
 
 #include "drivers/line/file_wire.hpp"
+#include "drivers/line/tcp_port.hpp"
 
 namespace pizarra::line {
 
 namespace {
-
-int new_socket() { return ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0); }
 
 // Looking a name up blocks; it is done away from the executor's thread.
 struct Lookup {
@@ -95,7 +93,7 @@ Task<Result<void>> UdpWire::open(Time) {
     const std::string sentence = fmt::format("{} is not found: {}", host_, lookup->trouble);
     co_return fail("disconnected", sentence, to_datum(host_));
   }
-  const int file = new_socket();
+  const int file = ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (file < 0) co_return fail("disconnected", "no socket can be opened: " + system_error());
   // Others cannot mix in: only what comes from there is received.
   const auto* there = reinterpret_cast<const sockaddr*>(&lookup->address);
@@ -110,22 +108,9 @@ Task<Result<void>> UdpWire::open(Time) {
 }
 
 Result<std::unique_ptr<UdpPort>> UdpPort::listen(Executor& executor, const std::string& address, std::uint16_t port) {
-  sockaddr_in at{};
-  at.sin_family = AF_INET;
-  at.sin_port = htons(port);
-  const auto refused = [&](const std::string& why) {
-    return fail("bad-address", fmt::format("cannot listen at {} port {}: {}", address, port, why));
-  };
-  if (::inet_pton(AF_INET, address.c_str(), &at.sin_addr) != 1) return refused("no such address");
-  const int file = new_socket();
-  socklen_t size = sizeof at;
-  auto* generic = reinterpret_cast<sockaddr*>(&at);
-  if (file < 0 || ::bind(file, generic, size) != 0 || ::getsockname(file, generic, &size) != 0) {
-    const std::string why = system_error();
-    if (file >= 0) ::close(file);
-    return refused(why);
-  }
-  return std::unique_ptr<UdpPort>(new UdpPort(executor, file, ntohs(at.sin_port)));
+  const Result<Listening> bound = listen_at(address, port, SOCK_DGRAM);
+  if (!bound) return fail(bound);
+  return std::unique_ptr<UdpPort>(new UdpPort(executor, bound->file, bound->port));
 }
 
 Task<Result<void>> UdpPort::open(Time) { co_return Result<void>(); }
