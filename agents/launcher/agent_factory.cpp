@@ -28,66 +28,68 @@ namespace pizarra::launcher {
 
 namespace {
 
-class WithoutDevice : public BuiltAgent {
- public:
-  explicit WithoutDevice(std::unique_ptr<runtime::Agent> agent) : agent_(std::move(agent)) {}
-
- private:
-  runtime::Agent& agent() override { return *agent_; }
-  std::unique_ptr<runtime::Agent> agent_;
-};
+template <class Agent, class... Arguments>
+std::unique_ptr<BuiltAgent> built(Parts devices, Arguments&&... arguments) {
+  return std::make_unique<BuiltAgent>(std::move(devices),
+                                      std::make_unique<Agent>(std::forward<Arguments>(arguments)...));
+}
 
 class BuiltRobot : public BuiltAgent {
  public:
-  BuiltRobot(runtime::AgentContext context, const forms::ArmLine& line, const arm::ArmModel& model,
-             robot::RobotOptions options, simulation::Link& link, std::string_view simulated)
-      : device_(make_cell_arm(context.executor, line, model, link, simulated)),
-        agent_(std::move(context), device_->driver(), model, options) {}
-  Task<void> stand_still() override { return agent_.stand_still(); }
+  BuiltRobot(Parts devices, std::unique_ptr<robot::RobotAgent> agent, robot::RobotAgent& robot)
+      : BuiltAgent(std::move(devices), std::move(agent)), robot_(robot) {}
+  Task<void> stand_still() override { return robot_.stand_still(); }
 
  private:
-  runtime::Agent& agent() override { return agent_; }
-  std::unique_ptr<CellArm> device_;
-  robot::RobotAgent agent_;
+  robot::RobotAgent& robot_;
 };
 
-// The agent, its driver, and the line to its unit: the simulated one's where the cell names no other.
-class BuiltPanTilt : public BuiltAgent {
- public:
-  BuiltPanTilt(runtime::AgentContext context, const forms::CellDescription& description, simulation::Link& link)
-      : wire_(make_wire(context.executor, description.pan_tilt, link)),
-        driver_(context.executor, *wire_, {description.pan_tilt.pan_reversed, description.pan_tilt.tilt_reversed}),
-        agent_(std::move(context), driver_, description.camera.pose) {}
+Result<std::unique_ptr<BuiltAgent>> build_robot(runtime::AgentContext context, const forms::ArmLine& line,
+                                                const std::string& arm_file, robot::RobotOptions options,
+                                                simulation::Link& link, std::string_view simulated) {
+  const Result<arm::ArmModel> model = arm::read_arm_file(arm_file);
+  if (!model) return fail(model);
+  Parts devices;
+  arm::ArmDriver& arm = add_cell_arm(devices, context.executor, line, *model, link, simulated);
+  auto agent = std::make_unique<robot::RobotAgent>(std::move(context), arm, *model, options);
+  robot::RobotAgent& robot = *agent;
+  return std::make_unique<BuiltRobot>(std::move(devices), std::move(agent), robot);
+}
 
- private:
-  static std::unique_ptr<line::ByteWire> make_wire(Executor& executor, const forms::PanTiltLine& line,
-                                                   simulation::Link& link) {
-    if (line.kind == "serial") return std::make_unique<line::SerialWire>(executor, line.where, line.number);
-    if (line.kind == "tcp") {
-      return std::make_unique<line::TcpWire>(executor, line.where, static_cast<std::uint16_t>(line.number));
-    }
-    return std::make_unique<simulation::HeadWire>(executor, link);
+// The line to its unit: the simulated one's where the cell names no other.
+line::ByteWire& add_wire(Parts& parts, Executor& executor, const forms::PanTiltLine& line, simulation::Link& link) {
+  if (line.kind == "serial") return parts.add<line::SerialWire>(executor, line.where, line.number);
+  if (line.kind == "tcp") {
+    return parts.add<line::TcpWire>(executor, line.where, static_cast<std::uint16_t>(line.number));
   }
-  runtime::Agent& agent() override { return agent_; }
+  return parts.add<simulation::HeadWire>(executor, link);
+}
 
-  std::unique_ptr<line::ByteWire> wire_;
-  ptu::PtuDriver driver_;
-  pan_tilt::PanTiltAgent agent_;
-};
+std::unique_ptr<BuiltAgent> build_pan_tilt(runtime::AgentContext context, const forms::CellDescription& description,
+                                           simulation::Link& link) {
+  Parts devices;
+  const forms::PanTiltLine& line = description.pan_tilt;
+  line::ByteWire& wire = add_wire(devices, context.executor, line, link);
+  auto& driver =
+      devices.add<ptu::PtuDriver>(context.executor, wire, ptu::PtuDirections{line.pan_reversed, line.tilt_reversed});
+  return built<pan_tilt::PanTiltAgent>(std::move(devices), std::move(context), driver, description.camera.pose);
+}
 
-// The agent, and the eyes that it looks through.
-class BuiltVision : public BuiltAgent {
- public:
-  BuiltVision(runtime::AgentContext context, std::unique_ptr<camera::StereoCamera> camera, Streams* streams,
-              vision::VisionOptions options)
-      : camera_(std::move(camera)), agent_(std::move(context), *camera_, streams, std::move(options)) {}
-
- private:
-  runtime::Agent& agent() override { return agent_; }
-
-  std::unique_ptr<camera::StereoCamera> camera_;
-  vision::VisionAgent agent_;
-};
+// With the eyes that it looks through.
+std::unique_ptr<BuiltAgent> build_vision(runtime::AgentContext context, const forms::CellDescription& description,
+                                         simulation::Link& link, Streams* streams) {
+  std::unique_ptr<camera::StereoCamera> eyes;
+  if (description.eyes.is_simulated() || description.eyes.is_plugin()) {
+    eyes = std::make_unique<simulation::SimulatedCamera>(context.executor, link);
+  } else {
+    eyes = std::make_unique<camera::VideoCamera>(context.executor, description.eyes);
+  }
+  Parts devices;
+  camera::StereoCamera& camera = devices.keep(std::move(eyes));
+  vision::VisionOptions options{.objects_directory = description.objects_directory};
+  for (const auto& [family, side_mm] : description.tags) options.tags.push_back({family, side_mm});
+  return built<vision::VisionAgent>(std::move(devices), std::move(context), camera, streams, std::move(options));
+}
 
 coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription& description) {
   coordinator::CoordinatorOptions options;
@@ -116,13 +118,10 @@ Result<std::unique_ptr<BuiltAgent>> build_second(const std::string& kind, runtim
   if (kind == "follower") {
     const auto& [x_mm, y_mm, z_mm] = slave.offset_mm;
     const follower::FollowerOptions options{.offset_mm = {x_mm, y_mm, z_mm}, .mirrored = slave.mirrored};
-    return std::make_unique<WithoutDevice>(std::make_unique<follower::FollowerAgent>(std::move(context), options));
+    return built<follower::FollowerAgent>({}, std::move(context), options);
   }
-  const Result<arm::ArmModel> model = arm::read_arm_file(slave.arm_file);
-  if (!model) return fail(model);
-  return std::make_unique<BuiltRobot>(std::move(context), slave.line, *model,
-                                      robot::RobotOptions{room_from(slave.room), slave.rate_hz, "second-arms"}, link,
-                                      "second-arm");
+  return build_robot(std::move(context), slave.line, slave.arm_file,
+                     {room_from(slave.room), slave.rate_hz, "second-arms"}, link, "second-arm");
 }
 
 scheme::SchemeOptions scheme_options(const forms::CellSchemeAgent& agent) {
@@ -136,8 +135,7 @@ std::unique_ptr<BuiltAgent> build_person(runtime::AgentContext context, const fo
                                          simulation::Link& link) {
   std::vector<std::string> names;
   for (const forms::CubePlacement& cube : description.cubes) names.push_back(cube.name);
-  return std::make_unique<WithoutDevice>(
-      std::make_unique<person::PersonAgent>(std::move(context), link, std::move(names)));
+  return built<person::PersonAgent>({}, std::move(context), link, std::move(names));
 }
 
 bool has_agent(const forms::CellDescription& description, const std::string& kind) {
@@ -239,7 +237,7 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
 }
 
 Task<void> BuiltAgent::run() {
-  Result<void> ended = co_await agent().run();
+  Result<void> ended = co_await agent_->run();
   ended_ = std::move(ended);
 }
 
@@ -248,45 +246,26 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& agent, runtim
                                                 Streams* streams) {
   const std::string kind = kind_of_agent(agent);
   if (kind == "robot") {
-    Result<arm::ArmModel> model = arm::read_arm_file(description.arm_file);
-    if (!model) return fail(model);
-    return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model,
-                                        robot::RobotOptions{room_from(description.arm_room), description.arm_rate_hz},
-                                        link, "arm");
+    return build_robot(std::move(context), description.arm_line, description.arm_file,
+                       {room_from(description.arm_room), description.arm_rate_hz}, link, "arm");
   }
   if (kind == "slave" || kind == "follower") {
     if (!description.slave) return fail("unknown-agent", "the cell has no second arm", Datum::symbol(kind));
     return build_second(kind, std::move(context), *description.slave, link);
   }
-  if (kind == "vision") {
-    std::unique_ptr<camera::StereoCamera> camera;
-    if (description.eyes.is_simulated() || description.eyes.is_plugin()) {
-      camera = std::make_unique<simulation::SimulatedCamera>(context.executor, link);
-    } else {
-      camera = std::make_unique<camera::VideoCamera>(context.executor, description.eyes);
-    }
-    vision::VisionOptions options{.objects_directory = description.objects_directory};
-    for (const auto& [family, side_mm] : description.tags) options.tags.push_back({family, side_mm});
-    return std::make_unique<BuiltVision>(std::move(context), std::move(camera), streams, std::move(options));
-  }
+  if (kind == "vision") return build_vision(std::move(context), description, link, streams);
   if (kind == "pan-tilt") {
     if (!has_pan_tilt(description)) return fail("unknown-agent", "the cell has no pan-tilt unit", Datum::symbol(kind));
-    return std::make_unique<BuiltPanTilt>(std::move(context), description, link);
+    return build_pan_tilt(std::move(context), description, link);
   }
-  if (kind == "planner") {
-    return std::make_unique<WithoutDevice>(std::make_unique<planner::PlannerAgent>(std::move(context)));
-  }
+  if (kind == "planner") return built<planner::PlannerAgent>({}, std::move(context));
   if (kind == "coordinator") {
-    return std::make_unique<WithoutDevice>(
-        std::make_unique<coordinator::CoordinatorAgent>(std::move(context), coordinator_options(description)));
+    return built<coordinator::CoordinatorAgent>({}, std::move(context), coordinator_options(description));
   }
-  if (kind == "speech") {
-    return std::make_unique<WithoutDevice>(std::make_unique<speech::SpeechAgent>(std::move(context)));
-  }
+  if (kind == "speech") return built<speech::SpeechAgent>({}, std::move(context));
   if (kind == "person") return build_person(std::move(context), description, link);
   if (const forms::CellSchemeAgent* file = forms::scheme_agent_called(description, agent)) {
-    return std::make_unique<WithoutDevice>(
-        std::make_unique<scheme::SchemeAgent>(std::move(context), scheme_options(*file)));
+    return built<scheme::SchemeAgent>({}, std::move(context), scheme_options(*file));
   }
   return fail("unknown-agent", fmt::format("there is no agent {}", kind), Datum::symbol(kind));
 }

@@ -5,17 +5,17 @@
 //   Result<std::unique_ptr<BuiltAgent>> vision = build_agent("vision", context, description, link, &streams);
 //   Job job = executor.spawn((*vision)->run());
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "agents/runtime/agent.hpp"
 #include "blackboard/stream.hpp"
-#include "drivers/camera/stereo_camera.hpp"
 #include "drivers/simulation/link.hpp"
 #include "drivers/simulation/world_config.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "lisp/parts.hpp"
 
 namespace pizarra::launcher {
 
@@ -47,17 +47,19 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
 // An agent with the devices it owns.
 class BuiltAgent {
  public:
+  BuiltAgent(Parts devices, std::unique_ptr<runtime::Agent> agent)
+      : devices_(std::move(devices)), agent_(std::move(agent)) {}
   virtual ~BuiltAgent() = default;
+
   // Runs the agent until destroyed; when the agent ends by itself, the reason stays in ended().
   Task<void> run();
   const Result<void>* ended() const { return ended_ ? &*ended_ : nullptr; }
   // For a process that is to end: answers when nothing moves that this agent set in motion.
   virtual Task<void> stand_still() { co_return; }
 
- protected:
-  virtual runtime::Agent& agent() = 0;
-
  private:
+  Parts devices_;
+  std::unique_ptr<runtime::Agent> agent_;
   std::optional<Result<void>> ended_;
 };
 

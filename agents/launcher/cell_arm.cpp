@@ -1,8 +1,5 @@
 #include "agents/launcher/cell_arm.hpp"
 
-#include <array>
-#include <type_traits>
-
 #include "drivers/arm/motoman/bsc_line.hpp"
 #include "drivers/arm/motoman/ethernet_line.hpp"
 #include "drivers/arm/motoman/host_link.hpp"
@@ -30,154 +27,77 @@ line::ByteOrder order_of(std::string_view protocol) {
   return protocol.ends_with("big-endian") ? line::ByteOrder::big : line::ByteOrder::little;
 }
 
-class SimulatedDevice : public CellArm {
- public:
-  SimulatedDevice(simulation::Link& link, std::string_view device,
-                  simulation::SimulatedArm::AfterLoss after_loss = simulation::SimulatedArm::AfterLoss::take_control)
-      : arm_(link, device, after_loss) {}
-  arm::ArmDriver& driver() override { return arm_; }
-
- private:
-  simulation::SimulatedArm arm_;
-};
-
-class HsesDevice : public CellArm {
- public:
-  HsesDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
-      : wire_(executor, line.places[0], port_of(line, 0)), link_(executor, wire_), arm_(executor, link_, model) {}
-  arm::ArmDriver& driver() override { return arm_; }
-
- private:
-  line::UdpWire wire_;
-  arm::HsesLink link_;
-  arm::MotomanArm arm_;
-};
-
-// A Motoman by commands in text, over whichever line carries them; `where` is the wire's.
-template <class Wire, class Line>
-class HostDevice : public CellArm {
- public:
-  template <class... Where>
-  HostDevice(Executor& executor, const arm::ArmModel& model, Where... where)
-      : wire_(executor, where...), line_(executor, wire_), link_(line_), arm_(executor, link_, model) {}
-  arm::ArmDriver& driver() override { return arm_; }
-
- private:
-  Wire wire_;
-  Line line_;
-  arm::HostLink link_;
-  arm::MotomanArm arm_;
-};
-
-class UniversalDevice : public CellArm {
- public:
-  UniversalDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
-      : rtde_(executor, line.places[0], port_of(line, 0)),
-        script_(executor, line.places[0], port_of(line, 1)),
-        dashboard_(executor, line.places[0], port_of(line, 2)),
-        arm_(executor, {rtde_, script_, dashboard_}, model) {}
-  arm::ArmDriver& driver() override { return arm_; }
-
- private:
-  line::TcpWire rtde_;
-  line::TcpWire script_;
-  line::TcpWire dashboard_;
-  arm::UniversalArm arm_;
-};
-
-// An arm with a line for its motion and one for its state; `numbers` are their ports, or what they are set to.
-template <class Wire, class Driver>
-class TwoLineDevice : public CellArm {
- public:
-  template <class WiresOf>
-  TwoLineDevice(Executor& executor, const arm::ArmModel& model, std::array<std::string, 2> places,
-                std::array<int, 2> numbers, WiresOf wires_of)
-      : motion_(executor, places[0], static_cast<Number>(numbers[0])),
-        state_(executor, places[1], static_cast<Number>(numbers[1])),
-        arm_(executor, wires_of(motion_, state_), model) {}
-  arm::ArmDriver& driver() override { return arm_; }
-
- private:
-  using Number = std::conditional_t<std::is_same_v<Wire, line::TcpWire>, std::uint16_t, int>;
-  Wire motion_;
-  Wire state_;
-  Driver arm_;
-};
-
-std::unique_ptr<CellArm> make_simple(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
-  const auto wires_of = [&line](line::ByteWire& motion, line::ByteWire& state) {
-    arm::SimpleWires wires{.motion = motion, .state = state, .order = order_of(line.protocol)};
-    wires.track = line.protocol.starts_with("simple-message-track");
-    return wires;
-  };
-  return std::make_unique<TwoLineDevice<line::TcpWire, arm::SimpleArm>>(
-      executor, model, std::array{line.places[0], line.places[0]}, std::array{line.ports[0], line.ports[1]}, wires_of);
+arm::ArmDriver& add_hses(Parts& parts, Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
+  auto& wire = parts.add<line::UdpWire>(executor, line.places[0], port_of(line, 0));
+  auto& link = parts.add<arm::HsesLink>(executor, wire);
+  return parts.add<arm::MotomanArm>(executor, link, model);
 }
 
-std::unique_ptr<CellArm> make_motoros(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
-  const auto wires_of = [&line](line::ByteWire& motion, line::ByteWire& state) {
-    return arm::SimpleWires{.motion = motion, .state = state, .order = order_of(line.protocol)};
-  };
-  return std::make_unique<TwoLineDevice<line::TcpWire, arm::MotorosArm>>(
-      executor, model, std::array{line.places[0], line.places[0]}, std::array{line.ports[0], line.ports[1]}, wires_of);
+// A Motoman by commands in text, over whichever line carries them.
+template <class Line>
+arm::ArmDriver& add_host(Parts& parts, Executor& executor, line::ByteWire& wire, const arm::ArmModel& model) {
+  auto& link = parts.add<arm::HostLink>(parts.add<Line>(executor, wire));
+  return parts.add<arm::MotomanArm>(executor, link, model);
 }
 
-std::unique_ptr<CellArm> make_c500c(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
+arm::ArmDriver& add_universal(Parts& parts, Executor& executor, const forms::ArmLine& line,
+                              const arm::ArmModel& model) {
+  auto& rtde = parts.add<line::TcpWire>(executor, line.places[0], port_of(line, 0));
+  auto& script = parts.add<line::TcpWire>(executor, line.places[0], port_of(line, 1));
+  auto& dashboard = parts.add<line::TcpWire>(executor, line.places[0], port_of(line, 2));
+  return parts.add<arm::UniversalArm>(executor, arm::UniversalWires{rtde, script, dashboard}, model);
+}
+
+// An arm with a line for its motion and one for its state.
+template <class Arm>
+arm::ArmDriver& add_simple(Parts& parts, Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
+  auto& motion = parts.add<line::TcpWire>(executor, line.places[0], port_of(line, 0));
+  auto& state = parts.add<line::TcpWire>(executor, line.places[0], port_of(line, 1));
+  arm::SimpleWires wires{.motion = motion, .state = state, .order = order_of(line.protocol)};
+  wires.track = line.protocol.starts_with("simple-message-track");
+  return parts.add<Arm>(executor, wires, model);
+}
+
+arm::ArmDriver& add_c500c(Parts& parts, Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model) {
   constexpr int baud = 115200;
-  const auto wires_of = [](line::ByteWire& motion, line::ByteWire& state) {
-    constexpr double sign = -1;  // its servers count angles as the KUKA KR3 does
-    return arm::SimpleWires{motion, state, true, line::ByteOrder::little, sign};
-  };
-  return std::make_unique<TwoLineDevice<line::SerialWire, arm::SimpleArm>>(
-      executor, model, std::array{line.places[0], line.places[1]}, std::array{baud, baud}, wires_of);
+  constexpr double sign = -1;  // its servers count angles as the KUKA KR3 does
+  auto& motion = parts.add<line::SerialWire>(executor, line.places[0], baud);
+  auto& state = parts.add<line::SerialWire>(executor, line.places[1], baud);
+  return parts.add<arm::SimpleArm>(executor, arm::SimpleWires{motion, state, true, line::ByteOrder::little, sign},
+                                   model);
 }
 
-// An arm, and a gripper with a controller of its own.
-class GrippingDevice : public CellArm {
- public:
-  GrippingDevice(Executor& executor, std::unique_ptr<CellArm> arm, const forms::GripperSetup& setup)
-      : arm_(std::move(arm)),
-        client_(executor, setup.place, setup.port, setup.unit),
-        gripper_(executor, client_, setup),
-        both_(executor, arm_->driver(), gripper_) {}
-  arm::ArmDriver& driver() override { return both_; }
-
- private:
-  std::unique_ptr<CellArm> arm_;
-  gripper::ModbusClient client_;
-  gripper::ModbusGripper gripper_;
-  gripper::GrippingArm both_;
-};
-
-std::unique_ptr<CellArm> make_arm_alone(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
-                                        simulation::Link& link, std::string_view simulated) {
-  if (line.protocol == "hses") return std::make_unique<HsesDevice>(executor, line, model);
+arm::ArmDriver& add_arm_alone(Parts& parts, Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
+                              simulation::Link& link, std::string_view simulated) {
+  if (line.protocol == "hses") return add_hses(parts, executor, line, model);
   if (line.protocol == "ethernet-server") {
-    return std::make_unique<HostDevice<line::TcpWire, arm::EthernetLine>>(executor, model, line.places[0],
-                                                                          port_of(line, 0));
+    auto& wire = parts.add<line::TcpWire>(executor, line.places[0], port_of(line, 0));
+    return add_host<arm::EthernetLine>(parts, executor, wire, model);
   }
   if (line.protocol == "bsc") {
-    return std::make_unique<HostDevice<line::SerialWire, arm::BscLine>>(executor, model, line.places[0],
-                                                                        arm::BscLine::baud, line::Parity::even);
+    auto& wire = parts.add<line::SerialWire>(executor, line.places[0], arm::BscLine::baud, line::Parity::even);
+    return add_host<arm::BscLine>(parts, executor, wire, model);
   }
-  if (line.protocol == "universal") return std::make_unique<UniversalDevice>(executor, line, model);
-  if (line.protocol.starts_with("simple-message")) return make_simple(executor, line, model);
-  if (line.protocol.starts_with("motoros")) return make_motoros(executor, line, model);
-  if (line.protocol == "c500c") return make_c500c(executor, line, model);
+  if (line.protocol == "universal") return add_universal(parts, executor, line, model);
+  if (line.protocol.starts_with("simple-message")) return add_simple<arm::SimpleArm>(parts, executor, line, model);
+  if (line.protocol.starts_with("motoros")) return add_simple<arm::MotorosArm>(parts, executor, line, model);
+  if (line.protocol == "c500c") return add_c500c(parts, executor, line, model);
+  using AfterLoss = simulation::SimulatedArm::AfterLoss;
   // A plug-in's process speaks as the world's devices do.
-  if (line.protocol == "plugin") {
-    return std::make_unique<SimulatedDevice>(link, "arm", simulation::SimulatedArm::AfterLoss::fail);
-  }
-  return std::make_unique<SimulatedDevice>(link, simulated);
+  if (line.protocol == "plugin") return parts.add<simulation::SimulatedArm>(link, "arm", AfterLoss::fail);
+  return parts.add<simulation::SimulatedArm>(link, simulated, AfterLoss::take_control);
 }
 
 }  // namespace
 
-std::unique_ptr<CellArm> make_cell_arm(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
-                                       simulation::Link& link, std::string_view simulated) {
-  std::unique_ptr<CellArm> arm = make_arm_alone(executor, line, model, link, simulated);
+arm::ArmDriver& add_cell_arm(Parts& parts, Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
+                             simulation::Link& link, std::string_view simulated) {
+  arm::ArmDriver& arm = add_arm_alone(parts, executor, line, model, link, simulated);
   if (line.gripper.protocol != "modbus") return arm;
-  return std::make_unique<GrippingDevice>(executor, std::move(arm), line.gripper);
+  const forms::GripperSetup& setup = line.gripper;
+  auto& client = parts.add<gripper::ModbusClient>(executor, setup.place, setup.port, setup.unit);
+  auto& gripper = parts.add<gripper::ModbusGripper>(executor, client, setup);
+  return parts.add<gripper::GrippingArm>(executor, arm, gripper);
 }
 
 }  // namespace pizarra::launcher

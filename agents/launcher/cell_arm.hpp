@@ -3,14 +3,13 @@
 // The arm of a cell with the line to its controller: the simulated one's where the cell names no other; and with the
 // gripper that the cell puts onto it.
 //
-//   const std::unique_ptr<CellArm> device = make_cell_arm(executor, description.arm_line, model, link);
-//   RobotAgent robot(context, device->driver(), model);
-
-#include <memory>
+//   Parts devices;
+//   RobotAgent robot(context, add_cell_arm(devices, executor, description.arm_line, model, link), model);
 
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/simulation/link.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "lisp/parts.hpp"
 
 namespace pizarra {
 class Executor;
@@ -18,14 +17,8 @@ class Executor;
 
 namespace pizarra::launcher {
 
-class CellArm {
- public:
-  virtual ~CellArm() = default;
-  virtual arm::ArmDriver& driver() = 0;
-};
-
-// Executor and link outlive it. `simulated` is the device of the world that a line without a protocol leads to.
-std::unique_ptr<CellArm> make_cell_arm(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
-                                       simulation::Link& link, std::string_view simulated = "arm");
+// Executor and link outlive the parts. `simulated` is the device of the world that a line without a protocol leads to.
+arm::ArmDriver& add_cell_arm(Parts& parts, Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
+                             simulation::Link& link, std::string_view simulated = "arm");
 
 }  // namespace pizarra::launcher

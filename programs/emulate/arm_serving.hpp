@@ -3,31 +3,30 @@
 // The lines of an emulated arm's controller, and who answers there: one kind for each protocol and arm.
 //
 //   const ArmKind& kind = *std::ranges::find(arm_kinds(), "ur5e", &ArmKind::name);
-//   Result<std::unique_ptr<ArmServing>> serving = kind.serve(executor, cabinet, choices);
-//   (*serving)->where();          // "tcp://127.0.0.1:30004,30002,29999,30001,30003"
+//   Result<ArmServing> serving = kind.serve(executor, cabinet, choices);
+//   serving->where          // "tcp://127.0.0.1:30004,30002,29999,30001,30003"
 
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+#include "lisp/parts.hpp"
 #include "programs/emulate/devices.hpp"
 
 namespace pizarra::programs {
 
 // Destroying it ends the lines and the answers.
-class ArmServing {
- public:
-  virtual ~ArmServing() = default;
-  virtual std::string where() const = 0;
+struct ArmServing {
+  std::string where;
+  Parts parts = {};
 };
 
 struct ArmKind {
   std::string_view name;
   std::string_view arm;  // its file among arms/
-  Result<std::unique_ptr<ArmServing>> (*serve)(Executor&, simulation::ArmCabinet&, const EmulateChoices&);
+  Result<ArmServing> (*serve)(Executor&, simulation::ArmCabinet&, const EmulateChoices&);
   int ports = 1;        // one after another, where the first is asked for
   bool serial = false;  // whether it has serial lines, too
 };

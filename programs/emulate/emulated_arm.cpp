@@ -71,9 +71,9 @@ int emulate_arm(const EmulateChoices& choices) {
         {}};
     return complain(beyond, exit_usage);
   }
-  const Result<std::unique_ptr<ArmServing>> serving = kind.serve(executor, cabinet, choices);
+  const Result<ArmServing> serving = kind.serve(executor, cabinet, choices);
   if (!serving) return complain(serving.error(), exit_unavailable);
-  say_where(choices, (*serving)->where());
+  say_where(choices, serving->where);
   const Bystander bystander(executor, {.obey = [&](std::string_view words) { return cabinet.obey(words); },
                                        .status = [&] { return status(cabinet, choices.json); }});
   executor.run_until([] { return false; });

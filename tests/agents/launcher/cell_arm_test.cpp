@@ -30,9 +30,10 @@ TEST(CellArm, SpeaksSimpleMessageInTheByteOrderThatTheCellNames) {
       line.protocol = protocol;
       line.places = {"127.0.0.1"};
       line.ports = {motion->port(), state->port()};
-      const std::unique_ptr<CellArm> arm = make_cell_arm(executor, line, model, none);
+      Parts parts;
+      arm::ArmDriver& arm = add_cell_arm(parts, executor, line, model, none);
       const bool same = protocol.ends_with("big-endian") == (order == line::ByteOrder::big);
-      const Result<std::string> type = run(executor, arm->driver().identify());
+      const Result<std::string> type = run(executor, arm.identify());
       EXPECT_EQ(type.has_value(), same) << protocol;
     }
   }
@@ -53,9 +54,10 @@ TEST(CellArm, SpeaksMotorosInTheByteOrderThatTheCellNames) {
       line.protocol = protocol;
       line.places = {"127.0.0.1"};
       line.ports = {motion->port(), state->port()};
-      const std::unique_ptr<CellArm> arm = make_cell_arm(executor, line, model, none);
+      Parts parts;
+      arm::ArmDriver& arm = add_cell_arm(parts, executor, line, model, none);
       const bool same = (protocol == "motoros-big-endian") == (order == line::ByteOrder::big);
-      const Result<std::string> type = run(executor, arm->driver().identify());
+      const Result<std::string> type = run(executor, arm.identify());
       EXPECT_EQ(type.has_value(), same) << protocol;
     }
   }
