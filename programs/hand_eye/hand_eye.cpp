@@ -7,7 +7,6 @@
 #include "agents/launcher/agent_factory.hpp"
 #include "agents/launcher/readiness.hpp"
 #include "lisp/numbers.hpp"
-#include "programs/hand_eye/head_angles.hpp"
 
 namespace pizarra::hand_eye {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lisp/numbers.hpp"
-#include "programs/hand_eye/spread_out.hpp"
 
 namespace pizarra::hand_eye {
 
@@ -16,6 +16,26 @@ constexpr double yaws_deg[] = {-30, 0, 30};
 constexpr double tilts_deg[] = {0, 12};
 // A turn by so many degrees is worth as much as a millimetre.
 constexpr double mm_per_degree = 4;
+
+// Of a head's angles.
+constexpr double grid_deg = 2;
+constexpr double most_pan_deg = 40;
+constexpr double most_tilt_deg = 30;
+constexpr double least_turn_deg = 4;
+
+// A few of many things, far apart from one another: each the farthest from those chosen before it.
+template <class Thing, class Apart>
+std::vector<Thing> spread_out(const std::vector<Thing>& things, std::size_t wanted, const Apart& apart) {
+  std::vector<Thing> chosen;
+  std::vector<double> nearest(things.size(), std::numeric_limits<double>::infinity());
+  std::size_t next = 0;
+  while (chosen.size() < std::min(wanted, things.size())) {
+    chosen.push_back(things[next]);
+    for (std::size_t i = 0; i < things.size(); ++i) nearest[i] = std::min(nearest[i], apart(things[i], things[next]));
+    next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+  }
+  return chosen;
+}
 
 Eigen::Isometry3d tool_at(const CarriedPose& pose) {
   Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();
@@ -51,6 +71,12 @@ std::vector<CarriedPose> possible(const arm::ArmModel& arm, const coordinator::C
   return poses;
 }
 
+double turned_apart(ptu::HeadTurn one, ptu::HeadTurn other) {
+  return std::hypot(one.pan_deg - other.pan_deg, one.tilt_deg - other.tilt_deg);
+}
+
+bool reaches(const ptu::PanTiltAxisRange& axis, double deg) { return axis.low_deg <= deg && deg <= axis.high_deg; }
+
 }  // namespace
 
 std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coordinator::CameraView& view,
@@ -67,6 +93,21 @@ std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coord
     left.erase(nearest);
   }
   return ordered;
+}
+
+std::vector<ptu::HeadTurn> angles_to_turn_to(const forms::CameraPose& pose, const coordinator::CameraModel& model,
+                                             const Eigen::Vector3d& mark_mm, const ptu::PanTiltRange& range,
+                                             double margin_mm, std::size_t wanted) {
+  std::vector<ptu::HeadTurn> possible;
+  for (double pan = -most_pan_deg; pan <= most_pan_deg; pan += grid_deg) {
+    for (double tilt = -most_tilt_deg; tilt <= most_tilt_deg; tilt += grid_deg) {
+      const ptu::HeadTurn turn{pan, tilt};
+      const bool within =
+          reaches(range.pan, pan) && reaches(range.tilt, tilt) && turned_apart(turn, {}) >= least_turn_deg;
+      if (within && coordinator::CameraView(pose, model, turn).shows(mark_mm, margin_mm)) possible.push_back(turn);
+    }
+  }
+  return spread_out(possible, wanted, turned_apart);
 }
 
 }  // namespace pizarra::hand_eye

@@ -10,6 +10,7 @@
 
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "drivers/arm/kinematics.hpp"
+#include "drivers/ptu/pan_tilt_driver.hpp"
 
 namespace pizarra::hand_eye {
 
@@ -30,5 +31,12 @@ struct CarryingRoom {
 std::vector<CarriedPose> poses_to_carry_to(const arm::ArmModel& arm, const coordinator::CameraView& view,
                                            const Eigen::Vector3d& mark_mm, const CarryingRoom& room, double margin_mm,
                                            std::size_t wanted);
+
+// The angles to which a pan-tilt unit turns its camera, so that what is seen from there of a mark that stands still
+// tells about which axes it turned: far apart, and with the mark in both images.
+// At most `wanted`; the middle is none of them. `mark_mm` in the base frame, `margin_mm` as above.
+std::vector<ptu::HeadTurn> angles_to_turn_to(const forms::CameraPose& pose, const coordinator::CameraModel& model,
+                                             const Eigen::Vector3d& mark_mm, const ptu::PanTiltRange& range,
+                                             double margin_mm, std::size_t wanted);
 
 }  // namespace pizarra::hand_eye

@@ -8,7 +8,7 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "lisp/guile/interpret.hpp"
-#include "programs/hand_eye/head_angles.hpp"
+#include "programs/hand_eye/hand_eye_poses.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::hand_eye {
