@@ -9,13 +9,13 @@
 // A program's facts stand under the stage's lease, unless the relation is one of its own and durable. A run that breaks
 // a limit switches its part off for as long as the stage lives.
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
 #include <set>
 
 #include "agents/runtime/caller.hpp"
-#include "agents/scheme/allowance.hpp"
 #include "lisp/forms/agent_program.hpp"
 
 namespace pizarra::scheme {
@@ -25,6 +25,23 @@ using Log = std::function<void(const std::string&)>;
 struct Performed {
   Datum value;              // of an operation
   std::vector<Datum> told;  // facts
+};
+
+// How many messages a second somebody may send: at once as many as a second allows, then no faster.
+class Allowance {
+ public:
+  explicit Allowance(double per_second) : each_us_(1e6 / per_second) {}
+
+  // Takes so many, and answers how long to wait before they are sent.
+  Duration take(std::size_t messages, Time now) {
+    const Duration cost(static_cast<Duration::rep>(each_us_ * static_cast<double>(messages)));
+    spent_until_ = std::max(spent_until_, now) + cost;
+    return std::max(Duration(0), spent_until_ - now - Duration(std::chrono::seconds(1)));
+  }
+
+ private:
+  double each_us_;
+  Time spent_until_{};
 };
 
 class Stage {
