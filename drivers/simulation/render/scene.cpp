@@ -53,8 +53,10 @@ void add_link(std::vector<Solid>& solids, const Vector3d& from, const Vector3d& 
       make_prism(from + unit * from_mm, to - unit * (to_mm - 6), from_mm - 4, to_mm - 4, limb_sides, arm_paint));
 }
 
-void add_joint(std::vector<Solid>& solids, const Vector3d& at, const Vector3d& axis, double half_mm, double radius_mm) {
-  solids.push_back(make_prism(at - axis * half_mm, at + axis * half_mm, radius_mm, radius_mm, limb_sides, joint_paint));
+void add_joint(std::vector<Solid>& solids, const Vector3d& at, const Vector3d& axis, double half_length_mm,
+               double radius_mm) {
+  solids.push_back(make_prism(at - axis * half_length_mm, at + axis * half_length_mm, radius_mm, radius_mm, limb_sides,
+                              joint_paint));
 }
 
 // The solid under axis 1, `foot_mm` being where axis 1 meets the table. A gantry has none.
