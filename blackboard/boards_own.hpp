@@ -3,6 +3,8 @@
 // Relations of the board itself: those that it alone tells (`board-refusal`, `board-leads`), and those that it makes up
 // when it is asked: the statistics (memory/statistics.hpp), what a client may do (memory/own_permissions.hpp), and why
 // a fact stands (store/provenance.hpp).
+//
+//   if (is_made_up(relation.name)) return fail(left_to_the_board(relation.name));
 
 #include <algorithm>
 #include <array>

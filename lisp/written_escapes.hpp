@@ -1,6 +1,8 @@
 #pragma once
 
 // The characters that stand behind a backslash in a written string.
+//
+//   if (needs_escape(c)) out += '\\';
 
 #include <array>
 

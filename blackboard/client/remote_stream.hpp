@@ -2,6 +2,14 @@
 
 // The stream of one watched query from a server: changes, numbered from 1, acknowledged as they are read. It begins
 // again, under a new number, when one is missing or the server was lost.
+//
+// Lifecycle: a derived class is made beside the board, which outlives it, and its request() is sent once. From then on
+// the board hands it what comes, and begins it again after a loss, until it is destroyed or end() is called.
+//
+//   void Copy::come(std::uint64_t sequence, Delta delta) {     // of a class Copy : public RemoteStream
+//     take(std::move(delta));
+//     read_up_to(sequence, true);
+//   }
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/delta.hpp"

@@ -2,6 +2,12 @@
 
 // One watch of a RemoteBoard: what comes waits until it is read. Where an answer is one fact, what holds is kept, so
 // that the server need not say again what it was that went.
+//
+// Lifecycle: RemoteBoard::watch() makes it and asks for it. Then next() answers changes until it is destroyed. The
+// board outlives it.
+//
+//   Result<std::unique_ptr<Watch>> watch = co_await board.watch(query);   // a RemoteWatch
+//   Result<Change> change = co_await (*watch)->next();
 
 #include <deque>
 

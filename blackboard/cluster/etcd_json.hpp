@@ -1,6 +1,9 @@
 #pragma once
 
 // Requests to etcd's gateway and its answers, as JSON. Keys and values stand there as base64.
+//
+//   const std::string body = etcd_json::request(transaction);          // to POST to /v3/kv/txn
+//   Result<KeyValues::Reply> reply = etcd_json::reply_from(answer);
 
 #include <string>
 

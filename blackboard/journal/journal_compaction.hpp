@@ -1,6 +1,8 @@
 #pragma once
 
 // Moves a journal's horizon on: the oldest groups of the log become part of what stood at the horizon.
+//
+//   while (*advance_horizon(database, before_revision, before_time, slice_bytes) > 0) {}      // all that may go
 
 #include "blackboard/journal/journal_file.hpp"
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // A FrameSocket of a simulated Network, on the executor of its process.
+//
+// Lifecycle: the transport that a Network gives to a process opens it, and both outlive it. What comes while the
+// process is held up waits. When the process has ended, nothing comes any more.
+//
+//   SimulatedSocket socket(network, "arm-pc", process, Kind::dealer, receiver);
+//   socket.connect("tcp://board-pc:7800", nullptr, {});
 
 #include <deque>
 #include <set>

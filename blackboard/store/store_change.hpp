@@ -2,6 +2,12 @@
 
 // One transaction of a Store while it is carried out: every change of the facts goes through here and becomes part of
 // the Commit that finish() hands on. Nothing here can fail; what could was checked before.
+//
+// Lifecycle: one transaction. Made by the store, which outlives it; the steps in their order; finish() once.
+//
+//   Store::Change change(store, "vision", now);
+//   change.tell(fact, because, lease);
+//   const Revision revision = change.finish();
 
 #include "blackboard/store/store.hpp"
 

@@ -2,6 +2,9 @@
 
 // A frame as one message between hosts: the stream's name and a space, by which ZeroMQ subscribes, five little-endian
 // words (number, time of capture, width, height, channels), and the pixels.
+//
+//   socket.send(frame_to_text("left", frame));
+//   std::optional<StreamFrame> frame = frame_from_text("left", text);
 
 #include <optional>
 #include <string>

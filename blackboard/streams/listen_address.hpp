@@ -1,6 +1,8 @@
 #pragma once
 
 // Where a publisher listens so that other machines reach it.
+//
+//   stream_listen_address("tcp://10.0.0.1:7800");       // "tcp://10.0.0.7:*" on the machine that is 10.0.0.7
 
 #include <string>
 

@@ -1,6 +1,9 @@
 #pragma once
 
 // Facts, answers and changes as they stand in the frames of the wire; wire.hpp says where, and in which form.
+//
+//   write_change(frame, watch, sequence, width, kept, delta);            // the server
+//   Result<Delta> delta = delta_from_datum(query, kept, message);       // the client
 
 #include <span>
 #include <string>

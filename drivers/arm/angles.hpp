@@ -1,6 +1,8 @@
 #pragma once
 
 // Turns by degrees, as everything but the mathematical library counts them.
+//
+//   const Eigen::Vector3d ahead = about_z(90) * Eigen::Vector3d::UnitX();     // along y
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,9 @@
 
 // Checks that every arm driver makes. Before a move goes over its wire: waypoints within the limits, and real numbers.
 // Of a reading: whether an arm of this file can stand there.
+//
+//   const Result<void> possible = check_move(model, waypoints, speed);
+//   const Result<void> sound = check_reading(model, reading.joints);
 
 #include <cmath>
 #include <fmt/format.h>

@@ -2,6 +2,9 @@
 
 // The three axes that place the wrist centre, for every build: where they put it, and every way to put it somewhere.
 // Without the track; base frame.
+//
+//   const Placement at = place(model, posture);
+//   const Ways ways = ways_to(model, at.wrist_mm, heading_deg);      // that posture among them
 
 #include <optional>
 

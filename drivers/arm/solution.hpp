@@ -2,6 +2,9 @@
 
 // Every way in which an arm can take a pose, and the best of them: what inverse() stands on. No failures are worded
 // here, so that a search may ask often.
+//
+//   const Solution best = best_solution(model, pose, reading.joints);
+//   if (best.found && best.excess == 0) move_to(best.joints);
 
 #include <Eigen/Geometry>
 

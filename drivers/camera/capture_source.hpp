@@ -1,6 +1,11 @@
 #pragma once
 
 // The sources that OpenCV's VideoCapture opens: devices, video files, network streams, GStreamer pipelines.
+//
+// Lifecycle: open(), then grab() and retrieve() for each image; close(), after which it may be opened again.
+//
+//   CaptureSource source({forms::CameraSource::Kind::device, "/dev/video0"}, setup);
+//   if (source.open() && source.grab()) show(*source.retrieve(true));
 
 #include <opencv2/videoio.hpp>
 

@@ -3,6 +3,12 @@
 // The common part of all wires over a file descriptor. At most 64 KiB that nobody reads are kept; more breaks the
 // connection. A message that the line does not take is lost as a whole. Where it took a part, write() fails, and the
 // rest goes before the next message.
+//
+// Lifecycle: a derived class opens the file and adopts it; close(), or its destruction, closes that. It may adopt
+// another one then. The executor outlives it.
+//
+//   Result<void> sent = wire.write("PP\r\n");
+//   Result<std::string> bytes = co_await wire.read(deadline);
 
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/byte_wire.hpp"

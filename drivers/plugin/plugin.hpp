@@ -7,6 +7,8 @@
 // Lifecycle: loaded, made once, called from one thread, one call at a time; the process ends with it, and a dead one is
 // started again. What fails throws Refused; what else is thrown counts as `disconnected`. A call ends soon: within 50
 // ms for an arm, since a stop waits for it.
+//
+//   if (!connected) throw pizarra::plugin::Refused("disconnected", "the controller has closed the line");
 
 #include <stdexcept>
 #include <string>

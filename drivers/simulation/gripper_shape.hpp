@@ -2,6 +2,8 @@
 
 // The gripper's shapes in the tool frame (drivers/arm/kinematics.hpp): z the approach, y closing, origin the grip
 // centre, x towards the camera where the tool is down and its wrist turned back. Physics and picture share them.
+//
+//   const Eigen::Vector3d mark_mm = tool * gripper_shape::mark;
 
 #include <Eigen/Core>
 

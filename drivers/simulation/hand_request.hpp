@@ -2,6 +2,8 @@
 
 // Requests that disturb the arm's work, as in world.hpp, understood and begun: to the hand, `(hand push NAME DX DY)`
 // and so on, and those that make the gripper's fingers clumsy.
+//
+//   const Result<void> begun = begin_hand(cell, request);      // (hand push circle 20 0)
 
 #include "drivers/simulation/physics/physical_cell.hpp"
 

@@ -2,6 +2,11 @@
 
 // The simulated world's pan-tilt unit and the near end of its line: what drivers say reaches it as bytes, and what it
 // says waits here until it is heard. The requests stand in world.hpp.
+//
+// Lifecycle: the world makes it with its cell; the executor outlives it.
+//
+//   HeadLine line(executor, model);
+//   Result<Message> heard = co_await line.handle(request);
 
 #include "drivers/simulation/controllers/ptu_emulator.hpp"
 #include "drivers/simulation/link.hpp"

@@ -3,6 +3,8 @@
 // The device link's wire, for its two ends alone. A call is one part, `(call ID REQUEST)`. An answer is
 // `(answer ID VALUES ((WIDTH HEIGHT CHANNELS) ...))`, or `(answer ID (fail ...) ())`, and then one part of pixels an
 // image. ID counts up within one client.
+//
+//   while (auto parts = link_wire::receive_parts(socket)) take(link_wire::read_call((*parts)[1].to_string_view()));
 
 #include <zmq.hpp>
 

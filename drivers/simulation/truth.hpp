@@ -2,6 +2,8 @@
 
 // The truth about the cell, told geometrically: for the judge, the hand, the scripted person and pages of the console
 // alone. The forms stand in world.hpp.
+//
+//   Result<Datum> at = where_seen(cell, left, "circle");      // the pixel that a person would click on
 
 #include "drivers/simulation/physics/physical_cell.hpp"
 #include "drivers/simulation/render/eye.hpp"

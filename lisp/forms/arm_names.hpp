@@ -1,6 +1,8 @@
 #pragma once
 
 // The arms that come with the tree: arms/NAME.scm, described in drivers/arm/arm_file.hpp. A cell file names one.
+//
+//   shipped_arm_file(arm_called("up6"));        // the path of arms/motoman-up6.scm
 
 #include <string>
 #include <string_view>

@@ -7,6 +7,8 @@
 // Parts that the other does not name are added: before the next name that is replaced, or else at the end, so that
 // rules and micro-tasks keep the order in which they are written. Names that are to be left out go with all that the
 // other says of them, and with what its operators do to them.
+//
+//   const Piece merged = merge_domains(own, other, {"stack"});     // without the other's operator `stack`
 
 #include <set>
 #include <string>

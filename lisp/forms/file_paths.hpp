@@ -1,6 +1,8 @@
 #pragma once
 
 // A file that another file names.
+//
+//   beside("cells/blocks.scm", "objects");      // "cells/objects"
 
 #include <filesystem>
 #include <string>

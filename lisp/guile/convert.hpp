@@ -2,6 +2,9 @@
 
 // Datum to Scheme value and back, for lisp/guile/ alone. Both directions may be left by a non-local exit of Guile's, so
 // no object with a destructor lives in their frames while Guile runs: what is built belongs to the caller's caller.
+//
+//   Builder builder;                            // outside of what Guile may leave
+//   if (builder.take(value)) answer = builder.result();
 
 #include <libguile.h>
 #include <vector>

@@ -8,6 +8,8 @@
 // to look whether it was begun.
 //
 // Failures: no-answer, disconnected, bad-reply; refused, whose subject is the controller's code (motoman_codes.hpp).
+//
+//   const Result<MotomanStatus> status = co_await link.status();
 
 #include <array>
 #include <cstdint>

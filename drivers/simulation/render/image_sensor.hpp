@@ -4,6 +4,9 @@
 //
 // Noise comes from a field drawn once. Every frame and side reads it from an offset of its own. So a frame's noise
 // depends on its number alone, not on the frames that were asked for before.
+//
+//   sensor.expose(canvas, rect, exposure);
+//   const Image image = sensor.develop(exposure, canvas, frame, Side::left);
 
 #include "blackboard/stream.hpp"
 #include "blackboard/time/random.hpp"

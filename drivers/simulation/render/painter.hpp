@@ -5,6 +5,9 @@
 // Of two convex solids that do not enter each other a plane separates them, and the one on the eye's side may hide the
 // other, never the reverse; the order follows from all pairs whose silhouettes overlap in the image. It is exact,
 // however the solids lie, as long as no three hide each other in a ring.
+//
+//   for (const Solid& solid : solids) seen.push_back(see(eye, solid));
+//   for (const std::size_t i : paint_order(eye, solids, seen)) paint(seen[i]);
 
 #include "drivers/simulation/render/eye.hpp"
 #include "drivers/simulation/render/outline.hpp"

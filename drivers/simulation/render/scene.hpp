@@ -1,6 +1,8 @@
 #pragma once
 
 // The cell as solids to draw: what stands still, and what a snapshot of the world shows.
+//
+//   const Scene scene = moving_scene(config, {.cubes = cubes, .joints = joints});      // before still_solids(config)
 
 #include <optional>
 

@@ -2,6 +2,9 @@
 
 // How a controller interpolates a straight line of its tool: the waypoints, and the part of the axes' speeds at which
 // they take as long as the line does at so many mm/s.
+//
+//   Result<StraightWay> way = straight_way(model, joints, pose, 100);
+//   motion.begin(way->waypoints, way->part);
 
 #include "drivers/arm/kinematics.hpp"
 
