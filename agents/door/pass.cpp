@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "lisp/plain_name.hpp"
+
 namespace pizarra::door {
 
 namespace {
@@ -46,7 +48,7 @@ Result<void> Pass::may_read(const Query& query) const {
 }
 
 Result<Pass> pass_of(const std::string& folder, const std::string& name, std::string_view token) {
-  if (!wire::is_key_name(name) || name == wire::board_key_name) return nobody();
+  if (!is_plain_name(name) || name == wire::board_key_name) return nobody();
   const std::string base = folder + "/" + name;
   std::error_code unknown;
   if (!std::filesystem::exists(base + ".secret", unknown)) return nobody();

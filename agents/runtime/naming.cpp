@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "lisp/nearest.hpp"
+#include "lisp/plain_name.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::runtime {
@@ -14,18 +15,12 @@ namespace {
 constexpr Duration binding_look = 500ms;
 const Datum any = "?"_sym;
 
-bool is_plain_name(const std::string& name) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto plain = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '-'; };
-  return !name.empty() && name.size() <= Naming::max_name && letter(name.front()) && std::ranges::all_of(name, plain);
-}
-
 Result<void> check(const Path& path, const Reference* reference = nullptr) {
   const bool plain = !path.empty() && path.size() <= Naming::max_depth && std::ranges::all_of(path, is_plain_name);
   if (!plain) {
     return fail("bad-name",
                 fmt::format("a path has 1 to {} names of letters, digits and dashes, a letter first, {} at most",
-                            Naming::max_depth, Naming::max_name),
+                            Naming::max_depth, longest_plain_name),
                 is_string_text(path_text(path)) ? to_datum(path_text(path)) : Datum());
   }
   const bool whole = reference == nullptr || (is_plain_name(reference->kind) && is_plain_name(reference->agent));

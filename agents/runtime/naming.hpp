@@ -16,7 +16,7 @@
 // be removed only when it is empty, and nothing can be bound in a context that is not there, so no part of the tree is
 // cut off. This holds with any number of clients at once, because every change is one transaction.
 //
-// Names are letters, digits and dashes, a letter first, at most 64; a path has at most 16.
+// Names are plain (lisp/plain_name.hpp); a path has at most 16.
 
 #include <map>
 #include <string>
@@ -52,7 +52,6 @@ std::string path_text(const Path& path);
 
 class Naming {
  public:
-  static constexpr std::size_t max_name = 64;
   static constexpr std::size_t max_depth = 16;
   static constexpr std::size_t max_listed = 1000;
 

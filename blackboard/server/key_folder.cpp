@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <sys/stat.h>
 
+#include "lisp/plain_name.hpp"
+
 namespace pizarra::server {
 
 Result<KeyFolder> KeyFolder::open(const std::string& folder) {
@@ -53,7 +55,7 @@ bool KeyFolder::refresh() {
 void KeyFolder::read(const std::string& path) {
   const std::string stem = std::filesystem::path(path).stem();
   if (stem == wire::board_key_name) return;
-  if (!wire::is_key_name(stem)) return faults_.push_back({"bad-name", "a file of keys is called NAME.key", {}, {}});
+  if (!is_plain_name(stem)) return faults_.push_back({"bad-name", "a file of keys is called NAME.key", {}, {}});
   Result<wire::PublicKey> key = wire::read_public_key(path);
   if (!key) return faults_.push_back(key.error());
   const auto fault = [&](std::string sentence) {

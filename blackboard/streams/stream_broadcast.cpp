@@ -6,6 +6,7 @@
 #include "blackboard/streams/frame_text.hpp"
 #include "blackboard/streams/shared_ring.hpp"
 #include "blackboard/wire/half_open.hpp"
+#include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
 namespace pizarra::streams {
@@ -17,16 +18,14 @@ constexpr int frames_under_way = 2;
 constexpr int socket_bytes = 1 << 18;
 constexpr std::int64_t longest_message = max_image_bytes + (1 << 16);
 
-constexpr std::size_t key_length = 40;  // in Z85
-
 struct Keys {
   std::string public_key;
   std::string secret_key;
 };
 
 Keys fresh_keys() {
-  std::array<char, key_length + 1> open{};
-  std::array<char, key_length + 1> secret{};
+  std::array<char, wire::key_length + 1> open{};
+  std::array<char, wire::key_length + 1> secret{};
   zmq_curve_keypair(open.data(), secret.data());
   return {open.data(), secret.data()};
 }
@@ -43,7 +42,7 @@ enum TicketPart : std::size_t { transport, at, server_key, public_key, secret_ke
 bool is_ticket(const Datum& ticket) {
   if (!ticket.is_form("tcp") || ticket.size() != ticket_parts) return false;
   const auto is_text = [](const Datum& part) { return part.is_string(); };
-  const auto is_key = [](const Datum& part) { return part.text().size() == key_length; };
+  const auto is_key = [](const Datum& part) { return part.text().size() == wire::key_length; };
   return std::ranges::all_of(ticket.items().subspan(at), is_text) &&
          std::ranges::all_of(ticket.items().subspan(server_key), is_key) &&
          wire::check_address(std::string(ticket[at].text())).has_value();

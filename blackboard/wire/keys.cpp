@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +12,7 @@
 #include <zmq.h>
 
 #include "blackboard/limits.hpp"
+#include "lisp/plain_name.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -20,9 +20,7 @@ namespace pizarra::wire {
 
 namespace {
 
-constexpr std::size_t key_length = 40;
 constexpr std::size_t raw_length = 32;
-constexpr std::size_t longest_name = 64;
 constexpr std::size_t most_key_files = 1024;
 
 constexpr const char* permitted_names =
@@ -53,7 +51,7 @@ Result<Source> read_form(const std::string& path, const char* head) {
     return bad_key(*source, {0}, std::string("this file holds one form, (") + head + " NAME ...)");
   }
   const Datum& form = source->data().front();
-  if (form.size() < 3 || !form[1].is_symbol() || !is_key_name(form[1].text())) {
+  if (form.size() < 3 || !form[1].is_symbol() || !is_plain_name(form[1].text())) {
     return bad_key(*source, {0, 1}, "a key's name has letters, digits and dashes, a letter first");
   }
   if (!is_key(form[2])) return bad_key(*source, {0, 2}, "a key is a string of 40 characters of Z85");
@@ -129,12 +127,6 @@ bool permits(const std::vector<std::string>& listed, std::string_view relation) 
   });
 }
 
-bool is_key_name(std::string_view name) {
-  const auto plain = [](unsigned char c) { return c < 128 && (std::isalnum(c) != 0 || c == '-'); };
-  return !name.empty() && name.size() <= longest_name && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-         std::ranges::all_of(name, plain);
-}
-
 bool may_call_itself(std::string_view name, std::string_view teller) {
   return teller.starts_with(name) && (teller.size() == name.size() || teller[name.size()] == '/');
 }
@@ -148,9 +140,9 @@ std::string default_key_folder() {
 }
 
 Result<KeyPair> make_keys(const std::string& folder, const std::string& name, const Permissions& may) {
-  if (!is_key_name(name)) {
+  if (!is_plain_name(name)) {
     return fail("bad-name", "a key's name has letters, digits and dashes, a letter first, and " +
-                                std::to_string(longest_name) + " at most");
+                                std::to_string(longest_plain_name) + " at most");
   }
   for (const auto* listed : {&may.tell, &may.take, &may.read, &may.override_leases}) {
     for (const std::string& relation : *listed) {

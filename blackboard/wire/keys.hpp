@@ -5,8 +5,8 @@
 //   (key robot "PUBLIC" (tell arm arm-* reply) (take request) (read *))     robot.key: goes to the board's folder
 //   (secret-key robot "PUBLIC" "SECRET")                                    robot.secret: its owner's alone, mode 0600
 //
-// with the CURVE keys as 40 characters of Z85. A permission lists relations: a name, a beginning with a star, or a star
-// for all. What is not listed is not permitted.
+// with the CURVE keys as 40 characters of Z85, and a plain name (lisp/plain_name.hpp). A permission lists relations: a
+// name, a beginning with a star, or a star for all. What is not listed is not permitted.
 //
 //   tell       tell and retract facts, except those that another told under its lease
 //   take       take facts
@@ -27,6 +27,9 @@ namespace pizarra::wire {
 
 // The name under which a board has its own keys; no client has it.
 inline constexpr std::string_view board_key_name = "board";
+
+// Of a CURVE key, characters of Z85.
+inline constexpr std::size_t key_length = 40;
 
 struct Permissions {
   std::vector<std::string> tell;
@@ -58,8 +61,6 @@ struct ClientKeys {
   std::string board_key;
 };
 
-// Letters, digits and dashes, a letter first, 64 at most.
-bool is_key_name(std::string_view name);
 // Whether a client with the key `name` may say that it is `teller`: NAME, or NAME/ANYTHING.
 bool may_call_itself(std::string_view name, std::string_view teller);
 

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "blackboard/wire/keys.hpp"
+#include "lisp/plain_name.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -53,7 +54,7 @@ bool is_same_secret(std::string_view a, std::string_view b) {
 }
 
 Result<std::string> make_token(const std::string& folder, const std::string& name) {
-  if (!is_key_name(name)) return fail("bad-name", "a key's name has letters, digits and dashes, a letter first");
+  if (!is_plain_name(name)) return fail("bad-name", "a key's name has letters, digits and dashes, a letter first");
   const std::string base = folder + "/" + name;
   std::error_code error;
   if (name == board_key_name || !std::filesystem::exists(base + ".secret", error)) {
@@ -70,7 +71,7 @@ Result<std::string> make_token(const std::string& folder, const std::string& nam
 
 std::optional<std::string> key_of_token(const std::string& folder, std::string_view token) {
   const std::size_t dot = token.find('.');
-  if (dot == std::string_view::npos || !is_key_name(token.substr(0, dot))) return std::nullopt;
+  if (dot == std::string_view::npos || !is_plain_name(token.substr(0, dot))) return std::nullopt;
   const std::string name(token.substr(0, dot));
   const std::string path = folder + "/" + name + ".token";
   struct stat status {};

@@ -1,13 +1,13 @@
 #include "drivers/simulation/world_config.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
 #include "drivers/simulation/frame_clock.hpp"
+#include "lisp/plain_name.hpp"
 #include "lisp/plain_text.hpp"
 
 namespace pizarra::simulation {
@@ -17,7 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 12> names_of_marks = {"circle",   "square",    "cross",    "triangle",
                                                              "arrow",    "hourglass", "house",    "star",
                                                              "letter-h", "letter-t",  "letter-y", "letter-z"};
-constexpr std::size_t longest_name = 64;
 constexpr double narrowest_view_px = 16;
 constexpr double widest_view_px = 4096;
 
@@ -45,7 +44,7 @@ Result<void> check_camera(const CameraConfig& camera) {
 
 Result<void> check_cube(const WorldConfig& config, std::size_t index) {
   const CubeConfig& cube = config.cubes[index];
-  if (!valid_name(cube.name)) return bad(fmt::format("\"{}\" is no name for a cube", cube.name), cube.name);
+  if (!is_plain_name(cube.name)) return bad(fmt::format("\"{}\" is no name for a cube", cube.name), cube.name);
   const auto earlier = std::span(config.cubes).first(index);
   const auto named = [&](std::string_view name) {
     return std::ranges::find(earlier, lowered(name), [](const CubeConfig& other) { return lowered(other.name); });
@@ -94,11 +93,6 @@ std::optional<Mark> mark_from_name(std::string_view name) {
 std::string_view mark_name(Mark mark) { return names_of_marks[static_cast<std::size_t>(mark)]; }
 
 std::span<const std::string_view> mark_names() { return names_of_marks; }
-
-bool valid_name(std::string_view name) {
-  return !name.empty() && name.size() <= longest_name && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
-         std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; });
-}
 
 Result<void> check(const WorldConfig& config) {
   const TableConfig& table = config.table;

@@ -41,8 +41,6 @@ enum class Mark : std::uint8_t {
 std::optional<Mark> mark_from_name(std::string_view name);
 std::string_view mark_name(Mark mark);
 std::span<const std::string_view> mark_names();
-// The form of an object's name: [A-Za-z][A-Za-z0-9-]*, at most 64 characters.
-bool valid_name(std::string_view name);
 
 inline constexpr double cube_mass_kg = 0.15;  // whatever its size
 // Cubes in a world at once, the hand's included.

@@ -9,6 +9,7 @@
 
 #include "agents/launcher/agent_factory.hpp"
 #include "lisp/outside_text.hpp"
+#include "lisp/plain_name.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 
@@ -28,16 +29,13 @@ struct NewChoices {
 // The examples are agents called `counter`, their class `Counter`.
 constexpr std::string_view old_name = "counter";
 constexpr std::string_view old_class = "Counter";
-constexpr std::size_t longest_name = 64;
 
 // Whether the name suits an agent, a file, a CMake project and, in another spelling, a class.
 Result<void> check_name(const std::string& name) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; };
-  if (name.empty() || name.size() > longest_name || !is_letter(name.front()) || !std::ranges::all_of(name, fits)) {
+  if (!is_plain_name(name)) {
     return fail("bad-name", fmt::format("an agent's name has letters, digits and dashes, a letter first, {} at most: "
                                         "not {}",
-                                        longest_name, text_of_bytes(name)));
+                                        longest_plain_name, text_of_bytes(name)));
   }
   if (launcher::kind_fault(name).empty() || name == "board" || name == "world") {
     return fail("bad-name", fmt::format("Pizarra has an agent {} of its own: take another name", name));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lisp/numbers.hpp"
+#include "lisp/plain_name.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -40,8 +41,6 @@ void note_rival(LearnedObject& object, const LearnedSample& sample, std::size_t 
     note_rival(object.rivals[i], index, least);
   }
 }
-
-bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 // In the order of SizeBy.
 constexpr std::array<std::string_view, 4> ways_to_size = {"measured", "guessed", "measured-face", "guessed-face"};
@@ -91,10 +90,7 @@ bool same_name(std::string_view a, std::string_view b) {
 }
 
 Result<void> check_object_name(std::string_view name) {
-  const bool good =
-      !name.empty() && name.size() <= 64 && is_letter(name[0]) &&
-      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
-  if (good) return {};
+  if (is_plain_name(name)) return {};
   return fail("bad-name", "a name is a letter and at most 63 letters, digits and hyphens",
               is_string_text(name) ? to_datum(name) : Datum());
 }

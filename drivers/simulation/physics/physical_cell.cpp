@@ -6,6 +6,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 #include "lisp/numbers.hpp"
+#include "lisp/plain_name.hpp"
 
 namespace pizarra::simulation {
 
@@ -142,7 +143,7 @@ Result<CubeId> Cell::prepare(std::string_view name, Mark mark) {
     return known;
   }
   if (cubes_.size() == max_cubes) return fail("bad-request", fmt::format("a cell has at most {} cubes", max_cubes));
-  if (!valid_name(name)) return fail("bad-request", fmt::format("{} is no name for an object", name));
+  if (!is_plain_name(name)) return fail("bad-request", fmt::format("{} is no name for an object", name));
   cubes_.push_back({std::string(name), mark});
   const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0), config_.cube_mm);
   physics_.take_away(cube);
