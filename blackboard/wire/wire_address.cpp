@@ -89,6 +89,8 @@ Result<std::vector<std::string>> addresses_from(const std::string& list) {
 }
 
 bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
+std::string ipc_address(const std::string& path) { return std::string(ipc) + path; }
+std::string ipc_path(const std::string& address) { return address.substr(ipc.size()); }
 
 bool is_ipv6(const std::string& address) { return address.starts_with("tcp://["); }
 

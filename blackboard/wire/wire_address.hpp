@@ -17,6 +17,9 @@ Result<void> check_address(const std::string& address);
 Result<std::vector<std::string>> addresses_from(const std::string& list);
 
 bool is_ipc(const std::string& address);
+std::string ipc_address(const std::string& path);
+// Of an address of ipc.
+std::string ipc_path(const std::string& address);
 
 // Whether its host is an address of IPv6: ZeroMQ must be told.
 bool is_ipv6(const std::string& address);

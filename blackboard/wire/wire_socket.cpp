@@ -85,8 +85,7 @@ Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* 
     socket_.bind(*place);
     schedule_pump();
     std::string bound = socket_.get(zmq::sockopt::last_endpoint);
-    constexpr std::string_view ipc = "ipc://";
-    if (bound.starts_with(ipc)) bound_files_.push_back(bound.substr(ipc.size()));
+    if (is_ipc(bound)) bound_files_.push_back(ipc_path(bound));
     return bound;
   } catch (const zmq::error_t& error) {
     return refused_address(error, address);

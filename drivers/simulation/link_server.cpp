@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "drivers/simulation/link_address.hpp"
 #include "drivers/simulation/link_wire.hpp"
 
 namespace pizarra::simulation {
@@ -32,8 +33,7 @@ LinkServer::~LinkServer() {
   executor_.unwatch_readable(socket_.get(zmq::sockopt::fd));
   // ZeroMQ leaves an ipc address's file behind. One that is gone already is fine.
   const std::string bound = socket_.get(zmq::sockopt::last_endpoint);
-  constexpr std::string_view ipc = "ipc://";
-  if (bound.starts_with(ipc)) unlink(bound.c_str() + ipc.size());
+  if (is_link_address(bound)) unlink(bound.c_str() + link_scheme.size());
 }
 
 void LinkServer::receive() {

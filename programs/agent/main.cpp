@@ -11,6 +11,7 @@
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "drivers/simulation/link_address.hpp"
 #include "drivers/simulation/link_server.hpp"
 #include "drivers/simulation/socket_link.hpp"
 #include "lisp/outside_text.hpp"
@@ -89,7 +90,7 @@ int run_agent(const ProcessChoices& choices) {
 int run_world(const ProcessChoices& choices) {
   const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
-  if (!choices.world.starts_with("ipc://")) {
+  if (!simulation::is_link_address(choices.world)) {
     const Failure open{"bad-address", "the world listens at ipc://PATH alone, not at " + choices.world, {}, {}};
     return complain(open, exit_usage);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "drivers/simulation/link_address.hpp"
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_line.hpp"
@@ -92,7 +93,7 @@ void add_emulate_command(CLI::App& app, int& status) {
                    "Move the arm of the simulated world at this address, ipc://PATH, as `world` and `up` "
                    "have one")
       ->check([](const std::string& text) {
-        return text.starts_with("ipc://") ? std::string() : "a simulated world is at ipc://PATH";
+        return simulation::is_link_address(text) ? std::string() : "a simulated world is at ipc://PATH";
       });
   emulating
       ->add_option("--programs", choices->programs,

@@ -29,7 +29,7 @@ const std::string& key_folder(const UpChoices& choices, const forms::CellDescrip
 HostPlaces board_and_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host,
                           const launcher::RunDirectory& directory) {
   HostPlaces places{.owns_board = runs_board(choices, cell, host), .board = {}, .world = {}, .keys = {}, .key = {}};
-  const std::string own_address = "ipc://" + directory.file("board.ipc");
+  const std::string own_address = wire::ipc_address(directory.file("board.ipc"));
   const std::string& folder = key_folder(choices, cell);
   if (places.owns_board && !cell.board_address.empty()) places.keys = folder;
   places.board = !choices.board.empty()                               ? choices.board
@@ -104,7 +104,7 @@ Result<void> check_options(const UpChoices& choices, const forms::CellDescriptio
 Result<HostPlaces> host_places(const UpChoices& choices, const forms::CellDescription& cell,
                                const forms::CellHost& host, const launcher::RunDirectory& directory) {
   HostPlaces places = board_and_keys(choices, cell, host, directory);
-  places.world = choices.world.empty() ? "ipc://" + directory.file("world.ipc") : choices.world;
+  places.world = choices.world.empty() ? wire::ipc_address(directory.file("world.ipc")) : choices.world;
   if (host.name == cell.board_host || !choices.world.empty()) return places;
   // The world runs beside the board's host.
   if (const std::optional<launcher::RunState> run = world_host(cell)) {
@@ -124,7 +124,7 @@ Result<HostPlaces> host_places(const UpChoices& choices, const forms::CellDescri
 std::string device_address(const std::string& agent, const forms::CellDescription& cell, const HostPlaces& places,
                            const launcher::RunDirectory& directory) {
   const launcher::DevicePlugin plugin = launcher::plugin_of(agent, cell);
-  return plugin.library.empty() ? places.world : fmt::format("ipc://{}", directory.file(plugin.device + "-plugin.ipc"));
+  return plugin.library.empty() ? places.world : wire::ipc_address(directory.file(plugin.device + "-plugin.ipc"));
 }
 
 std::string first_address(const std::string& addresses) { return addresses.substr(0, addresses.find(',')); }
