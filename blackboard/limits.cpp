@@ -7,9 +7,8 @@ namespace pizarra {
 Weight weigh(const Fact& fact) {
   constexpr std::size_t envelope_bytes = 120;
   constexpr std::size_t envelope_elements = 8;
-  constexpr std::size_t id_bytes = 21;
   Weight weight = weigh(fact.datum);
-  weight.bytes += envelope_bytes + 2 * fact.teller.size() + id_bytes * fact.because.size();
+  weight.bytes += envelope_bytes + 2 * fact.teller.size() + limits::id_bytes * fact.because.size();
   weight.elements += envelope_elements + fact.because.size();
   return weight;
 }

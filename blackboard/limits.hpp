@@ -27,6 +27,8 @@ constexpr std::size_t depth = frame_depth - 8;
 
 constexpr std::size_t steps = 10'000;     // in a transaction
 constexpr std::size_t facts = 1'000'000;  // on a board
+// Of an ID in a message, at most: its figures and a blank.
+constexpr std::size_t id_bytes = 21;
 // Of all facts of a board, as footprint() counts them.
 constexpr std::size_t board_bytes = 1 << 30;
 constexpr std::size_t relations = 2048;   // on a board

@@ -15,11 +15,10 @@ std::size_t most_bytes(const Transaction& transaction, const Weight& weight) {
 
 Weight weigh(const Transaction& transaction) {
   constexpr std::size_t envelope = 64;
-  constexpr std::size_t id_bytes = 21;
   Weight whole;
   const auto add = [&](const Datum& datum, std::size_t ids) {
     whole += weigh(datum);
-    whole.bytes += envelope + ids * id_bytes;
+    whole.bytes += envelope + ids * limits::id_bytes;
     whole.elements += 6 + ids;
   };
   for (const auto& precondition : transaction.preconditions) {

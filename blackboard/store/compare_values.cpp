@@ -8,7 +8,6 @@ namespace {
 
 // An integer and a real, exactly: a double does not hold every integer.
 std::strong_ordering compare_numbers(std::int64_t integer, double real) {
-  constexpr double beyond_integers = 9223372036854775808.0;
   if (std::isnan(real)) return std::signbit(real) ? std::strong_ordering::greater : std::strong_ordering::less;
   if (real >= beyond_integers) return std::strong_ordering::less;
   if (real < -beyond_integers) return std::strong_ordering::greater;

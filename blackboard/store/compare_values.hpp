@@ -10,6 +10,9 @@
 
 namespace pizarra::store {
 
+// The least real number above every integer; the least integer is its opposite.
+inline constexpr double beyond_integers = 0x1p63;
+
 std::strong_ordering compare_values(const Datum& a, const Datum& b);
 
 }  // namespace pizarra::store

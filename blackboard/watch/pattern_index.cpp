@@ -46,10 +46,9 @@ std::vector<WatchedPattern> patterns_of(const Query& query, WatchQueue* watch) {
 }
 
 Datum PatternIndex::by_value(const Datum& value) {
-  constexpr double beyond_integers = 9223372036854775808.0;
   const double number = value.number();
   const bool is_whole = value.is_real() && number == std::floor(number);
-  if (!is_whole || number >= beyond_integers || number < -beyond_integers) return value;
+  if (!is_whole || number >= store::beyond_integers || number < -store::beyond_integers) return value;
   return Datum::integer(static_cast<std::int64_t>(number));
 }
 
