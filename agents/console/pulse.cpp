@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "agents/runtime/hold_deadlines.hpp"
+
 namespace pizarra::console {
 
 namespace {
@@ -43,8 +45,9 @@ bool Pulse::is_fresh(std::int64_t stamp, Time now, Duration deadline) const {
 }
 
 Duration Pulse::deadline() const {
-  if (!round_trip_) return longest_deadline;
-  return std::clamp<Duration>(150ms + *round_trip_ * 5 / 2, least_deadline, longest_deadline);
+  if (!round_trip_) return runtime::longest_hold_deadline;
+  return std::clamp<Duration>(150ms + *round_trip_ * 5 / 2, runtime::least_hold_deadline,
+                              runtime::longest_hold_deadline);
 }
 
 }  // namespace pizarra::console

@@ -22,8 +22,6 @@ class Pulse {
  public:
   static constexpr Duration quick = 50ms;  // while an arm is in the page's hands
   static constexpr Duration slow = 1s;
-  static constexpr Duration least_deadline = 250ms;
-  static constexpr Duration longest_deadline = 600ms;
 
   std::int64_t beat(Time now);
   void came_back(std::int64_t stamp, Time now);
@@ -33,7 +31,7 @@ class Pulse {
   std::optional<Duration> round_trip() const { return round_trip_; }
   // The shortest of late: what the line itself takes, without what waits on it.
   std::optional<Duration> line() const;
-  // 150 ms and two and a half round trips, within the bounds.
+  // 150 ms and two and a half round trips, within the bounds that holds have (agents/runtime/hold_deadlines.hpp).
   Duration deadline() const;
 
  private:

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "agents/runtime/follow.hpp"
+#include "drivers/arm/meeting.hpp"
 
 namespace pizarra::follower {
 
@@ -23,10 +24,10 @@ constexpr std::array<const char*, 4> state_names = {"resting", "following", "lim
 
 const Datum any = "?"_sym;
 
-constexpr double nearest_mm = 0.5;      // a leg that is shorter is not begun
-constexpr Duration longest_leg = 60s;   // more than any move within an arm's reach takes
-constexpr Duration stopping_time = 6s;  // more than a robot agent waits for its arm to stand
-constexpr Duration busy_pause = 100ms;  // before the slave is asked again
+constexpr double nearest_mm = 0.5;                         // a leg that is shorter is not begun
+constexpr Duration longest_leg = 60s;                      // more than any move within an arm's reach takes
+constexpr Duration stop_answer = arm::stopping_time + 1s;  // a robot agent waits until its arm stands
+constexpr Duration busy_pause = 100ms;                     // before the slave is asked again
 
 runtime::Role master_role() { return {"master", "robot", "arms", "robot"}; }
 runtime::Role slave_role() { return {"slave", "robot", "second-arms", "slave"}; }
@@ -204,7 +205,7 @@ void FollowerAgent::give_up(Failure why) {
 
 Task<void> FollowerAgent::stop_slave() {
   const Datum stop = list("finish"_sym, "stop"_sym);
-  [[maybe_unused]] const Result<Datum> stopped = co_await caller_.call(slave_, stop, stopping_time);
+  [[maybe_unused]] const Result<Datum> stopped = co_await caller_.call(slave_, stop, stop_answer);
 }
 
 // Says so, and takes or gives back the command of the slave with it.

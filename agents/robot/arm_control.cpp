@@ -286,7 +286,7 @@ Task<Result<void>> ArmControl::stop(Datum asked) {
       if (!held && !gripper_is_gone) co_return held;
     }
   }
-  const Time deadline = context_.executor.now() + stopping_time;
+  const Time deadline = context_.executor.now() + arm::stopping_time;
   while (running_ && motions_ == motion) {
     const bool woken = co_await ended_.wait(deadline);
     if (!woken) co_return fail("timeout", "the arm was told to stop and has not", *running_);

@@ -44,8 +44,7 @@ class ArmControl {
  public:
   static constexpr Duration poll_period = 20ms;  // at most
   static constexpr Duration reconnect_pause = 500ms;
-  static constexpr Duration patience = 2s;       // with a controller that does not answer during a move or a grip
-  static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
+  static constexpr Duration patience = 2s;  // with a controller that does not answer during a move or a grip
 
   ArmControl(runtime::AgentContext& context, ArmConnection& arm, const std::optional<Room>& room, double told_per_s,
              ArmFacts& facts);

@@ -21,9 +21,6 @@ namespace pizarra::robot {
 
 class Holds {
  public:
-  // A busy page needs the shorter one. A person would not bear a longer one.
-  static constexpr Duration least_deadline = 250ms;
-  static constexpr Duration longest_deadline = 600ms;
   // The symbol of follow()'s failure where the hold was retracted.
   static constexpr std::string_view released = "released";
 

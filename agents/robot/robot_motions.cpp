@@ -2,6 +2,7 @@
 
 #include "agents/robot/jog.hpp"
 #include "agents/robot/robot_state.hpp"
+#include "agents/runtime/hold_deadlines.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::robot {
@@ -36,8 +37,8 @@ Task<Result<Datum>> RobotAgent::State::move(Fact request) {
 
 Task<Result<Datum>> RobotAgent::State::jog(Fact request) {
   const Datum operation = request.datum[3];
-  const double least_ms = std::chrono::duration<double, std::milli>(Holds::least_deadline).count();
-  const double longest_ms = std::chrono::duration<double, std::milli>(Holds::longest_deadline).count();
+  const double least_ms = std::chrono::duration<double, std::milli>(runtime::least_hold_deadline).count();
+  const double longest_ms = std::chrono::duration<double, std::milli>(runtime::longest_hold_deadline).count();
   const Result<double> given_ms = amount_in(operation[2], least_ms, longest_ms, "ms");
   if (!given_ms) co_return fail(given_ms);
   const auto deadline = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(*given_ms));

@@ -9,7 +9,6 @@ namespace pizarra::arm {
 namespace {
 
 constexpr Duration look_again = 20ms;
-constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
 
 Task<Result<ArmReading>> bring_to_rest(Executor& executor, ArmDriver& driver) {
   const Result<void> stopping = co_await driver.stop();

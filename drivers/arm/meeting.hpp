@@ -18,6 +18,9 @@
 
 namespace pizarra::arm {
 
+// At most, until a stopped arm stands.
+inline constexpr Duration stopping_time = 5s;
+
 // It moves, and nobody at the pendant moves it.
 bool moves_for_nobody(const ArmReading& reading);
 

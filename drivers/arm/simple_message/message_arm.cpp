@@ -133,7 +133,7 @@ Task<Result<std::string>> MessageArm::ask_to_stop(std::string request, line::Dia
   Result<std::string> answer = co_await motion_.ask_at_once(request, fits);
   const bool lost = !motion_.say({});
   if (!lost) co_return answer;
-  const Time deadline = executor_.now() + stopping_time;
+  const Time deadline = executor_.now() + reopening_time;
   const Result<void> open = co_await motion_.open(deadline);
   if (!open) co_return fail(open);
   answer = co_await motion_.ask_at_once(std::move(request), std::move(fits));

@@ -77,7 +77,7 @@ class MessageArm : public ArmDriver {
   static constexpr Duration opening_time = 3s;
   static constexpr Duration fresh = 500ms;
   static constexpr Duration starting_time = 300ms;  // until an arm that was sent somewhere is said to move
-  static constexpr Duration stopping_time = 1s;     // until a line that was lost is there again for a stop
+  static constexpr Duration reopening_time = 1s;    // until a line that was lost is there again for a stop
 
   bool told(std::size_t axis) const { return model_.axes[axis].role != Role::track || wires_.track; }
   Result<bool> hear(const std::string& octets);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "agents/console/pulse.hpp"
+#include "agents/runtime/hold_deadlines.hpp"
 #include "lisp/reader.hpp"
 #include "tests/agents/console/console_fixture.hpp"
 
@@ -134,7 +135,7 @@ TEST_F(HeldPage, TakesAStopFromWhicheverWayBringsItFirstAndOnce) {
 TEST_F(HeldPage, MovesNothingForWhatComesLate) {
   const auto client = page(cookie());
   const std::int64_t newest = stamp(*client);
-  const Time late = executor_.now() + Pulse::longest_deadline;
+  const Time late = executor_.now() + runtime::longest_hold_deadline;
   executor_.run_until([&] { return executor_.now() > late || tick(); });
   EXPECT_NE(said(*client, fmt::format("(jog 7 robot left {})", newest)).find("\"late\""), std::string::npos);
   EXPECT_EQ(how_many("(request ? ? ?)"), 0u);
