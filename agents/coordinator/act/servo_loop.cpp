@@ -12,7 +12,7 @@ namespace pizarra::coordinator {
 namespace {
 
 // An approach takes about ten motions; one that follows a block that is moved about may take some more.
-constexpr int most_looks = 120;
+constexpr int most_motions = 120;
 constexpr int most_unseen = 80;
 // Where the arm does not come to a place at its height, it goes down by as much and tries again.
 constexpr double lowering_mm = 30;
@@ -114,7 +114,7 @@ Task<Result<bool>> ServoLoop::move(Datum target, Aim aim, ServoCommand command, 
 Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   int unseen = 0;
   ServoCommand before{0, ServoCommand::Motion::done, 0};
-  for (int i = 0; i < most_looks; ++i) {
+  for (int i = 0; i < most_motions; ++i) {
     const Result<void> fine = may_move(surroundings_, vigil_);
     if (!fine) co_return fine;
     const Result<void> looked = co_await eyes_.look_at_rest();

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t most_pairs = 24;
 // Of looks that do not agree the newest count: somebody may knock against the camera again.
 constexpr std::size_t most_strange_pairs = 3;
-constexpr int most_looks = 10;
+constexpr int most_looks_of_a_place = 10;
 constexpr double same_place_mm = 2;
 constexpr double same_turn = 0.01;  // rad
 constexpr double same_head_deg = 0.01;
@@ -40,7 +40,7 @@ bool add(std::vector<MarkPair>& pairs, const MarkPair& pair, std::size_t most) {
     pairs.push_back(pair);
     return true;
   }
-  if (known->looks >= most_looks) return false;
+  if (known->looks >= most_looks_of_a_place) return false;
   ++known->looks;
   known->seen += (pair.seen - known->seen) / known->looks;
   return true;

@@ -26,6 +26,10 @@ int tags_of(const TagFamily& family);
 // Its print, one pixel a cell, the border included: 0 dark, 255 light.
 cv::Mat1b print_of(const TagFamily& family, int number);
 
+// As OpenCV's detector has them: the share of wrong cells that may be corrected, and how long a corner is refined.
+inline constexpr double mended_share = 0.6;
+inline const cv::TermCriteria refined_until(cv::TermCriteria::MAX_ITER | cv::TermCriteria::EPS, 30, 0.1);
+
 using TagCorners = std::vector<cv::Point2f>;  // clockwise from the tag's own upper left one
 
 struct TagDetection {

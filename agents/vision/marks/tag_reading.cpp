@@ -14,9 +14,6 @@ constexpr double least_cell_px = 2;
 // A corner is refined within about one cell around it: corners farther away belong to other cells.
 constexpr int least_within_px = 2;
 constexpr int most_within_px = 5;
-const cv::TermCriteria refined_until(cv::TermCriteria::MAX_ITER | cv::TermCriteria::EPS, 30, 0.1);
-// The share of wrong cells that may be corrected, as in OpenCV's detector.
-constexpr double mended_share = 0.6;
 // This share of the border's cells may look light.
 constexpr double most_light_share = 0.1;
 // How often the print is fitted.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/marks/tag_detection.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -11,11 +13,9 @@ using Corners = std::vector<cv::Point2f>;
 // Smaller ones can hardly be read.
 constexpr double least_side_px = 8;
 // How far a side may be off a straight line, as a part of the circumference; as much as for OpenCV's detector, and so
-// are how the corners are refined and how many cells may be mended.
+// is how far around them the corners are refined.
 constexpr double straightness = 0.03;
 const cv::Size refined_within(5, 5);
-const cv::TermCriteria refined_until(cv::TermCriteria::MAX_ITER | cv::TermCriteria::EPS, 30, 0.1);
-constexpr double mended_share = 0.6;
 
 std::vector<Corners> dark_squares(const cv::Mat1b& grey) {
   cv::Mat1b dark;

@@ -8,9 +8,6 @@
 namespace pizarra::vision {
 namespace {
 
-// So much doubt makes something e times less likely.
-constexpr double doubt_scale = 1.0 / 6;
-
 // The square root of an error is a distance: who is as far from the object as the second and the mark together, and
 // whoever comes after it, is no nearer to the mark than the second.
 void find_second(const SeenMark& mark, const MarkMatch& match, const LearnedObjects& objects,

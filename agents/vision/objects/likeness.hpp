@@ -41,6 +41,8 @@ struct Likeness {
 inline constexpr double least_margin = 0.005;
 // So much error makes something e times less likely.
 inline constexpr double error_scale = 0.01;
+// And so much doubt, 1 being as much as may be.
+inline constexpr double doubt_scale = 1.0 / 6;
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/vision/objects/likeness.hpp"
+
 namespace pizarra::vision {
-namespace {
-
-// So much of what may be told makes it e times less likely to be whole.
-constexpr double doubt_scale = 1.0 / 6;
-
-}  // namespace
 
 const double motion_by_strip = std::sqrt(3.0);
 
