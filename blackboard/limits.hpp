@@ -2,6 +2,8 @@
 
 // How much the board takes at once. All kinds of board refuse the same, so that an agent that works on one works on
 // another; the bound is below what a frame of the wire may hold.
+//
+//   const Result<void> fits = check_weight(weigh(fact), "the fact");
 
 #include <cstddef>
 

@@ -2,6 +2,9 @@
 
 // Where a board may be: `ipc://PATH` or `tcp://HOST:PORT`, an address of IPv6 in brackets. Without keys only this
 // machine's own addresses are safe.
+//
+//   const Result<std::vector<std::string>> boards = addresses_from("tcp://10.0.0.1:7800,tcp://10.0.0.2:7800");
+//   const std::string own = ipc_address(folder + "/board.ipc");
 
 #include <string>
 #include <vector>
