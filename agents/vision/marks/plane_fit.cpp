@@ -52,7 +52,7 @@ class Profile {
     if (reach_ == 0) return;
     half_ = reach_ + spread_px + 1;
     for (int t = -half_; t <= half_; ++t) {
-      levels_[static_cast<std::size_t>(t + half_)] = level_between(image, {at.x + t * normal[0], at.y + t * normal[1]});
+      levels_[index(t)] = level_between(image, {at.x + t * normal[0], at.y + t * normal[1]});
     }
   }
   // Of the edge nearest and steepest; nothing where there is none.
@@ -90,7 +90,11 @@ class Profile {
   }
 
  private:
-  double level(int t) const { return levels_[static_cast<std::size_t>(t + half_)]; }
+  std::size_t index(int t) const {
+    const int place = t + half_;
+    return static_cast<std::size_t>(place);
+  }
+  double level(int t) const { return levels_[index(t)]; }
   double change(int t) const { return sign_ * (level(t + 1) - level(t - 1)) / 2; }
   int reach_;
   double sign_;
