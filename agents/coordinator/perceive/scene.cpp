@@ -136,9 +136,14 @@ CameraWatch::News Scene::watch_camera() {
 }
 
 void Scene::compare_pose() {
-  const Eigen::Vector3d said = tool_->translation() - domain_.cube_mm() / 2 * view_->away();
-  const Eigen::Vector3d off = *grip_mm() - said;
+  const Eigen::Vector3d off = *grip_mm() - held_front_by_arm_mm();
   if (off.norm() < most_off_mm) pose_off_mm_ = off;
+}
+
+// The front of what is held looks as the fingers do.
+Eigen::Vector3d Scene::held_front_by_arm_mm() const {
+  const double fingers_deg = *tool_yaw_deg() + camera_.pose().pan_deg;
+  return tool_->translation() + domain_.cube_mm() / 2 * looks_towards(fingers_deg);
 }
 
 Eigen::Vector3d Scene::mark_to_front_mm() const {
@@ -148,7 +153,7 @@ Eigen::Vector3d Scene::mark_to_front_mm() const {
 
 std::optional<Eigen::Vector3d> Scene::grip_by_arm_mm() const {
   if (!tool_ || !view_) return std::nullopt;
-  return Eigen::Vector3d(tool_->translation() - domain_.cube_mm() / 2 * view_->away() + pose_off_mm_);
+  return Eigen::Vector3d(held_front_by_arm_mm() + pose_off_mm_);
 }
 
 std::optional<Eigen::Vector3d> Scene::grip_mm() const {

@@ -87,6 +87,7 @@ class Scene {
   // Where a face looks that is turned so far to the right of facing the camera; of length 1.
   Eigen::Vector3d looks_towards(double yaw_deg) const;
   void turn_view();
+  Eigen::Vector3d held_front_by_arm_mm() const;
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
   bool arm_rests() const;
   void compare_pose();

@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
+#include "agents/coordinator/perceive/scene.hpp"
 #include "tests/agents/coordinator/fake_cell.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra::coordinator {
 namespace {
@@ -31,6 +34,18 @@ TEST_P(TurnedCube, FacesTheCameraOnceItIsHeld) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ByDegrees, TurnedCube, testing::Values(-52.0, -46.0, -30.0, 20.0, 44.0, 50.0));
+
+TEST(Scene, PlacesWhatIsHeldBeforeTheTurnedFingersWhereTheGrippersMarkIsNotSeen) {
+  const CoordinatorOptions options;
+  const TaskDomain domain = TaskDomain::read(source_dir() + "/domains/blocks.scm").value();
+  Scene scene(options, domain);
+  scene.take_camera(CameraModel());
+  scene.take_pose(tool_pose({450, 100, 200}, 180, 0, 40));
+  const double front_mm = domain.cube_mm() / 2;
+  const double yaw = 40 * std::numbers::pi / 180;
+  const Eigen::Vector3d front(450 + front_mm * std::cos(yaw), 100 + front_mm * std::sin(yaw), 200);
+  EXPECT_LT((*scene.grip_mm() - front).norm(), 0.1);
+}
 
 }  // namespace
 }  // namespace pizarra::coordinator
