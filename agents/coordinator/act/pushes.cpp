@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/act/servo_loop.hpp"
+#include "agents/coordinator/geometry/border_sweeps.hpp"
 
 namespace pizarra::coordinator {
 
@@ -69,6 +70,28 @@ Task<Result<void>> Pushes::push_over(std::string object) {
   co_return pushed;
 }
 
+std::vector<Push> Pushes::sweeps_for(const std::string& missing) const {
+  const Scene& scene = surroundings_.scene();
+  const Sighting* last = scene.sightings().find(missing);
+  if (!last) return {};
+  std::vector<Eigen::Vector3d> standing;
+  for (const auto& [name, sighting] : scene.sightings().all()) {
+    const bool there = scene.sightings().remembered(name, options_.grace_looks);
+    const bool other = name != missing && name != options_.gripper.mark;
+    if (there && other) standing.push_back(scene.centre_mm(name, sighting));
+  }
+  const LostCube lost{scene.centre_mm(missing, *last), scene.falls_within_mm(*last)};
+  return border_sweeps(elbow_room(), options_.row.x_mm, lost, standing);
+}
+
+Task<Result<void>> Pushes::sweep(Push push) {
+  const Result<void> swept = co_await push_along(push, grip_height * domain_.cube_mm());
+  // The end effector's mark shows only while the fingers look at the camera.
+  const Result<void> squared = co_await arm_.face(0);
+  if (!swept) co_return swept;
+  co_return squared;
+}
+
 Task<Result<void>> Pushes::push_along(Push push, double height_mm) {
   const double pusher_mm = ElbowRoom().pusher_mm;
   const Result<double> narrowed = co_await arm_.grip(pusher_mm);
@@ -78,7 +101,7 @@ Task<Result<void>> Pushes::push_along(Push push, double height_mm) {
                                   {push.from_mm.x(), push.from_mm.y(), height_mm},
                                   {push.to_mm.x(), push.to_mm.y(), height_mm},
                                   {push.to_mm.x(), push.to_mm.y(), high}};
-  Result<void> done = co_await arm_.face(0);
+  Result<void> done = co_await arm_.face(push.face_deg);
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
     done = may_move(surroundings_, vigil_);
     if (!done) break;

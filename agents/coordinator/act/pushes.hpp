@@ -1,7 +1,7 @@
 #pragma once
 
 // Objects pushed with the closed fingers: out of a row, where a neighbour stands too close for the fingers, or over, so
-// that they lie otherwise.
+// that they lie otherwise; or from beside the images to where they show.
 //
 //   Pushes pushes(options, domain, surroundings, story, arm, vigil);
 //   Result<void> done = co_await pushes.make_room("circle");       // nothing where there is room
@@ -26,6 +26,9 @@ class Pushes {
 
   Task<Result<void>> make_room(std::string object);
   Task<Result<void>> push_over(std::string object);
+  // Over the table beside the images, where the missing object may lie; the likeliest first.
+  std::vector<Push> sweeps_for(const std::string& missing) const;
+  Task<Result<void>> sweep(Push push);
 
  private:
   Task<Result<void>> push_along(Push push, double height_mm);

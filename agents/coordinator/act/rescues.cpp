@@ -47,6 +47,19 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
   co_return laid;
 }
 
+Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {
+  const std::vector<Push> sweeps = pushes_.sweeps_for(missing);
+  if (nth >= sweeps.size()) co_return false;
+  const std::string sentence = fmt::format("sweeping the table beside the images, where {} may lie", missing);
+  co_await story_.tell("servo", sentence, Datum::symbol(missing));
+  const std::vector<Datum> up{list("raise"_sym)};
+  Result<void> done = co_await runner_.improvise(up);
+  if (done) done = co_await pushes_.sweep(sweeps[nth]);
+  if (done) done = co_await runner_.improvise(up);
+  if (!done) co_return fail(done);
+  co_return true;
+}
+
 Task<Result<void>> Rescues::loosen(Datum operation) {
   if (operation.size() < 2) co_return Result<void>();
   const std::string object(operation[1].text());

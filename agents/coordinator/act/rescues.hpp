@@ -7,20 +7,30 @@
 //
 // Each is a task of the runner's, and fails as those do.
 
+#include "agents/coordinator/act/pushes.hpp"
 #include "agents/coordinator/act/task_runner.hpp"
 
 namespace pizarra::coordinator {
 
 class Rescues {
  public:
-  Rescues(const TaskDomain& domain, const Scene& scene, Story& story, Arm& arm, TaskRunner& runner, double widest_mm)
-      : domain_(domain), scene_(scene), story_(story), arm_(arm), runner_(runner), widest_mm_(widest_mm) {}
+  Rescues(const TaskDomain& domain, const Scene& scene, Story& story, Arm& arm, Pushes& pushes, TaskRunner& runner,
+          double widest_mm)
+      : domain_(domain),
+        scene_(scene),
+        story_(story),
+        arm_(arm),
+        pushes_(pushes),
+        runner_(runner),
+        widest_mm_(widest_mm) {}
 
   // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
   // Nothing is done where it holds nothing.
   Task<Result<void>> lay_down(std::string object);
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
+  // Sweeps into view what may lie beside the images: the `nth` time elsewhere. False where it may lie nowhere else.
+  Task<Result<bool>> sweep_in(std::string missing, std::size_t nth);
   // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. A held object is
   // laid down, and the object that it could not be put on is pushed out of its row where it is crowded. Failure stuck:
   // the gripper's sensor does not follow the fingers, so that nothing is known of what they met.
@@ -36,6 +46,7 @@ class Rescues {
   const Scene& scene_;
   Story& story_;
   Arm& arm_;
+  Pushes& pushes_;
   TaskRunner& runner_;
   double widest_mm_;  // to which the fingers open
 };

@@ -30,6 +30,7 @@ struct ElbowRoom {
 struct Push {
   Eigen::Vector2d from_mm;
   Eigen::Vector2d to_mm;
+  double face_deg = 0;  // how the gripper is turned, as Arm::face() has it; at 0 the fingers stand apart along y
 };
 
 // Whether a neighbour at its height stands where a finger must go.

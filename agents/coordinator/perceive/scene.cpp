@@ -213,14 +213,13 @@ std::optional<std::string> Scene::foremost(const std::set<std::string>& but) con
   return foremost;
 }
 
-// A cube that falls off a pile comes to lie within this, in cubes. One that was higher up when it was seen last, as in
-// the gripper, may lie as much further. Behind a cube that stands alone, one that was not seen in any life is not
-// looked for: it is more likely to be away.
+// A cube that falls off a pile comes to lie within three of its edges.
+double Scene::falls_within_mm(const Sighting& last) const { return 3 * domain_.cube_mm() + last.place_mm.z(); }
+
+// Behind a cube that stands alone, one that was not seen in any life is not looked for: it is more likely to be away.
 std::optional<std::string> Scene::nearest_to(const std::string& missing, const std::set<std::string>& but,
                                              bool was_here) const {
-  constexpr double falls_within = 3;
   const Sighting* last = sightings_.find(missing);
-  const double within_mm = falls_within * domain_.cube_mm() + (last ? last->place_mm.z() : 0);
   double least_mm = std::numeric_limits<double>::infinity();
   std::optional<std::string> nearest;
   for (const auto& [name, sighting] : sightings_.all()) {
@@ -228,7 +227,7 @@ std::optional<std::string> Scene::nearest_to(const std::string& missing, const s
     if (!other || !sightings_.recent(name, 1) || (!last && !was_here && top_of_pile(name) == name)) continue;
     const double apart_mm =
         last ? (centre_mm(name, sighting) - centre_mm(missing, *last)).head<2>().norm() : -sighting.place_mm.x();
-    const bool too_far = last && apart_mm > within_mm;
+    const bool too_far = last && apart_mm > falls_within_mm(*last);
     if (too_far || apart_mm >= least_mm) continue;
     least_mm = apart_mm;
     nearest = name;

@@ -50,6 +50,9 @@ class Scene {
   // Of a pile, its top. None of `but`. `was_here`: it was seen in an earlier life, so that it is not simply away.
   std::optional<std::string> may_hide(const std::string& missing, const std::set<std::string>& but,
                                       bool was_here) const;
+  // How far from where it was seen last a cube may have come to lie by itself. One that was higher up, as in the
+  // gripper, may lie as much further.
+  double falls_within_mm(const Sighting& last) const;
   // The seen cube that it stands on.
   std::optional<std::string> under(const std::string& name) const;
   // A seen object that hangs in the air, and not in the gripper: somebody holds it.

@@ -27,7 +27,7 @@ struct Life {
         servo(context, options, service, surroundings, story, arm, eyes, vigil, aims),
         pushes(options, domain, surroundings, story, arm, vigil),
         runner(context, options, domain, surroundings, story, arm, eyes, vigil, aims, servo, pushes),
-        rescues(domain, surroundings.scene(), story, arm, runner, options.gripper.openings.wide_mm),
+        rescues(domain, surroundings.scene(), story, arm, pushes, runner, options.gripper.openings.wide_mm),
         survey(options, domain, surroundings, story, arm, eyes, servo, runner, vigil),
         goal(context, story, vigil),
         plan(planning, story),

@@ -12,6 +12,7 @@ constexpr Duration put_down_patience = 60s;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
 constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
+constexpr int most_swept_of_goal = 12;      // each strip beside the images twice
 constexpr int tries_to_set_aside = 3;       // a try that failed may have moved it to where it can be grasped
 constexpr Duration look_behind = 1500ms;
 
@@ -21,6 +22,7 @@ bool ends_search(const Failure& failure) { return failure.symbol == "interrupted
 
 void ObjectSearch::begin() {
   set_aside_ = 0;
+  swept_ = 0;
   hid_.clear();
 }
 
@@ -66,8 +68,7 @@ Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string ob
       // One that ended early is tried again while there is time.
       out_of_the_way = raised.has_value();
     }
-    const bool may_set_aside = set_aside.done.size() < most_set_aside && set_aside_ < most_set_aside_of_goal;
-    if (may_set_aside && context_.executor.now() > doubtful) {
+    if (context_.executor.now() > doubtful) {
       const Result<bool> cleared = co_await clear_view(goal, object, set_aside);
       if (!cleared) co_return fail(cleared);
       doubtful = context_.executor.now() + look_behind;
@@ -93,30 +94,47 @@ Task<Result<void>> ObjectSearch::clear_view_of(std::int64_t goal, std::string mi
   co_return Result<void>();
 }
 
-// Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
-// reason to give up looking; one that somebody's stop kept from being made is to be made yet.
-Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missing, SetAside& set_aside) {
-  Result<void> done = co_await rescues_.lay_down(missing);
+std::optional<std::string> ObjectSearch::to_set_aside(std::int64_t goal, const std::string& missing,
+                                                      const SetAside& set_aside) const {
+  if (set_aside.done.size() >= most_set_aside || set_aside_ >= most_set_aside_of_goal) return std::nullopt;
   // A plan was made when all of the goal's objects had been found.
   const bool was_here = plan_.was_made_for(goal);
-  const std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done, was_here);
-  const bool may_hide = done && before && *before != missing;
-  if (may_hide) {
-    ++set_aside_;
-    const std::optional<std::string> under = surroundings_.scene().under(*before);
-    done = co_await rescues_.set_aside(*before);
-    const bool hides_again = done && !hid_.emplace(missing, *before).second;
-    const bool under_too = hides_again && under && *under != missing;
-    if (under_too) done = co_await rescues_.set_aside(*under);
-    const bool in_vain = !done && ++set_aside.failed[*before] == tries_to_set_aside;
-    if (done || in_vain) set_aside.done.insert(*before);
-  }
-  if (done) co_return may_hide;
+  std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done, was_here);
+  return before == missing ? std::nullopt : before;
+}
+
+Task<Result<void>> ObjectSearch::set_aside_before(std::string before, std::string missing, SetAside& set_aside) {
+  ++set_aside_;
+  const std::optional<std::string> under = surroundings_.scene().under(before);
+  Result<void> done = co_await rescues_.set_aside(before);
+  const bool hides_again = done && !hid_.emplace(missing, before).second;
+  const bool under_too = hides_again && under && *under != missing;
+  if (under_too) done = co_await rescues_.set_aside(*under);
+  const bool in_vain = !done && ++set_aside.failed[before] == tries_to_set_aside;
+  if (done || in_vain) set_aside.done.insert(before);
+  co_return done;
+}
+
+// Where a thing is nowhere to be seen, the gripper may hold it, another may stand before it, or it lies beside the
+// images. That a try fails is no reason to give up looking; one that somebody's stop kept from being made is to be made
+// yet.
+Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missing, SetAside& set_aside) {
+  Result<void> done = co_await rescues_.lay_down(missing);
+  std::optional<std::string> before;
+  if (done) before = to_set_aside(goal, missing, set_aside);
+  if (before) done = co_await set_aside_before(*before, missing, set_aside);
+  const bool may_sweep = done && !before && swept_ < most_swept_of_goal;
+  Result<bool> swept = false;
+  if (may_sweep) swept = co_await rescues_.sweep_in(missing, set_aside.sweeps++);
+  const bool tried = before || !swept || *swept;
+  if (may_sweep && tried) ++swept_;
+  if (done && !swept) done = fail(swept);
+  if (done) co_return tried;
   if (ends_search(done.error())) co_return fail(done);
   const std::string sentence = "the rescue failed: " + done.error().sentence;
   const Datum why = failure_to_datum(done.error());
   co_await story_.tell("servo", sentence, why);
-  co_return may_hide;
+  co_return tried;
 }
 
 Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {

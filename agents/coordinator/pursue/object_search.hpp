@@ -1,13 +1,14 @@
 #pragma once
 
 // Looks for the objects of a goal (steps b and c): the eyes find each one; where it does not show, what may hide it is
-// set aside, one thing after another.
+// set aside, one thing after another, and the table beside the images is swept.
 //
 //   ObjectSearch search(context, options, surroundings, story, eyes, plan, runner, rescues, vigil);
 //   search.begin();                                                     // a goal, or a stage of it
 //   Result<void> there = co_await search.look_for(goal, objects);       // missing-object names all that are missing
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,12 +50,16 @@ class ObjectSearch {
   struct SetAside {
     std::set<std::string> done;
     std::map<std::string, int> failed;
+    std::size_t sweeps = 0;
   };
 
   Task<Result<void>> look_once_for(std::int64_t goal, std::string object, Time deadline);
-  // Whether it was tried to set something aside that may hide the missing object. The second time that the same thing
-  // hides it, what that stood on goes too: there the plan would put it again.
+  // Whether it was tried to set something aside that may hide the missing object, or to sweep the object into view. The
+  // second time that the same thing hides it, what that stood on goes too: there the plan would put it again.
   Task<Result<bool>> clear_view(std::int64_t goal, std::string missing, SetAside& set_aside);
+  std::optional<std::string> to_set_aside(std::int64_t goal, const std::string& missing,
+                                          const SetAside& set_aside) const;
+  Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
@@ -66,6 +71,7 @@ class ObjectSearch {
   Rescues& rescues_;
   Vigil& vigil_;
   int set_aside_ = 0;                                  // how often something was, since the search began
+  int swept_ = 0;                                      // the same of sweeps
   std::set<std::pair<std::string, std::string>> hid_;  // a missing object, and what was set aside before it
 };
 

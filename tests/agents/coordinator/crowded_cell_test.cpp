@@ -118,6 +118,32 @@ TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereTheArmWasStoppedTheFirstTime) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }
 
+TEST(CrowdedCell, SweepsACubeInThatCameToLieBesideTheImages) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
+  cell.covered = [&cell](const std::string& name) { return std::abs(cell.cubes[name].y()) > 240; };
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {430, -290, 30};
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+}
+
+TEST(CrowdedCell, RefusesWhatItSweepsForInVain) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.cubes["circle"] = {-5000, 0, 30};
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 refused ?)", 120s));
+  EXPECT_EQ(cell.facts("(goal-state 2 refused ?)")[0][3][1], "missing-object"_sym);
+  EXPECT_GE(cell.times_told("(event ? servo \"sweeping the table beside the images, where circle may lie\" ?)"), 1);
+}
+
 TEST(CrowdedCell, LooksBehindWhatStandsBeforeAMissingCubeThoughTheEyesWereAwayForLong) {
   FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
   cell.start_coordinator();

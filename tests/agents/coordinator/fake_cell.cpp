@@ -188,8 +188,22 @@ int FakeCell::times_told(std::string_view pattern) const {
   return times;
 }
 
+// Low fingers take with them what they meet on a way along y.
+void FakeCell::push_along_y(const Eigen::Vector3d& place) {
+  const double way = place.y() - grip.y();
+  const bool low = std::max(place.z(), grip.z()) < 60 && std::abs(way) > 1;
+  if (!low || std::abs(place.x() - grip.x()) > 1) return;
+  const double touches = std::copysign(42, way);
+  for (auto& [name, cube] : cubes) {
+    const double ahead = (cube.y() - grip.y()) / way;
+    if (name != held && std::abs(cube.x() - grip.x()) < 45 && cube.z() < 60 && ahead > 0 && ahead < 1)
+      cube.y() = place.y() + touches;
+  }
+}
+
 void FakeCell::move_to(const Eigen::Vector3d& place) {
   ++motions;
+  push_along_y(place);
   if (!held.empty()) cubes[held] += place - grip;
   grip = place;
 }

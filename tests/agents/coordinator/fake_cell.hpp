@@ -93,6 +93,7 @@ class FakeCell {
   Task<Result<Datum>> handle_robot(Datum operation);
   Task<Result<Datum>> handle_vision(Datum operation);
   void move_to(const Eigen::Vector3d& place);
+  void push_along_y(const Eigen::Vector3d& place);
   Task<void> tell_arm(Datum state);
   Task<void> tell_pose();
   Eigen::Vector3d gripper_mark() const;

@@ -1,0 +1,78 @@
+#include "agents/coordinator/geometry/border_sweeps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace pizarra::coordinator {
+namespace {
+
+constexpr double border_mm = 230;
+constexpr double row_x_mm = 450;
+
+ElbowRoom room_with_a_border() {
+  ElbowRoom room;
+  room.shown = [](const Eigen::Vector3d& centre) { return std::abs(centre.y()) <= border_mm && centre.x() < 560; };
+  return room;
+}
+
+// Where a cube comes to lie that the fingers meet on their way.
+double swept_to_y_mm(const Push& sweep, const ElbowRoom& room) {
+  const double towards = sweep.to_mm.y() > sweep.from_mm.y() ? 1 : -1;
+  return sweep.to_mm.y() + towards * (room.finger_half_mm + room.cube_mm / 2);
+}
+
+TEST(BorderSweeps, PushACubeFromBesideTheImagesToWhereItShows) {
+  const ElbowRoom room = room_with_a_border();
+  const std::vector<Push> sweeps = border_sweeps(room, row_x_mm, {{450, 200, 90}, 270}, {});
+  ASSERT_FALSE(sweeps.empty());
+  for (const Push& sweep : sweeps) {
+    EXPECT_GT(std::abs(sweep.from_mm.y()), border_mm + 2 * room.cube_mm);
+    EXPECT_TRUE(room.shown({sweep.to_mm.x(), swept_to_y_mm(sweep, room), 30}));
+    EXPECT_EQ(sweep.from_mm.x(), sweep.to_mm.x());
+    EXPECT_EQ(sweep.face_deg, 90);
+  }
+}
+
+TEST(BorderSweeps, LeaveNoGapBetweenOneAnother) {
+  const ElbowRoom room = room_with_a_border();
+  const std::vector<Push> sweeps = border_sweeps(room, row_x_mm, {{450, 200, 90}, 270}, {});
+  const double half_mm = room.pusher_mm / 2 + room.finger_mm + room.cube_mm / 2;
+  for (double x_mm = 350; x_mm <= 550; x_mm += 10) {
+    const auto meets = [&](const Push& sweep) {
+      return sweep.from_mm.y() > 0 && std::abs(sweep.from_mm.x() - x_mm) < half_mm;
+    };
+    EXPECT_TRUE(std::ranges::any_of(sweeps, meets)) << x_mm;
+  }
+}
+
+TEST(BorderSweeps, BeginWhereTheCubeWasLost) {
+  const std::vector<Push> right = border_sweeps(room_with_a_border(), row_x_mm, {{380, -210, 30}, 210}, {});
+  ASSERT_FALSE(right.empty());
+  EXPECT_LT(right.front().from_mm.y(), 0);
+  EXPECT_EQ(right.front().from_mm.x(), 360);
+}
+
+TEST(BorderSweeps, AreMadeOnlyWhereTheCubeMayHaveComeTo) {
+  EXPECT_TRUE(border_sweeps(room_with_a_border(), row_x_mm, {{450, 0, 30}, 210}, {}).empty());
+  for (const Push& sweep : border_sweeps(room_with_a_border(), row_x_mm, {{450, 100, 30}, 210}, {})) {
+    EXPECT_GT(sweep.from_mm.y(), 0);
+  }
+}
+
+TEST(BorderSweeps, MeetNoCubeThatStands) {
+  const std::vector<Push> sweeps =
+      border_sweeps(room_with_a_border(), row_x_mm, {{450, 200, 90}, 270}, {{450, 190, 30}});
+  ASSERT_FALSE(sweeps.empty());
+  for (const Push& sweep : sweeps) EXPECT_TRUE(sweep.from_mm.y() < 0 || std::abs(sweep.from_mm.x() - 450) > 56);
+}
+
+TEST(BorderSweeps, AreNoneWhereNobodyKnowsWhatIsShownOrAllOfItIs) {
+  EXPECT_TRUE(border_sweeps({}, row_x_mm, {{450, 200, 90}, 270}, {}).empty());
+  ElbowRoom all;
+  all.shown = [](const Eigen::Vector3d&) { return true; };
+  EXPECT_TRUE(border_sweeps(all, row_x_mm, {{450, 200, 90}, 270}, {}).empty());
+}
+
+}  // namespace
+}  // namespace pizarra::coordinator
