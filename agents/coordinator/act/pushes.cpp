@@ -31,8 +31,9 @@ ElbowRoom Pushes::elbow_room() const {
   for (const Eigen::Vector3d& eye : surroundings_.scene().view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
   room.shown = [this](const Eigen::Vector3d& centre) {
     const CameraView& view = *surroundings_.scene().view();
-    const Eigen::Vector3d mark = centre - domain_.cube_mm() / 2 * view.away();
-    return view.shows(mark, options_.gripper.outline.mark_half_mm);
+    const double half_mm = domain_.cube_mm() / 2;
+    // A mark is recognised by the face around it.
+    return view.shows(centre - half_mm * view.away(), half_mm);
   };
   return room;
 }

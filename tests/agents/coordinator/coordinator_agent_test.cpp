@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "lisp/writer.hpp"
@@ -65,6 +66,20 @@ TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersJamWiderThanACub
   cell.jam_mm = 85;
   want("(goal (holding circle))");
   EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+}
+
+// Pushed towards the camera, the face around its mark would be cut off below.
+TEST_F(Coordinator, PushesACubeNearTheCameraAwayFromIt) {
+  cell.cubes["circle"] = {540, 19, 30};
+  cell.lowest_mm = 60;
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+  double furthest_mm = 0;
+  for (int i = 0; i < 30; ++i) {
+    cell.run_for(100ms);
+    furthest_mm = std::max(furthest_mm, cell.grip.x());
+  }
+  EXPECT_GT(furthest_mm, 580);
 }
 
 TEST_F(Coordinator, PushesNothingOverWhileTheGrippersSensorIsStuck) {
