@@ -18,7 +18,9 @@ constexpr Duration look_behind = 1500ms;
 
 }  // namespace
 
-bool ends_search(const Failure& failure) { return failure.symbol == "interrupted" || is_hold_up(failure); }
+bool ends_search(const Failure& failure) {
+  return failure.symbol == "interrupted" || failure.symbol == "camera-doubtful" || is_hold_up(failure);
+}
 
 void ObjectSearch::begin() {
   set_aside_ = 0;

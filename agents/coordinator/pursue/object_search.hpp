@@ -34,7 +34,7 @@ class ObjectSearch {
 
   // Forgets what was set aside.
   void begin();
-  // Failures: missing-object, interrupted, hold-ups, and the eyes'.
+  // Failures: missing-object, interrupted, camera-doubtful, hold-ups, and the eyes'.
   Task<Result<void>> look_for(std::int64_t goal, std::vector<std::string> objects);
   // Tries once to set something aside that may hide the object.
   Task<Result<void>> clear_view_of(std::int64_t goal, std::string missing);

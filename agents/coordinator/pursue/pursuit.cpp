@@ -29,6 +29,9 @@ NextOperation once_done(const NextOperation& done) {
 // What ends the pursuit whatever else might be tried.
 bool is_final(const Failure& failure) { return failure.symbol == "interrupted" || failure.symbol == "absent"; }
 
+// The camera is to be found before anything else is done.
+bool is_of_the_camera(const Failure& failure) { return failure.symbol == "camera-doubtful"; }
+
 bool is_of_how_it_lies(const Failure& failure) {
   constexpr std::string_view symbols[] = {"stopped", "missed", "no-convergence", "no-effect"};
   return std::ranges::find(symbols, failure.symbol) != std::end(symbols);
@@ -61,7 +64,8 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
   if (!found) co_return found;
   const std::vector<std::string> objects = objects_of(goal);
   const Result<void> there = co_await search_.look_for(goal.number, objects);
-  if (!there) co_return there;
+  const bool goes_on = there || is_of_the_camera(there.error());
+  if (!goes_on) co_return there;
   co_await search_.await_steady(objects);
   if (options_.open_loop) {
     const Result<void> carried_out = co_await carry_out_blindly(goal);
@@ -110,6 +114,8 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     const bool calm = surroundings_.scene().calm();
     if (!calm) co_await search_.await_steady(objects);
     const Result<std::optional<NextOperation>> chosen = co_await choose(goal, progress);
+    const bool to_find_camera = !chosen && is_of_the_camera(chosen.error());
+    if (to_find_camera) continue;
     if (!chosen) co_return fail(chosen);
     if (!*chosen) continue;
     const NextOperation& next = **chosen;
@@ -167,7 +173,7 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
   if (ends) co_return fail(why);
   // A difference was told when it was noticed; what follows from it is not another one.
   progress.expected.reset();
-  if (why.symbol == "difference" || why.symbol == "camera-doubtful") {
+  if (why.symbol == "difference" || is_of_the_camera(why)) {
     progress.announced.reset();
     co_return Result<void>();
   }
