@@ -32,8 +32,9 @@ double share_taken(const KeyValues::Space& space) {
 std::string file_in(const std::string& folder, const char* name) { return folder + "/" + name; }
 
 // A member that speaks TLS alone closes the connection of a client that does not, without a word.
-std::string why_no_answer(CURLcode code, bool encrypted) {
+std::string why_no_answer(CURLcode code, bool encrypted, const char* details) {
   std::string why = curl_easy_strerror(code);
+  if (code == CURLE_PEER_FAILED_VERIFICATION) return std::string("its certificate is not believed: ") + details;
   if (encrypted || code != CURLE_GOT_NOTHING) return why;
   return why + ": where it asks for TLS, name the folder of ca.crt, client.crt and client.key with --log-certificates";
 }
@@ -49,6 +50,7 @@ class EtcdClient::Connection {
     // With it, a member that asks for certificates writes a warning of each request into its log.
     headers_ = curl_slist_append(headers_, "Accept:");
     curl_easy_setopt(curl_, CURLOPT_HTTPHEADER, headers_);
+    curl_easy_setopt(curl_, CURLOPT_ERRORBUFFER, details_.data());
     curl_easy_setopt(curl_, CURLOPT_NOSIGNAL, 1L);
     // With TLS, etcd's port between members offers HTTP/2 and does not answer it.
     curl_easy_setopt(curl_, CURLOPT_HTTP_VERSION, static_cast<long>(CURL_HTTP_VERSION_1_1));
@@ -80,7 +82,11 @@ class EtcdClient::Connection {
     curl_easy_setopt(curl_, CURLOPT_TIMEOUT_MS, static_cast<long>(wait / 1ms));
     curl_easy_setopt(curl_, CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(std::max<Duration>(wait / 2, 1ms) / 1ms));
     const CURLcode code = curl_easy_perform(curl_);
-    if (code != CURLE_OK) return fail("unavailable", why_no_answer(code, encrypted_));
+    if (code != CURLE_OK) {
+      const bool distrusted = code == CURLE_PEER_FAILED_VERIFICATION;
+      return fail("unavailable", why_no_answer(code, encrypted_, details_.data()),
+                  distrusted ? Datum::symbol(bad_certificate) : Datum());
+    }
     long status = 0;
     curl_easy_getinfo(curl_, CURLINFO_RESPONSE_CODE, &status);
     return status;
@@ -90,6 +96,7 @@ class EtcdClient::Connection {
   CURL* const curl_;
   const bool encrypted_;
   curl_slist* headers_ = nullptr;
+  std::array<char, CURL_ERROR_SIZE> details_{};
 };
 
 Result<std::unique_ptr<EtcdClient>> EtcdClient::open(const LogAddress& address) {
@@ -129,7 +136,9 @@ Result<std::string> EtcdClient::ask(std::size_t number, const char* path, const 
                           : status ? etcd_json::error_from(answer)
                                    : status.error().sentence;
   return fail("unavailable", fmt::format("the member {} of {}: {}", member, address_.text, why),
-              full ? Datum::symbol(no_space) : Datum());
+              full     ? Datum::symbol(no_space)
+              : status ? Datum()
+                       : status.error().subject);
 }
 
 Result<std::string> EtcdClient::post(const char* path, const std::string& body, Duration wait) {

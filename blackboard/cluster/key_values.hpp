@@ -71,6 +71,9 @@ inline constexpr Duration patience = 1s;
 // The subject of a failure for lack of space. What was asked for may have happened even so.
 constexpr const char* no_space = "no-space";
 inline bool lacks_space(const Failure& failure) { return failure.subject.is_symbol(no_space); }
+// Its certificate is of another address, or of an authority that is not known here.
+constexpr const char* bad_certificate = "bad-certificate";
+inline bool is_distrusted(const Failure& failure) { return failure.subject.is_symbol(bad_certificate); }
 
 // The value of one key, or nothing.
 inline Result<std::optional<std::string>> get(KeyValues& store, const std::string& key, Duration wait = patience) {

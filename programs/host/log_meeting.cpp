@@ -41,9 +41,10 @@ Result<std::unique_ptr<web::HttpServer>> say_no_data(Executor& executor, const s
                                  });
 }
 
-bool says_no_data(cluster::EtcdClient& between, std::size_t member, const cluster::LogAddress& log) {
+Result<bool> says_no_data(cluster::EtcdClient& between, std::size_t member, const cluster::LogAddress& log) {
   const Result<std::string> said = between.read(member, place_of_word, answers_within);
-  return said && *said == word_of(log);
+  if (!said) return fail(said);
+  return *said == word_of(log);
 }
 
 }  // namespace pizarra::host

@@ -67,13 +67,6 @@ cluster::LogAddress without(cluster::LogAddress log, std::size_t number) {
   return log;
 }
 
-std::string sentence_of_waiting(const MemberHere& member, const std::vector<std::string>& silent) {
-  return fmt::format(
-      "{} has no data, and waits for {}: a new log is begun by all members together, and one that ran takes this "
-      "member back while most of the others run",
-      member.folder, fmt::join(silent, ", "));
-}
-
 struct Others {
   cluster::LogAddress between;  // the addresses at which members speak to each other
   std::unique_ptr<cluster::EtcdMembers> members;
@@ -97,14 +90,27 @@ Result<std::shared_ptr<Others>> others_of(const MemberHere& member, const Peers&
 
 struct Known {
   Result<std::optional<cluster::Beginning>> begins = std::nullopt;
-  std::vector<std::string> silent = {};  // of those that are asked whether they have no data either
+  std::vector<std::string> silent = {};      // of those that are asked whether they have no data either
+  std::vector<std::string> distrusted = {};  // why, of those whose certificate is not believed
 };
 
+std::string sentence_of_waiting(const MemberHere& member, const Known& known) {
+  std::string sentence = fmt::format(
+      "{} has no data, and waits for {}: a new log is begun by all members together, and one that ran takes this "
+      "member back while most of the others run",
+      member.folder, fmt::join(known.silent, ", "));
+  for (const std::string& why : known.distrusted) sentence += "; " + why;
+  return sentence;
+}
+
 Known ask(const Others& others, const std::string& url) {
-  Known known{.begins = cluster::begin_member(*others.members, url), .silent = {}};
+  Known known{.begins = cluster::begin_member(*others.members, url)};
   if (known.begins && *known.begins) return known;
   for (std::size_t other = 0; other < others.between.members.size(); ++other) {
-    if (!says_no_data(*others.client, other, others.between)) known.silent.push_back(others.between.members[other]);
+    const Result<bool> empty = says_no_data(*others.client, other, others.between);
+    if (empty && *empty) continue;
+    known.silent.push_back(others.between.members[other]);
+    if (!empty && cluster::is_distrusted(empty.error())) known.distrusted.push_back(empty.error().sentence);
   }
   if (known.silent.empty()) known.begins = cluster::Beginning::anew;
   return known;
@@ -158,7 +164,7 @@ Task<Result<cluster::Beginning>> beginning_of(Executor& executor, MemberHere mem
     const Known known = co_await ask_others(executor, *others, peers->url(member, peers->own));
     if (known.begins && *known.begins) co_return **known.begins;
     const Failure waits =
-        known.begins ? Failure{"unavailable", sentence_of_waiting(member, known.silent), {}, {}} : known.begins.error();
+        known.begins ? Failure{"unavailable", sentence_of_waiting(member, known), {}, {}} : known.begins.error();
     if (waits.sentence != newest.sentence) say(waits);
     newest = waits;
     co_await sleep(executor, asks_every);

@@ -36,6 +36,7 @@ class EtcdWithCertificates : public testing::Test {
   }
 
   const std::string own_ = scratch_folder() + "own-certificates";
+  const std::string elsewhere_ = scratch_folder() + "certificates-of-elsewhere";
   const std::string strange_ = scratch_folder() + "strange-certificates";
   std::unique_ptr<RealEtcd> etcd_;
 };
@@ -67,6 +68,24 @@ TEST_F(EtcdWithCertificates, WritesNoLineOfItsLogForARequest) {
   const std::string said = etcd_->said();
   EXPECT_TRUE(said.contains("serving client requests")) << said;
   EXPECT_FALSE(said.contains("proxy request")) << said;
+}
+
+TEST_F(EtcdWithCertificates, IsSaidToBeAnotherWhereItsCertificateIsOfAnotherAddressOrAuthority) {
+  ASSERT_TRUE(put(*client(own_), std::chrono::seconds(60)).has_value());
+  const auto refused = [](const std::unique_ptr<EtcdClient>& client) {
+    const auto answer = client->transact({.compares = {}, .puts = {{"a", "2"}}}, 5s);
+    return answer ? Failure() : answer.error();
+  };
+  const Failure authority = refused(client(strange_));
+  EXPECT_TRUE(is_distrusted(authority)) << describe(authority);
+  EXPECT_TRUE(authority.sentence.contains(": its certificate is not believed: ")) << authority.sentence;
+  ASSERT_TRUE(make_certificates(elsewhere_, "IP:10.0.0.1"));
+  const RealEtcd etcd(elsewhere_);
+  const auto other = EtcdClient::open(LogAddress::from(etcd.address("cell"), elsewhere_, true).value()).value();
+  Failure address;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!is_distrusted(address) && std::chrono::steady_clock::now() < end) address = refused(other);
+  EXPECT_TRUE(address.sentence.contains("127.0.0.1'")) << address.sentence;
 }
 
 TEST_F(EtcdWithCertificates, IsRefusedWhereAFileIsMissing) {
