@@ -206,7 +206,15 @@ std::string error_from(const std::string& body) {
   const std::optional<json> form = object_from(body);
   constexpr std::size_t longest = 200;
   const bool said = form && form->contains("error") && (*form)["error"].is_string();
-  return text_of_bytes(said ? (*form)["error"].get<std::string>().substr(0, longest) : body.substr(0, longest));
+  const std::string error = said ? (*form)["error"].get<std::string>() : body;
+  return text_of_bytes(error.substr(0, std::min(longest, error.find_last_not_of('\n') + 1)));
+}
+
+std::string news_from(const std::string& log_line) {
+  const std::optional<json> form = object_from(log_line);
+  if (!form || !form->contains("msg") || !(*form)["msg"].is_string()) return log_line;
+  const std::string news = (*form)["msg"].get<std::string>();
+  return text_of_bytes(form->contains("error") ? news + ": " + error_from(log_line) : news);
 }
 
 }  // namespace pizarra::cluster::etcd_json

@@ -9,6 +9,7 @@
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/supervisor.hpp"
 #include "blackboard/client/keyed_board.hpp"
+#include "blackboard/cluster/etcd_json.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/forms/cell_file.hpp"
@@ -131,7 +132,8 @@ void Up::on_process(const launcher::ProcessEvent& event) {
   if (!has_failed) return;
   const std::string last_words = last_line_of(directory_.file(event.name + ".log"));
   if (event.name != "board" || serves_other_hosts(event.name)) {
-    return narrator_.say(executor_.now(), "failure", event.name + ": " + last_words);
+    const std::string why = event.name == "log" ? cluster::etcd_json::news_from(last_words) : last_words;
+    return narrator_.say(executor_.now(), "failure", event.name + ": " + why);
   }
   board_failure_ = last_words;
   supervisor_.stop();

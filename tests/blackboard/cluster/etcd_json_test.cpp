@@ -41,5 +41,16 @@ TEST(EtcdJson, LacksWhatIsFalseOrEmpty) {
   EXPECT_EQ(etcd_json::members_from(R"([{"id":1}])")->size(), 1u);
 }
 
+TEST(EtcdJson, OfALogIsToldInWords) {
+  EXPECT_EQ(
+      etcd_json::news_from(R"({"level":"fatal","ts":"2026-11-27T19:00:22.285Z","caller":"backend/batch_tx.go:248",)"
+                           R"("msg":"failed to commit tx","error":"write /d/member/snap/db: no space left on )"
+                           R"(device","stacktrace":"go.etcd.io/etcd/mvcc/backend.(*batchTx).commit"})"),
+      "failed to commit tx: write /d/member/snap/db: no space left on device");
+  EXPECT_EQ(etcd_json::news_from(R"({"level":"warn","msg":"closed"})"), "closed");
+  EXPECT_EQ(etcd_json::news_from("pizarra: etcd is not installed"), "pizarra: etcd is not installed");
+  EXPECT_EQ(etcd_json::error_from("404 page not found\n"), "404 page not found");
+}
+
 }  // namespace
 }  // namespace pizarra::cluster
