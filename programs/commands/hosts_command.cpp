@@ -146,14 +146,26 @@ void print_stranger(const Datum& refusal, bool json) {
   fmt::print("refused {}: {}\n", client.empty() ? "who comes without a key" : client, text_of_bytes(refusal[4].text()));
 }
 
+// The board of a cell file, where none was named: as the `up` of that file comes to it, which may need a key, or else
+// as the file says.
+void choose_board(const std::string& file, const forms::CellDescription& cell, BoardChoices& board) {
+  if (!board.board.empty()) return;
+  board.board = cell.board_address;
+  if (!board.key.empty()) return;
+  const std::vector<launcher::RunState> runs = launcher::running_cells();
+  const auto run = std::ranges::find(runs, std::filesystem::absolute(file).string(), &launcher::RunState::cell_file);
+  if (run == runs.end()) return;
+  board.board = run->board_address;
+  board.key = run->key;
+}
+
 int run_hosts(HostsChoices choices) {
   std::optional<forms::CellDescription> cell;
   if (std::filesystem::is_regular_file(choices.cell)) {
     Result<forms::CellDescription> described = forms::read_cell_file(choices.cell);
     if (!described) return complain(described.error(), exit_usage);
     cell = std::move(*described);
-    // A board that other machines reach needs no cell that runs here.
-    if (choices.board.board.empty() && !cell->board_address.empty()) choices.board.board = cell->board_address;
+    choose_board(choices.cell, *cell, choices.board);
   }
   choices.board.cell = cell ? cell->name : choices.cell;
   if (!choices.board.board.empty()) choices.board.cell.clear();

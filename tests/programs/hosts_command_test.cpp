@@ -110,6 +110,8 @@ TEST_F(HostsOfACell, AreJoinedByAMachineThatRunsTheServiceMadeForIt) {
   Running up({"/bin/sh", "-c", command}, folder_ + "up.log");
   const std::string there = std::string("desk             there      pizarra ") + PIZARRA_VERSION;
   EXPECT_TRUE(wait_until([&] { return run(hosts).text.contains(there); }, seconds(60))) << run(hosts).text << up.said();
+  const Said keyless = run("hosts '" + cell_ + "'");
+  EXPECT_TRUE(keyless.text.contains(there)) << "what runs here has a key: " << keyless.text;
   up.signal(SIGTERM);
   EXPECT_EQ(up.end(seconds(60)), 0) << up.said();
 }
