@@ -38,7 +38,7 @@
        (complaint '(world (cube circle (at 450 0)) (cube cross (at 455 10)))) '(1 overlap (0 2 2)))
 (check "names are told apart without case"
        (complaint '(world (cube circle (at 450 0)) (cube Circle (mark circle) (at 450 100)))) '(1 repeated (0 2 2)))
-(check "an unknown mark is refused" (complaint '(world (cube a (mark star) (at 450 0)))) '(1 unknown-name (0 2 1 2 1)))
+(check "an unknown mark is refused" (complaint '(world (cube a (mark moon) (at 450 0)))) '(1 unknown-name (0 2 1 2 1)))
 (check "what cannot be reached is refused" (complaint '(world (cube circle (at 4500 0)))) '(1 out-of-range (0 2 1 2 1)))
 
 (finish-checks)
