@@ -17,8 +17,8 @@ struct RandomStory {
   forms::Scenario scenario;
 };
 
-// Whether stories can be drawn for the cell: two cubes or more, a row with room for two piles, and a domain with (on A B) and (on-table A). Failure:
-// bad-cell.
+// Whether stories can be drawn for the cell: two cubes or more, a row with room for two piles, and a domain with (on A
+// B) and (on-table A). Failure: bad-cell.
 Result<void> check_random_cell(const forms::CellDescription& cell, const forms::Domain& domain);
 
 // The cell passed check_random_cell().

@@ -10,8 +10,8 @@
 //
 // It carries out every datagram that comes, also one that it has had: the manual does not promise more. What it has and
 // does is the MotomanController's. A request is carried out only with a service and an attribute that its command has.
-// Its jobs are the files that were sent to it (hses_files.hpp, hses_jobs.cpp); it has no clock, so that management times
-// begin at no date. The arm has no weight, so that its torques and what it strays from its way are 0.
+// Its jobs are the files that were sent to it (hses_files.hpp, hses_jobs.cpp); it has no clock, so that management
+// times begin at no date. The arm has no weight, so that its torques and what it strays from its way are 0.
 //
 // How far it is proven: with the driver of drivers/arm/motoman/; public clients are named in docs/write-a-driver.md.
 
