@@ -87,15 +87,15 @@ Result<void> VideoCamera::begin_reading() {
   if (!setup_.calibration_file.empty()) {
     Result<StereoCalibration> read = read_calibration_file(setup_.calibration_file);
     if (!read) return fail(read);
-    calibration = std::move(*read);
+    calibration = *read;
   }
   dropped_before_ = drops();
   const std::uint64_t number_before = desk_ ? desk_->number() : 0;
   desk_ = std::make_shared<FrameDesk>([bell = bell_] { bell->ring(); }, executor_.now(), number_before);
-  start_detached(executor_.now(), [desk = desk_, setup = setup_, calibration = std::move(calibration),
-                                   make = make_sources_](const std::function<Time()>& now) {
-    read_camera({setup, calibration, make, now}, *desk);
-  });
+  start_detached(executor_.now(),
+                 [desk = desk_, setup = setup_, calibration, make = make_sources_](const std::function<Time()>& now) {
+                   read_camera({setup, calibration, make, now}, *desk);
+                 });
   return {};
 }
 

@@ -174,8 +174,10 @@ Task<void> BoardSession::talk(std::vector<std::string> forms) {
 Task<void> BoardSession::evaluate(std::vector<std::string> forms) {
   const repl::Evaluation end = co_await repl::run_forms(interpreter_, std::move(forms));
   status_ = status_of(end);
-  const bool watching = manner_.stay && status_ == exit_reached;
-  while (watching) co_await sleep(context_.executor, 1s);
+  const bool only_asked = !manner_.stay || status_ != exit_reached;
+  if (only_asked) co_return;
+  // Until a signal ends it.
+  while (true) co_await sleep(context_.executor, 1s);
 }
 
 Task<void> BoardSession::prompt() {

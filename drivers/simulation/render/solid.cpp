@@ -11,9 +11,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 Face make_face(const Points& points, std::vector<int> vertices, const Colour& colour) {
-  const Vector3d a = points[static_cast<std::size_t>(vertices[0])];
-  const Vector3d b = points[static_cast<std::size_t>(vertices[1])];
-  const Vector3d c = points[static_cast<std::size_t>(vertices[2])];
+  const Vector3d& a = points[static_cast<std::size_t>(vertices[0])];
+  const Vector3d& b = points[static_cast<std::size_t>(vertices[1])];
+  const Vector3d& c = points[static_cast<std::size_t>(vertices[2])];
   const Vector3d normal = (b - a).cross(c - b).normalized();
   return {std::move(vertices), normal, lit(colour, normal), {}};
 }

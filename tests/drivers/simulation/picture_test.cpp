@@ -18,9 +18,13 @@ struct Blob {
   double y = 0;
 };
 
+std::size_t index(const Image& image, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+}
+
 int level(const Image& image, int x, int y) {
   if (x < 0 || y < 0 || x >= image.width || y >= image.height) return 255;
-  return image.pixels[static_cast<std::size_t>(y * image.width + x)];
+  return image.pixels[index(image, x, y)];
 }
 
 // The pixels darker than half of a cube's white that hang together with the one given.
@@ -32,8 +36,8 @@ Blob dark_blob(const Image& image, int x0, int y0) {
   while (!open.empty()) {
     const auto [x, y] = open.front();
     open.pop_front();
-    if (level(image, x, y) >= threshold || seen[static_cast<std::size_t>(y * image.width + x)] != 0) continue;
-    seen[static_cast<std::size_t>(y * image.width + x)] = 1;
+    if (level(image, x, y) >= threshold || seen[index(image, x, y)] != 0) continue;
+    seen[index(image, x, y)] = 1;
     ++blob.area;
     blob.x += x;
     blob.y += y;

@@ -1,5 +1,6 @@
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/serve.hpp"
 

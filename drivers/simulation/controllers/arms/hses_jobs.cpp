@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "blackboard/time/clock.hpp"
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "lisp/result.hpp"
