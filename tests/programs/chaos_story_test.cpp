@@ -6,23 +6,17 @@
 
 #include "agents/launcher/agent_factory.hpp"
 #include "programs/chaos/draw_story.hpp"
+#include "tests/programs/four_cubes.hpp"
 
 namespace pizarra::chaos {
 namespace {
-
-forms::CellDescription four_cubes() {
-  forms::CellDescription cell;
-  EXPECT_TRUE(forms::put_arm(cell, "crs-f3"));
-  for (const char* name : {"circle", "triangle", "square", "cross"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
-  return cell;
-}
 
 TEST(ChaosStory, DrawsThreeToFiveCubesOfSeveralSizesWithMarksOfTheirOwn) {
   std::set<std::size_t> counts;
   std::set<double> sizes;
   std::set<std::string> marks;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    const forms::CellDescription cell = draw_story(four_cubes(), seed, {}).cell;
+    const forms::CellDescription cell = draw_story(programs::four_cubes(), seed, {}).cell;
     EXPECT_TRUE(launcher::world_config(cell, seed)) << "seed " << seed;
     counts.insert(cell.cubes.size());
     sizes.insert(cell.cube_mm);
@@ -40,7 +34,7 @@ TEST(ChaosStory, DrawsThreeToFiveCubesOfSeveralSizesWithMarksOfTheirOwn) {
 }
 
 TEST(ChaosStory, LeavesCubesThatHaveSizesOfTheirOwnAsTheyAre) {
-  forms::CellDescription sized = four_cubes();
+  forms::CellDescription sized = programs::four_cubes();
   sized.cubes[0].edge_mm = 50;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) EXPECT_EQ(draw_story(sized, seed, {}).cell.cube_mm, 60);
 }

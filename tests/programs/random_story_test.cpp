@@ -7,16 +7,10 @@
 #include "agents/launcher/agent_factory.hpp"
 #include "lisp/writer.hpp"
 #include "programs/story/scenario_run.hpp"
+#include "tests/programs/four_cubes.hpp"
 
 namespace pizarra::programs {
 namespace {
-
-forms::CellDescription four_cubes() {
-  forms::CellDescription cell;
-  EXPECT_TRUE(forms::put_arm(cell, "crs-f3"));
-  for (const char* name : {"circle", "triangle", "square", "cross"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
-  return cell;
-}
 
 std::string text_of(const story::RandomStory& story) {
   std::string out = write(Datum::list(story.scenario.goal)) + write(Datum::list(story.scenario.events[0].actions));
