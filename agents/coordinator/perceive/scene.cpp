@@ -24,7 +24,7 @@ constexpr double most_off_mm = 30;
 // The middle of what hangs in the air is at least so many cubes above the table: higher than on a cube that is not
 // seen.
 constexpr double hanging_cubes = 1.75;
-// What rests on another, or leans on it, is no further away from it: middle to middle, in cubes.
+// From the middle of a cube to that of one which it rests or leans on, at most, in cubes.
 constexpr double leaning_cubes = 1.6;
 
 // A smaller turn of a cube is straightened by the fingers; a larger one hides the end effector's mark.
@@ -142,8 +142,7 @@ void Scene::compare_pose() {
 
 // The front of what is held looks as the fingers do.
 Eigen::Vector3d Scene::held_front_by_arm_mm() const {
-  const double fingers_deg = *tool_yaw_deg() + camera_.pose().pan_deg;
-  return tool_->translation() + domain_.cube_mm() / 2 * looks_towards(fingers_deg);
+  return tool_->translation() + domain_.cube_mm() / 2 * fingers_look();
 }
 
 Eigen::Vector3d Scene::mark_to_front_mm() const {
@@ -183,6 +182,8 @@ Eigen::Vector3d Scene::looks_towards(double yaw_deg) const {
   return Eigen::AngleAxisd(yaw_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()) * -view_->away();
 }
 
+Eigen::Vector3d Scene::fingers_look() const { return looks_towards(*tool_yaw_deg() + camera_.pose().pan_deg); }
+
 // The mark stands before the middle in the direction in which its face looks.
 Eigen::Vector3d Scene::centre_mm(const std::string& name, const Sighting& sighting) const {
   if (!view_) return sighting.place_mm;
@@ -192,10 +193,8 @@ Eigen::Vector3d Scene::centre_mm(const std::string& name, const Sighting& sighti
 
 Eigen::Vector3d Scene::face_to_fingers_mm(const std::string& name) const {
   const std::optional<double> face_deg = sightings_.face_deg(name);
-  const std::optional<double> tool_deg = tool_yaw_deg();
-  if (!view_ || !face_deg || !tool_deg) return Eigen::Vector3d::Zero();
-  const double fingers_deg = *tool_deg + camera_.pose().pan_deg;
-  return domain_.edge_mm(name) / 2 * (looks_towards(fingers_deg) - looks_towards(*face_deg));
+  if (!view_ || !face_deg || !tool_) return Eigen::Vector3d::Zero();
+  return domain_.edge_mm(name) / 2 * (fingers_look() - looks_towards(*face_deg));
 }
 
 std::optional<std::string> Scene::foremost(const std::set<std::string>& but) const {

@@ -89,6 +89,8 @@ class Scene {
  private:
   // Where a face looks that is turned so far to the right of facing the camera; of length 1.
   Eigen::Vector3d looks_towards(double yaw_deg) const;
+  // The direction in which the fingers look, by the arm's word. There is one, and a view.
+  Eigen::Vector3d fingers_look() const;
   void turn_view();
   Eigen::Vector3d held_front_by_arm_mm() const;
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
