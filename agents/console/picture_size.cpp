@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_recent = 16;
 constexpr Duration hardly = 20ms;
-// What a quick line and a page take for any picture; less says nothing of the line.
+// A quick line and a page take so long for any picture. A shorter time says nothing of the line.
 constexpr Duration of_any = 3ms;
 constexpr double with_ease = 0.5;
 constexpr double with_difficulty = 0.75;

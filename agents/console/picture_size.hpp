@@ -6,8 +6,8 @@
 //   size.note({.sent = sent, .bytes = 4700, .full_bytes = 12'000, .waited = 19ms});     // one was drawn
 //   if (size.is_light()) ...
 //
-// What the line takes for a byte is known from the quickest of the last pictures: the others waited for something else
-// as well, such as a lost packet, a busy page, or each other. How many come in a second is known from all of them. So
+// The quickest of the last pictures tells how long the line takes for a byte. The others waited for something else as
+// well, such as a lost packet, a busy page, or each other. How many come in a second is known from all of them. So
 // it is known how much of the line full ones would need, whatever the scene shows. Where full ones turn out to be too
 // much they are tried again later and later.
 

@@ -28,7 +28,7 @@ std::string removal(std::uint64_t member);
 std::string addition(const std::string& peer_url);
 // What an error says, or a beginning of it.
 std::string error_from(const std::string& body);
-// What a line of etcd's own log says, without its time, level and stack; the line where it is not etcd's.
+// The message in a line of etcd's own log, without time, level and stack. Any other line is answered as it is.
 std::string news_from(const std::string& log_line);
 
 }  // namespace pizarra::cluster::etcd_json

@@ -136,7 +136,7 @@ class NetworkTest : public testing::Test, public Wall {
   int resynchronised_ = 0;
 };
 
-// What a machine says of itself in a file of names, and what a board that is to listen under such a name says there.
+// A host with a file of names: a board listens at a name of that file, and what it says is read there.
 class NamedHostTest : public testing::Test {
  protected:
   void SetUp() override {
