@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -48,7 +49,7 @@ Result<void> MarkTracker::add(const LearnedObject& object, std::optional<cv::Poi
     if (same_name(track.name, object.name)) return {};
   }
   if (tracks_.size() >= most_tracked) {
-    return fail("full", "no more than 16 objects can be tracked", to_datum(object.name));
+    return fail("full", fmt::format("no more than {} objects can be tracked", most_tracked), to_datum(object.name));
   }
   const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
   tracks_.insert(place, Track{.name = object.name, .seen_before = seen_last});

@@ -45,7 +45,8 @@ struct TrackSighting {
   MarkContour contour;  // in the left image
 };
 
-inline constexpr std::size_t most_tracked = 16;
+// All that can be known. Forgotten ones that are still asked for count too.
+inline constexpr std::size_t most_tracked = most_objects;
 inline constexpr std::size_t most_twins = 16;  // of one object's like
 inline constexpr Duration longest_bridge = 500ms;
 inline constexpr Duration longest_doubt = 5s;  // whether what is found elsewhere is it

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "agents/vision/agent/reply_text.hpp"
@@ -49,6 +50,20 @@ TEST_F(Tracker, PutsTheEndEffectorFirstAndFollowsAll) {
   EXPECT_EQ(sightings[0].name, "end-effector");
   EXPECT_EQ(sightings[1].name, "circle");
   for (const TrackSighting& sighting : sightings) expect_at(sighting, face(sighting.name).place);
+}
+
+TEST_F(Tracker, TakesAsManyObjectsAsCanBeKnownAndRefusesOneMore) {
+  LearnedObject object = *learned_cell().find("cross");
+  for (std::size_t i = 0; i < most_objects; ++i) {
+    object.name = fmt::format("cross-{}", i);
+    ASSERT_TRUE(tracker.add(object)) << object.name;
+  }
+  ASSERT_TRUE(tracker.add(object)) << "once more is harmless";
+  object.name = "one-more";
+  const Result<void> refused = tracker.add(object);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().symbol, "full");
+  EXPECT_EQ(see().size(), most_objects);
 }
 
 TEST_F(Tracker, FollowsAMotionThatSpeedsUpAndTurns) {
