@@ -89,12 +89,14 @@ TEST_F(BoardProgram, ALeaseStandsThatWasRenewedWhileItWasStopped) {
   program.line();
   const auto alice = view("alice");
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
-  for (int round = 0; round < 8; ++round) {
-    const LeaseId lease = run(alice->lease(200ms)).value();
+  // Long enough that it cannot lapse before the board is stopped, however busy the machine is.
+  constexpr Duration lease_time = 1s;
+  for (int round = 0; round < 4; ++round) {
+    const LeaseId lease = run(alice->lease(lease_time)).value();
     ASSERT_EQ(symbol_of(run(alice->transact(Transaction().tell(list("seen"_sym, round), {}, lease)))), "ok");
     program.send(SIGSTOP);
     bool goes_on = false;
-    executor_.call_at(executor_.now() + 300ms, [&] {
+    executor_.call_at(executor_.now() + lease_time + 100ms, [&] {
       program.send(SIGCONT);
       goes_on = true;
     });
