@@ -6,6 +6,7 @@
 //   Result<void> written = write_sheet("shapes.pdf", sheet);     // or .png
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,8 @@ Sheet shapes_sheet();
 Sheet board_sheet();
 
 // Tags, as tags_from_text() reads them, apart, each with its number below it. Failures: those of it, too-many for a
-// page, and too-small.
-Result<Sheet> tags_sheet(const std::string& which, double side_mm);
+// page, and too-small. Without a side their squares are 40 mm large, or those within a dark line 25 mm.
+Result<Sheet> tags_sheet(const std::string& which, std::optional<double> side_mm);
 
 // Parts of a sheet: an upright rectangle, and the bar that says whether a page was printed at its real size.
 std::vector<Eigen::Vector2d> box_at(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);

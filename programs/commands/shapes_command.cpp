@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
@@ -15,7 +16,7 @@ struct ShapesChoices {
   std::string file;
   bool board = false;
   std::string tags;
-  double side_mm = 40;
+  std::optional<double> side_mm;
 };
 
 Result<Sheet> sheet_of(const ShapesChoices& choices) {
@@ -53,9 +54,10 @@ void add_shapes_command(CLI::App& app, int& status) {
       shapes->add_option("--tags", choices->tags, "Instead: these tags of one family, such as 36h11:0-11 or 4x4-50:3,7")
           ->type_name("FAMILY:IDS")
           ->excludes(board);
-  shapes->add_option("--side", choices->side_mm, "The side of the tags' square, mm")
+  shapes
+      ->add_option("--side", choices->side_mm,
+                   "The side of the tags' square, mm; default 40, and 25 of the light square of 41h12, 21h7 and 52h13")
       ->check(number_check(2, 200))
-      ->capture_default_str()
       ->needs(tags);
   shapes->footer(help_footer("shapes --print shapes.pdf"));
   shapes->callback([choices, &status] { status = print_shapes(*choices); });

@@ -13,26 +13,41 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Where tags may be, and how much of the sheet is around each: their ground, and a line to cut along, as a part of
-// the side.
+// Where tags may be, and how much of the sheet is around each, as a part of its width: its ground, and a line to cut
+// along. Wide tags need no ground.
 const Vector2d first_mm(15, 20);
 const Vector2d last_mm(195, 272);
-constexpr double around_of_side = 0.25;
+constexpr double ground_of_width = 0.25;
+constexpr double cut_of_width = 0.1;
+// Unless another is wanted. Of either kind twelve fit.
+constexpr double side_of_dark_mm = 40;
+constexpr double side_of_light_mm = 25;
 constexpr double letter_mm = 3;
 // Cells that a printer of 300 dots an inch draws with four dots.
 constexpr double least_cell_mm = 0.34;
 
+// A sheet's places for the tags of a family.
 struct Grid {
-  Grid(double side_mm)
-      : step(side_mm * (1 + 2 * around_of_side), side_mm * (1 + 2 * around_of_side) + letter_mm),
+  Grid(const vision::TagFamily& family, double side)
+      : side_mm(side),
+        cells(vision::print_of(family, 0).cols),
+        side_cells(cells - 2 * family.cells_around),
+        around_mm(width_mm() * (family.is_wide() ? cut_of_width : ground_of_width)),
+        step(width_mm() + 2 * around_mm, width_mm() + 2 * around_mm + letter_mm),
         columns(static_cast<std::size_t>((last_mm - first_mm).x() / step.x())),
         rows(static_cast<std::size_t>((last_mm - first_mm).y() / step.y())) {}
-  // The upper left corner of a tag's own square.
-  Vector2d place(std::size_t i, double side_mm) const {
+  double cell_mm() const { return side_mm / side_cells; }
+  double width_mm() const { return cell_mm() * cells; }
+  // The upper left corner of a tag.
+  Vector2d place(std::size_t i) const {
     const std::size_t row = i / columns;
     const Vector2d cell(static_cast<double>(i % columns), static_cast<double>(row));
-    return first_mm + cell.cwiseProduct(step) + Vector2d::Constant(side_mm * around_of_side);
+    return first_mm + cell.cwiseProduct(step) + Vector2d::Constant(around_mm);
   }
+  double side_mm;
+  int cells;
+  int side_cells;
+  double around_mm;
   Vector2d step;
   std::size_t columns;
   std::size_t rows;
@@ -58,40 +73,39 @@ void add_runs(Sheet& sheet, const cv::Mat1b& cells, bool turned, const Vector2d&
 }
 
 // Both ways, so that no printer leaves a light line between cells.
-void add_tag(Sheet& sheet, const vision::TagFamily& family, int number, const Vector2d& corner, double side_mm) {
+void add_tag(Sheet& sheet, const vision::TagFamily& family, int number, const Vector2d& corner, double cell_mm) {
   const cv::Mat1b cells = vision::print_of(family, number);
-  const double cell_mm = side_mm / cells.cols;
   add_runs(sheet, cells, false, corner, cell_mm);
   add_runs(sheet, cells.t(), true, corner, cell_mm);
 }
 
 }  // namespace
 
-Result<Sheet> tags_sheet(const std::string& which, double side_mm) {
+Result<Sheet> tags_sheet(const std::string& which, std::optional<double> side_mm) {
   const Result<std::vector<vision::Tag>> tags = vision::tags_from_text(which);
   if (!tags) return fail(tags);
   const vision::TagFamily& family = *vision::family_called(tags->front().family);
-  const int cells = vision::print_of(family, 0).cols;
-  if (side_mm < cells * least_cell_mm) {
+  const Grid grid(family, side_mm.value_or(family.is_wide() ? side_of_light_mm : side_of_dark_mm));
+  if (grid.cell_mm() < least_cell_mm) {
     return fail("too-small",
-                fmt::format("a printer cannot draw the {} cells of a tag of {:g} mm: {:.1f} mm is the least", cells,
-                            side_mm, std::ceil(10 * cells * least_cell_mm) / 10));
+                fmt::format("a printer cannot draw the {} cells of a tag of {:g} mm: {:.1f} mm is the least",
+                            grid.side_cells, grid.side_mm, std::ceil(10 * grid.side_cells * least_cell_mm) / 10));
   }
-  const Grid grid(side_mm);
   if (tags->size() > grid.columns * grid.rows) {
     return fail("too-many",
                 fmt::format("a page of A4 has room for {} tags of {:g} mm, and {} are wanted: name fewer, or smaller "
                             "ones with --side",
-                            grid.columns * grid.rows, side_mm, tags->size()));
+                            grid.columns * grid.rows, grid.side_mm, tags->size()));
   }
   Sheet sheet;
   sheet.texts.push_back({{first_mm.x(), 14},
                          letter_mm,
-                         fmt::format("Pizarra: tags of {}, the side of their square {:g} mm", family.name, side_mm)});
+                         fmt::format("Pizarra: tags of {}, the side of their {}square {:g} mm", family.name,
+                                     family.is_wide() ? "light " : "", grid.side_mm)});
   for (std::size_t i = 0; i < tags->size(); ++i) {
-    const Vector2d corner = grid.place(i, side_mm);
-    add_tag(sheet, family, (*tags)[i].number, corner, side_mm);
-    const double below = side_mm * (1 + around_of_side) + letter_mm;
+    const Vector2d corner = grid.place(i);
+    add_tag(sheet, family, (*tags)[i].number, corner, grid.cell_mm());
+    const double below = grid.width_mm() + grid.around_mm + letter_mm;
     sheet.texts.push_back({corner + Vector2d(0, below), letter_mm, fmt::format("{}", (*tags)[i].number)});
   }
   add_scale(sheet);

@@ -41,7 +41,7 @@ vision::Photograph photograph_of(int i) { return {.tilt_deg = 10, .pan_deg = 5.0
 
 // Three photographs of the printed sheet, 0.jpg the one to learn from, in a folder that begins empty.
 std::string folder_of_photographs(const std::string& name) {
-  const std::string folder = scratch_folder() + name + "/";
+  std::string folder = scratch_folder() + name + "/";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   Random random(3);
@@ -220,6 +220,27 @@ TEST(TagSheet, IsReadBackAtItsRealSize) {
   EXPECT_EQ(sorted, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})) << said.text;
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_GT(cv::norm(places[i] - places[j]) / dots_a_mm, 55) << "they lie apart";
+  }
+}
+
+TEST(TagSheet, OfTagsWithCellsAroundTheirSquareIsReadBackByTheSideOfTheSquare) {
+  const std::vector<std::pair<std::string, std::string>> families = {
+      {"standard41h12", "0-10,2114"}, {"circle21h7", "0-10,37"}, {"standard52h13", "0-10,48713"}};
+  for (const auto& [family, numbers] : families) {
+    ASSERT_EQ(run("shapes --print tags.png --tags " + family + ":" + numbers).status, 0);
+    const Said said = run("measure tags.png --tags " + family + " --json");
+    ASSERT_EQ(said.status, 0) << said.text;
+    const std::regex tag("\\{\"tag\":\"apriltag-" + family +
+                         "-([0-9]+)\",\"at\":\\[[0-9.]+,[0-9.]+\\],\"side\":([0-9.]+),");
+    std::vector<int> read;
+    for (std::sregex_iterator at(said.text.begin(), said.text.end(), tag), end; at != end; ++at) {
+      read.push_back(std::stoi((*at)[1]));
+      EXPECT_NEAR(std::stod((*at)[2]) / (300 / 25.4), 25, 0.2) << "mm";
+    }
+    std::ranges::sort(read);
+    ASSERT_EQ(read.size(), 12U) << said.text;
+    EXPECT_EQ(read[10], 10) << said.text;
+    EXPECT_EQ(std::to_string(read[11]), numbers.substr(5));
   }
 }
 

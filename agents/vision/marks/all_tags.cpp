@@ -14,12 +14,11 @@ struct ReadTag {
 };
 
 void read_family(const cv::Mat1b& grey, const TagFamily& family, std::vector<ReadTag>& out) {
-  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
   const TagDetection detection = detect_tags(grey, family);
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     const TagCorners& corners = detection.found[i];
-    if (!has_a_border(grey, corners)) continue;
-    const double likeness = tag_likeness(grey, corners, *dictionary, detection.numbers[i]);
+    if (!has_a_border(grey, corners, family)) continue;
+    const double likeness = tag_likeness(grey, corners, family, detection.numbers[i]);
     if (likeness < least_tag_likeness) continue;
     std::optional<SeenMark> mark = whole_tag(grey, corners, family, detection.numbers[i]);
     if (mark) out.push_back({std::move(*mark), likeness});

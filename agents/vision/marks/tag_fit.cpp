@@ -17,7 +17,7 @@ constexpr double hold = 2e-5;
 // Two levels, and how far each corner is off along x and along y.
 constexpr int unknowns = 10;
 using Unknowns = cv::Vec<double, unknowns>;
-using Corners = std::array<cv::Point2f, 4>;
+using Square = std::array<cv::Point2f, 4>;
 
 cv::Mat1f blurred(const cv::Mat& image) {
   cv::Mat1f out;
@@ -28,18 +28,24 @@ cv::Mat1f blurred(const cv::Mat& image) {
 
 // A tag as it is printed, and its slopes.
 struct Print {
-  explicit Print(const cv::Mat& drawn) : light(blurred(drawn)), side(drawn.cols) {
+  Print(const cv::Mat1b& cells, int cells_around) : side(cells.cols * cell_px), around(cells_around * cell_px) {
+    cv::Mat drawn;
+    cv::resize(cells, drawn, {side, side}, 0, 0, cv::INTER_NEAREST);
+    light = blurred(drawn);
     cv::Sobel(light, along_x, CV_32F, 1, 0, 3, 1.0 / 8);
     cv::Sobel(light, along_y, CV_32F, 0, 1, 3, 1.0 / 8);
+    if (around > 0) leave_out(cells == unprinted);
   }
-  Corners corners() const {
-    const float end = static_cast<float>(side) - 0.5F;
-    return {cv::Point2f(-0.5F, -0.5F), {end, -0.5F}, {end, end}, {-0.5F, end}};
+  bool tells(int x, int y) const { return left_out.empty() || left_out(y, x) == 0; }
+  Square corners() const {
+    const float begin = static_cast<float>(around) - 0.5F;
+    const float end = static_cast<float>(side - around) - 0.5F;
+    return {cv::Point2f(begin, begin), {end, begin}, {end, end}, {begin, end}};
   }
   // What each unknown adds to the level there; a corner the more the nearer it is.
   Unknowns row(int x, int y) const {
-    const double u = (x + 0.5) / side;
-    const double v = (y + 0.5) / side;
+    const double u = (x + 0.5 - around) / (side - 2 * around);
+    const double v = (y + 0.5 - around) / (side - 2 * around);
     const std::array<double, 4> near = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
     Unknowns out;
     out[0] = 1;
@@ -51,10 +57,19 @@ struct Print {
     return out;
   }
 
+  // What is not printed, and the square's edge: the corners were put on it, and it may be that of a cover.
+  void leave_out(const cv::Mat1b& unprinted_cells) {
+    cv::resize(unprinted_cells, left_out, {side, side}, 0, 0, cv::INTER_NEAREST);
+    cv::rectangle(left_out, {around, around, side - 2 * around, side - 2 * around}, 255);
+    cv::dilate(left_out, left_out, cv::Mat1b::ones(2 * margin_px + 1, 2 * margin_px + 1));
+  }
+
+  int side;
+  int around;  // beyond the square whose corners are sought
+  cv::Mat1b left_out;
   cv::Mat1f light;
   cv::Mat1f along_x;
   cv::Mat1f along_y;
-  int side;
 };
 
 // A place shows the print a little beside it, as far as the corners are off: linear least squares (B. Lucas, T. Kanade,
@@ -64,6 +79,7 @@ Unknowns fit(const Print& print, const cv::Mat1f& seen) {
   Unknowns right = Unknowns::all(0);
   for (int y = margin_px; y < print.side - margin_px; ++y) {
     for (int x = margin_px; x < print.side - margin_px; ++x) {
+      if (!print.tells(x, y)) continue;
       const Unknowns row = print.row(x, y);
       for (int i = 0; i < unknowns; ++i) {
         for (int j = 0; j < unknowns; ++j) normal(i, j) += row[i] * row[j];
@@ -89,14 +105,11 @@ struct Fitted {
   cv::Point2d off(int corner) const { return cv::Point2d(found[2 + 2 * corner], found[3 + 2 * corner]) / found[1]; }
 };
 
-Fitted fitted(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, const cv::aruco::Dictionary& dictionary,
-              int number) {
-  cv::Mat drawn;
-  dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, drawn);
-  Print print(drawn);
+Fitted fitted(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
+  Print print(print_of(family, number), family.cells_around);
   const cv::Matx33d to_image = cv::getPerspectiveTransform(print.corners().data(), corners.data());
   cv::Mat seen;
-  cv::warpPerspective(grey, seen, to_image, drawn.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+  cv::warpPerspective(grey, seen, to_image, print.light.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
                       cv::BORDER_REPLICATE);
   const Unknowns found = fit(print, blurred(seen));
   return {std::move(print), to_image, found};
@@ -104,19 +117,17 @@ Fitted fitted(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, co
 
 }  // namespace
 
-double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
-                     const cv::aruco::Dictionary& dictionary, int number) {
-  const Fitted fit = fitted(grey, corners, dictionary, number);
+double middle_off_px(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
+  const Fitted fit = fitted(grey, corners, family, number);
   cv::Point2d moved;
   for (int i = 0; i < 4; ++i) moved += fit.off(i) / 4;
   const cv::Point2d middle(fit.print.side / 2.0 - 0.5, fit.print.side / 2.0 - 0.5);
   return cv::norm(mapped(fit.to_image, middle) - mapped(fit.to_image, middle - moved));
 }
 
-std::vector<cv::Point2f> fitted_corners(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
-                                        const cv::aruco::Dictionary& dictionary, int number) {
-  const Fitted fit = fitted(grey, corners, dictionary, number);
-  std::vector<cv::Point2f> out;
+TagCorners fitted_corners(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
+  const Fitted fit = fitted(grey, corners, family, number);
+  TagCorners out;
   for (int i = 0; i < 4; ++i) {
     const cv::Point2d corner(fit.print.corners()[static_cast<std::size_t>(i)]);
     out.emplace_back(mapped(fit.to_image, corner - fit.off(i)));

@@ -3,21 +3,17 @@
 // Whether a tag's corners are where its cells say. A cover along its border leaves a smaller square, in which the cells
 // can still be read. They are then not where the corners put them.
 //
-//   const double off = middle_off_px(grey, corners, *dictionary, 17);
+//   const double off = middle_off_px(grey, corners, family, 17);
 
-#include <opencv2/aruco.hpp>
-#include <opencv2/core.hpp>
-#include <vector>
+#include "agents/vision/marks/tag_detection.hpp"
 
 namespace pizarra::vision {
 
 // How far the middle of the tag's corners would move if they went where the edges of its cells put them, to first
 // order: as it is to some 15 %, up to half a cell. The corners begin with the tag's own upper left one, clockwise.
-double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
-                     const cv::aruco::Dictionary& dictionary, int number);
+double middle_off_px(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number);
 
 // The corners where the edges of its cells put them, to first order.
-std::vector<cv::Point2f> fitted_corners(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
-                                        const cv::aruco::Dictionary& dictionary, int number);
+TagCorners fitted_corners(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number);
 
 }  // namespace pizarra::vision

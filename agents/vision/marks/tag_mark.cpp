@@ -106,30 +106,33 @@ SeenMark mark_of(const cv::Mat& grey, const TagCorners& corners, Tag tag) {
 
 double side_px(const TagCorners& corners) { return cv::arcLength(corners, true) / 4; }
 
-bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners) {
+bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family) {
+  const int sign = family.is_wide() ? -1 : 1;
   int agreeing = 0;
-  visit_border(grey, corners, [&](int inside, int outside) { agreeing += outside - inside > least_contrast ? 1 : 0; });
+  visit_border(grey, corners,
+               [&](int inside, int outside) { agreeing += sign * (outside - inside) > least_contrast ? 1 : 0; });
   return agreeing >= least_border_share * border_places * static_cast<double>(corners.size());
 }
 
 std::optional<SeenMark> whole_tag(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family,
                                   int number) {
-  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
   const double allowed = std::max(most_tag_off_px, most_tag_off_share * side_px(corners));
-  const double doubt = (1 + fit_slack) * middle_off_px(grey, corners, *dictionary, number) / allowed;
+  const double doubt = (1 + fit_slack) * middle_off_px(grey, corners, family, number) / allowed;
   if (doubt > 1) return std::nullopt;
   SeenMark out = mark_of(grey, corners, {std::string(family.name), number});
   out.tag_doubt = doubt;
   return out;
 }
 
-double tag_likeness(const cv::Mat1b& grey, const TagCorners& corners, const cv::aruco::Dictionary& dictionary,
-                    int number) {
+double tag_likeness(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
   constexpr int cell_px = 4;
-  cv::Mat print;
-  dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, print);
+  cv::Mat1b print;
+  cv::resize(print_of(family, number), print, {}, cell_px, cell_px, cv::INTER_NEAREST);
+  const cv::Mat1b seen = squared(grey, corners, print.cols, family.cells_around * cell_px);
+  cv::Mat1b printed = print != unprinted;
+  if (cv::countNonZero(printed) == static_cast<int>(printed.total())) printed.release();
   cv::Mat1f like;
-  cv::matchTemplate(squared(grey, corners, print.cols), print, like, cv::TM_CCOEFF_NORMED);
+  cv::matchTemplate(seen, print, like, cv::TM_CCOEFF_NORMED, printed);
   return like(0, 0);
 }
 

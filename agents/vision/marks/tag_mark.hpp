@@ -2,7 +2,7 @@
 
 // A square in which a tag was read, as a mark: whether it is one at all, and where.
 //
-//   if (has_a_border(grey, corners) && tag_likeness(grey, corners, *dictionary, 17) > least_tag_likeness) ...
+//   if (has_a_border(grey, corners, family) && tag_likeness(grey, corners, family, 17) > least_tag_likeness) ...
 //   std::optional<SeenMark> mark = whole_tag(grey, corners, family, 17);
 
 #include <optional>
@@ -19,13 +19,12 @@ inline constexpr double least_tag_likeness = 0.74;
 // The mean of its four sides.
 double side_px(const TagCorners& corners);
 
-// Whether it is dark within the border and light around it. Cells alone are no proof: of the larger families' codes a
-// light triangle may spell one.
-bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners);
+// Whether it is dark within the border and light around it, or of a wide family the other way round. Cells alone are no
+// proof: of the larger families' codes a light triangle may spell one.
+bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family);
 
-// How like the tag's print that is what the corners enclose, 1 at most.
-double tag_likeness(const cv::Mat1b& grey, const TagCorners& corners, const cv::aruco::Dictionary& dictionary,
-                    int number);
+// How like the tag's print that is what the image shows there, 1 at most.
+double tag_likeness(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number);
 
 // The tag, unless its corners are not its own but where something lies over its border.
 std::optional<SeenMark> whole_tag(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family,

@@ -99,29 +99,29 @@ bool is_within(const TagCorners& corners, const cv::Mat1b& grey) {
 }
 
 // Keeps in `best` the corners at which the image is most like the print: those read with, or fitted ones.
-void fit(const cv::Mat1b& grey, const cv::aruco::Dictionary& dictionary, Reading read, std::optional<Reading>& best) {
+void fit(const cv::Mat1b& grey, const TagFamily& family, Reading read, std::optional<Reading>& best) {
   for (int fits = 0;; ++fits) {
     if (!is_within(read.corners, grey)) return;
-    if (has_a_border(grey, read.corners)) {
-      read.likeness = tag_likeness(grey, read.corners, dictionary, read.number);
+    if (has_a_border(grey, read.corners, family)) {
+      read.likeness = tag_likeness(grey, read.corners, family, read.number);
       if (read.likeness > (best ? best->likeness : least_tag_likeness)) best = read;
     }
     if (fits == most_fits) return;
-    read.corners = fitted_corners(grey, read.corners, dictionary, read.number);
+    read.corners = fitted_corners(grey, read.corners, family, read.number);
   }
 }
 
-std::optional<Reading> best_reading(const cv::Mat1b& grey, const TagCorners& square,
-                                    cv::aruco::Dictionary& dictionary) {
-  const double cell_px = side_px(square) / (dictionary.markerSize + 2);
+std::optional<Reading> best_reading(const cv::Mat1b& grey, const TagCorners& square, const TagFamily& family) {
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = dictionary_of(family);
+  const double cell_px = side_px(square) / (dictionary->markerSize + 2);
   if (cell_px < least_cell_px) return std::nullopt;
   const int within = std::clamp(cvRound(cell_px), least_within_px, most_within_px);
   TagCorners refined = square;
   cv::cornerSubPix(grey, refined, {within, within}, {-1, -1}, refined_until);
   std::optional<Reading> best;
   for (const TagCorners& corners : {square, refined}) {
-    std::optional<Reading> read = read_at(grey, corners, dictionary);
-    if (read) fit(grey, dictionary, std::move(*read), best);
+    std::optional<Reading> read = read_at(grey, corners, *dictionary);
+    if (read) fit(grey, family, std::move(*read), best);
   }
   return best;
 }
@@ -135,9 +135,8 @@ bool is_found(const TagDetection& detection, const TagCorners& corners) {
 }  // namespace
 
 void read_again(const cv::Mat1b& grey, const TagFamily& family, TagDetection& detection) {
-  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
   std::erase_if(detection.others, [&](const TagCorners& square) {
-    std::optional<Reading> read = best_reading(grey, square, *dictionary);
+    std::optional<Reading> read = best_reading(grey, square, family);
     if (!read || is_found(detection, read->corners)) return false;
     detection.found.push_back(std::move(read->corners));
     detection.numbers.push_back(read->number);

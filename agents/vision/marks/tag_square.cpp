@@ -65,9 +65,10 @@ std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& a
   return out;
 }
 
-cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px) {
-  const float end = static_cast<float>(side_px) - 0.5F;
-  const Corners square = {{-0.5F, -0.5F}, {end, -0.5F}, {end, end}, {-0.5F, end}};
+cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px, int around_px) {
+  const float begin = static_cast<float>(around_px) - 0.5F;
+  const float end = static_cast<float>(side_px - around_px) - 0.5F;
+  const Corners square = {{begin, begin}, {end, begin}, {end, end}, {begin, end}};
   cv::Mat1b out;
   cv::warpPerspective(grey, out, cv::getPerspectiveTransform(square, corners), {side_px, side_px},
                       cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);

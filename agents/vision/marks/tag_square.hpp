@@ -20,7 +20,8 @@ struct TagSquare {
 std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& area,
                                         const cv::aruco::Dictionary& dictionary);
 
-// The image between the corners, as a square so many pixels wide.
-cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px);
+// The image between the corners and around them, as a square so many pixels wide: the corners are `around_px` within
+// it.
+cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px, int around_px = 0);
 
 }  // namespace pizarra::vision

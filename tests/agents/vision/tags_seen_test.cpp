@@ -25,9 +25,9 @@ class TagsSeen : public Vision {
                  VisionOptions{.objects_directory = "", .tags = {{"apriltag-36h11", side_mm}}});
   }
   // Shows a tag on light ground, its upper left cell at that pixel.
-  void show(int number, cv::Point at) {
+  void show(int number, cv::Point at, std::string_view family = "apriltag-36h11") {
     cv::Mat1b print;
-    cv::resize(print_of(*family_called("apriltag-36h11"), number), print, {}, cell_px, cell_px, cv::INTER_NEAREST);
+    cv::resize(print_of(*family_called(family), number), print, {}, cell_px, cell_px, cv::INTER_NEAREST);
     cv::Mat1b on_ground;
     const int around = 2 * cell_px;
     cv::copyMakeBorder(print, on_ground, around, around, around, around, cv::BORDER_CONSTANT, 255);
@@ -87,6 +87,28 @@ TEST_F(TagsSeen, HaveTheirPlaceAndPoseAlthoughNobodyAsked) {
     EXPECT_EQ((*pose)[7].size(), 21U) << "the covariance";
   }
   EXPECT_EQ((*seen)[4][0][1].integer() + (*seen)[4][1][1].integer(), 20);
+}
+
+TEST_F(TagsSeen, OfEachFamilyWithCellsAroundItsSquareAreToldWithTheirPose) {
+  for (const std::string family : {"apriltag-standard41h12", "apriltag-circle21h7", "apriltag-standard52h13"}) {
+    const int cells = print_of(*family_called(family), 0).cols;
+    const int side_cells = cells - 2 * family_called(family)->cells_around;
+    camera.pictures.clear();
+    show(9, {90, 70}, family);
+    life.reset();
+    life.emplace(executor, board, camera, &streams,
+                 VisionOptions{.objects_directory = "",
+                               .tags = {{family, side_cells * cell_px * depth_mm() / camera.model().focal_px}}});
+    const std::optional<Datum> seen =
+        look_where([&](const std::optional<Datum>& now) { return now && write(*now).contains(family); });
+    ASSERT_TRUE(seen) << family;
+    ASSERT_EQ((*seen)[4].size(), 1U) << write(*seen);
+    const Datum& tag = (*seen)[4][0];
+    EXPECT_EQ(tag[1].integer(), 9);
+    const Datum* const pose = part(tag, "pose");
+    ASSERT_TRUE(pose) << write(tag);
+    EXPECT_NEAR((*pose)[3].number(), depth_mm(), 5) << write(tag);
+  }
 }
 
 TEST_F(TagsSeen, ThatThereAreNoneIsToldOnce) {

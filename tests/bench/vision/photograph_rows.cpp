@@ -75,7 +75,7 @@ class Judge {
     if (photo.kind == our_shapes) return find_shapes(photo, image, told[our_shapes]);
     find_tags(photo, image, told["our " + photo.kind]);
     for (const TagDetector& peer : bench_.peers) {
-      if (peer.name == peer_of.at(photo.kind) && peer.detect) ask_peer(peer, photo, image, told[peer.name]);
+      if (peer.name == peer_of.at(photo.kind)) ask_peer(peer, photo, image, told[peer.name]);
     }
   }
   const ByCondition& told() const { return told_; }

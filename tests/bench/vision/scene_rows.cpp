@@ -106,7 +106,6 @@ void recall(VisionBench& bench) {
     const Scene scene = random_scene(hard_ranges, random);
     find_marks(bench, scene, draw(scene, Side::left, random), ours);
     for (std::size_t p = 0; p < bench.peers.size(); ++p) {
-      if (!bench.peers[p].detect) continue;
       const cv::Mat1b image = draw(with_tags(scene, bench.peers[p].tags), Side::left, random);
       find_tags(bench.peers[p], scene, image, theirs[p]);
     }
@@ -115,7 +114,7 @@ void recall(VisionBench& bench) {
     std::vector<Peer> out;
     for (std::size_t p = 0; p < theirs.size(); ++p) {
       out.push_back({bench.peers[p].name, {}});
-      if (bench.peers[p].detect) out.back().value = value(theirs[p]);
+      out.back().value = value(theirs[p]);
     }
     return out;
   };

@@ -1,12 +1,9 @@
 #include "tests/bench/vision/tag_detectors.hpp"
 
-#include <memory>
-#include <opencv2/aruco.hpp>
-
-#if PIZARRA_HAS_APRILTAG
 #include <apriltag/apriltag.h>
 #include <apriltag/tag36h11.h>
-#endif
+#include <memory>
+#include <opencv2/aruco.hpp>
 
 namespace pizarra::bench {
 namespace {
@@ -34,7 +31,6 @@ TagDetector aruco() {
   return out;
 }
 
-#if PIZARRA_HAS_APRILTAG
 TagDetector apriltag() {
   const std::shared_ptr<apriltag_family_t> family(tag36h11_create(), tag36h11_destroy);
   // It goes before its family does.
@@ -68,9 +64,6 @@ TagDetector apriltag() {
   };
   return out;
 }
-#else
-TagDetector apriltag() { return {.name = "AprilTag", .tags = {}, .detect = {}}; }
-#endif
 
 }  // namespace
 

@@ -1,10 +1,8 @@
 #pragma once
 
-// The peers: detectors of tags, where they are installed.
+// The peers: detectors of tags.
 //
-//   for (TagDetector& peer : tag_detectors()) {
-//     if (peer.detect) seconds_of([&] { peer.detect(image); });
-//   }
+//   for (TagDetector& peer : tag_detectors()) seconds_of([&] { peer.detect(image); });
 
 #include <functional>
 #include <opencv2/core.hpp>
@@ -21,13 +19,13 @@ struct SeenTag {
 
 struct TagDetector {
   std::string name;
-  std::vector<cv::Mat1b> tags;                                      // the dark cells of the first tags, by number
-  std::function<std::vector<SeenTag>(const cv::Mat& grey)> detect;  // empty: it is not installed
+  std::vector<cv::Mat1b> tags;  // the dark cells of the first tags, by number
+  std::function<std::vector<SeenTag>(const cv::Mat& grey)> detect;
 };
 
 inline constexpr int tags_of_a_scene = 5;
 
-// ArUco first, which is there always; AprilTag detects where it was installed when this was built.
+// ArUco and AprilTag.
 std::vector<TagDetector> tag_detectors();
 
 }  // namespace pizarra::bench

@@ -96,14 +96,12 @@ struct Seen {
   }
 };
 
-using Work = std::pair<std::string, std::function<void()>>;  // empty: the peer is not installed
+using Work = std::pair<std::string, std::function<void()>>;
 
 std::vector<Work> peers_work(const VisionBench& bench, const std::vector<Scene>& scenes, Random& random,
                              decltype(peer_work)& work = peer_work) {
   std::vector<Work> out;
-  for (const TagDetector& peer : bench.peers) {
-    out.emplace_back(peer.name, peer.detect ? work(peer, scenes, random) : std::function<void()>());
-  }
+  for (const TagDetector& peer : bench.peers) out.emplace_back(peer.name, work(peer, scenes, random));
   return out;
 }
 
@@ -121,12 +119,11 @@ void say_time(VisionBench& bench, const std::string& name, const std::optional<S
   };
   std::vector<std::function<double()>> works{timed(ours)};
   std::vector<Peer> peers;
-  for (const auto& [peer, work] : others) works.push_back(work ? timed(work) : [] { return 0.0; });
+  for (const auto& [peer, work] : others) works.push_back(timed(work));
   const std::vector<double> seconds = medians_of_rounds(rounds, works);
   for (std::size_t i = 0; i < others.size(); ++i) {
-    const auto& [peer, work] = others[i];
-    peers.push_back({peer, {}});
-    if (work) peers.back().value = seconds[i + 1] * 1e6 / scenes_in_turn;
+    peers.push_back({others[i].first, {}});
+    peers.back().value = seconds[i + 1] * 1e6 / scenes_in_turn;
   }
   const double ours_us = seconds[0] * 1e6 / (scenes_in_turn * repeats);
   const double aruco_us = *peers.front().value;
