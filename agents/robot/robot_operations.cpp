@@ -1,14 +1,16 @@
-// Which request goes where, and the operations of the robot agent that move nothing.
+// What is asked of the robot agent: which operation it is, whether its caller may ask for it, and those that move
+// something: motions, held jogs, the gripper.
 
-#include <fmt/format.h>
-
+#include "agents/robot/jog.hpp"
 #include "agents/robot/robot_state.hpp"
+#include "agents/runtime/hold_deadlines.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::robot {
 
 namespace {
 
-constexpr std::size_t max_variables = 256;
+constexpr double max_opening_mm = 100;
 
 // Open to all; whatever else is asked for changes something, and is its commander's to ask for.
 bool only_monitors(const Datum& operation) {
@@ -32,89 +34,99 @@ Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
   return get_control(std::move(operation));
 }
 
-Task<Result<Datum>> RobotAgent::State::answer_monitor(Datum operation) {
-  if (operation.is_form("monitor")) return monitor();
-  if (operation.is_form("finish")) return finish(std::move(operation));
-  return get_status();
-}
-
 Task<Result<Datum>> RobotAgent::State::answer_with(Result<Datum> known) { co_return known; }
 
-Task<Result<Datum>> RobotAgent::State::get_status() { co_return list(facts.action()); }
-
-Task<Result<Datum>> RobotAgent::State::speed(Datum operation) {
-  const Result<double> percent = amount_in(operation[1], 1, 100, "percent");
-  if (!percent) co_return fail(percent);
-  const Datum fact = list("robot-speed"_sym, name, *percent);
-  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
-  if (!told) co_return fail(told);
-  speed_percent = *percent;
-  co_return answer(true);
-}
-
-Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
-  const std::string variable(operation[1].text());
-  if (!variables.contains(variable) && variables.size() >= max_variables) {
-    co_return fail("out-of-range", fmt::format("{} variables are learned already", max_variables), operation[1]);
-  }
+Task<Result<Datum>> RobotAgent::State::move(Fact request) {
+  const Datum operation = request.datum[3];
+  const Result<InHand> in_hand = control.take_in_hand(request.datum);
+  if (!in_hand) co_return fail(in_hand);
   const Result<arm::ArmReading> reading = co_await connection.read();
   if (!reading) co_return fail(reading);
-  const Datum fact = list("robot-variable"_sym, name, operation[1], joints_to_datum(reading->joints));
-  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
-  if (!told) co_return fail(told);
-  variables.insert_or_assign(variable, reading->joints);
-  co_return answer(true);
+  const arm::Joints at = reading->joints;
+  Result<Motion> motion = plan_motion(model, operation, at, variables);
+  if (!motion) co_return fail(motion);
+  const Result<void> inside = check_room(model, room, at, motion->waypoints);
+  if (!inside) co_return fail(inside);
+  if (motion->waypoints.empty()) {
+    facts.set_arm("idle", write(operation));
+    const Result<void> told = co_await facts.tell_surely();
+    if (!told) co_return fail(told);
+    co_return answer(!motion->at_limit);
+  }
+  const double speed_part = speed_percent / 100;
+  Task<Result<void>> following = control.follow(at, std::move(motion->waypoints), speed_part);
+  co_return co_await carry_out(std::move(request), std::move(following));
 }
 
-Task<Result<Datum>> RobotAgent::State::monitor() {
+Task<Result<Datum>> RobotAgent::State::jog(Fact request) {
+  const Datum operation = request.datum[3];
+  const double least_ms = std::chrono::duration<double, std::milli>(runtime::least_hold_deadline).count();
+  const double longest_ms = std::chrono::duration<double, std::milli>(runtime::longest_hold_deadline).count();
+  const Result<double> given_ms = amount_in(operation[2], least_ms, longest_ms, "ms");
+  if (!given_ms) co_return fail(given_ms);
+  const auto deadline = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(*given_ms));
+  const Result<InHand> in_hand = control.take_in_hand(request.datum);
+  if (!in_hand) co_return fail(in_hand);
+  const Result<void> held = co_await holds.await(request.teller, deadline);
+  if (!held) co_return fail(held);
   const Result<arm::ArmReading> reading = co_await connection.read();
   if (!reading) co_return fail(reading);
-  std::vector<Datum> numbers = pose_numbers(model, reading->joints);
-  const std::vector<Datum> joints = joint_numbers(reading->joints);
-  numbers.insert(numbers.end(), joints.begin(), joints.end());
-  co_return Datum::list(std::move(numbers));
+  const arm::Joints at = reading->joints;
+  Result<Motion> motion = plan_jog(model, room, operation[1].text(), at);
+  if (!motion) co_return fail(motion);
+  if (motion->at_limit) co_return answer(false);
+  Task<Result<void>> following = follow_while_held(request.teller, deadline, at, std::move(motion->waypoints));
+  co_return co_await carry_out(std::move(request), std::move(following));
 }
 
-Task<Result<Datum>> RobotAgent::State::finish(Datum operation) {
-  const bool reports = operation[1].is_symbol("report");
-  if (!reports && !operation[1].is_symbol("stop")) {
-    co_return fail("wrong-direction", "finish takes report or stop", operation[1]);
+// To let go is how a jog ends.
+Task<Result<void>> RobotAgent::State::follow_while_held(std::string client, Duration deadline, arm::Joints from,
+                                                        std::vector<arm::Joints> waypoints) {
+  const Result<void> held = co_await holds.await(client, deadline);
+  if (!held) co_return held;
+  const double speed_part = std::min(speed_percent / 100, jog_speed(model, from, waypoints, deadline));
+  const Holds::Watching watching(holds, client, deadline);
+  Result<void> moved = co_await control.follow(from, std::move(waypoints), speed_part);
+  const bool released = !moved && moved.error().symbol == Holds::released;
+  if (released) co_return Result<void>();
+  co_return moved;
+}
+
+Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {
+  const Datum operation = request.datum[3];
+  const Result<double> opening_mm = amount_in(operation[1], 0, max_opening_mm, "mm");
+  if (!opening_mm) co_return fail(opening_mm);
+  const Result<InHand> in_hand = control.take_in_hand(request.datum);
+  if (!in_hand) co_return fail(in_hand);
+  Task<Result<void>> gripping = control.grip(*opening_mm);
+  co_return co_await carry_out(std::move(request), std::move(gripping));
+}
+
+// The board has it before anything moves, a round trip, and how it ended before it is answered: whenever this agent
+// dies, its successor knows what to answer, and moves nothing twice.
+Task<Result<Datum>> RobotAgent::State::carry_out(Fact request, Task<Result<void>> motion) {
+  const Datum& id = request.datum[1];
+  facts.set_arm("moving", write(request.datum[3]));
+  Transaction begin;
+  begin.tell(motion_fact(id, Datum()));
+  const Result<void> begun = co_await facts.tell_surely(std::move(begin));
+  if (!begun) {
+    facts.set_arm("idle");
+    co_return fail(begun);
   }
-  const bool named = operation.size() > 2;
-  const bool is_its_own = control.running() && (!named || control.request() == operation[2]);
-  if (reports) co_return answer(!is_its_own);
-  if (control.running() && !is_its_own) co_return fail(control.busy());
-  // What has ended is not stopped.
-  if (named && !is_its_own) co_return answer(true);
-  const Result<void> stopped = co_await control.stop(operation);
-  if (!stopped) co_return fail(stopped);
-  co_return answer(true);
-}
-
-Task<Result<Datum>> RobotAgent::State::get_control(Datum operation) {
-  const Result<InHand> in_hand = control.occupy(operation);
-  if (!in_hand) co_return fail(in_hand);
-  const Result<void> taken = co_await connection.get_control();
-  if (!taken) co_return fail(taken);
-  Transaction taking;
-  taking.retract(released_fact("?"_sym));
-  const Result<void> told = co_await facts.tell_surely(std::move(taking));
-  if (!told) co_return fail(told);
-  co_return answer(true);
-}
-
-// The board has it before the servos go off: a successor of this agent leaves them off.
-Task<Result<Datum>> RobotAgent::State::release_control(Fact request) {
-  const Result<InHand> in_hand = control.occupy(request.datum[3]);
-  if (!in_hand) co_return fail(in_hand);
-  Transaction releasing;
-  releasing.tell(released_fact(Datum::symbol(request.teller)));
-  const Result<void> kept = co_await facts.tell_surely(std::move(releasing));
-  if (!kept) co_return fail(kept);
-  connection.set_released(request.teller);
-  const Result<void> released = co_await connection.release_control();
-  if (!released) co_return fail(released);
-  const Result<void> told = co_await facts.tell_surely();
+  const Reflex::Watching watching(reflex, request.teller, service.presence());
+  // Anything may have been said meanwhile.
+  Result<void> moved = reflex.allows(request.teller);
+  if (moved) moved = co_await motion;
+  if (moved) facts.set_arm("idle");
+  if (!moved && connection.is_there()) {
+    const bool stopped = control.was_stopped() || moved.error().symbol == "stopped";
+    facts.set_arm(moved.error().symbol == "fault" ? "fault" : stopped ? "stopped" : "idle");
+  }
+  Transaction end;
+  end.tell(motion_fact(id, moved ? list("ok"_sym, "true"_sym) : failure_to_datum(moved.error())));
+  const Result<void> told = co_await facts.tell_surely(std::move(end));
+  if (!moved) co_return fail(moved);
   if (!told) co_return fail(told);
   co_return answer(true);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// The state of the robot agent. robot_agent.cpp runs it and has its earlier life back; robot_operations.cpp answers
-// what is asked; robot_motions.cpp moves the arm.
+// The state of the robot agent. robot_agent.cpp runs it and has its earlier life back; robot_operations.cpp takes
+// what is asked and moves the arm; resting_operations.cpp has the operations that move nothing.
 
 #include "agents/robot/arm_control.hpp"
 #include "agents/robot/holds.hpp"
