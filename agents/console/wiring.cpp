@@ -21,8 +21,7 @@ Wiring::Wiring(Executor& executor, std::unique_ptr<Board> board, std::string add
     : board_(std::move(board)),
       context_{client, "localhost", executor, *board_, Random(1)},
       service_(context_, contract_of_console()),
-      caller_(context_, service_),
-      roles_(context_, service_, caller_, {runtime::robot_role(), runtime::eyes_role(), runtime::coordinator_role()}),
+      roles_(context_, service_, {runtime::robot_role(), runtime::eyes_role(), runtime::coordinator_role()}),
       telling_(executor.spawn(tell(std::move(address)))) {}
 
 Task<void> Wiring::tell(std::string address) {

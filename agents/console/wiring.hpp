@@ -31,7 +31,6 @@ class Wiring {
   std::unique_ptr<Board> board_;
   runtime::AgentContext context_;
   runtime::Service service_;
-  runtime::Caller caller_;
   runtime::Roles roles_;
   Job telling_;
 };

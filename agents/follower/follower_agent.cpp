@@ -49,7 +49,7 @@ FollowerAgent::FollowerAgent(runtime::AgentContext context, FollowerOptions opti
       changed_(context_.executor),
       service_(context_, runtime::contract_from_text(contract_text).value()),
       caller_(context_, service_),
-      roles_(context_, service_, caller_, {master_role(), slave_role()}) {}
+      roles_(context_, service_, {master_role(), slave_role()}) {}
 
 Task<Result<void>> FollowerAgent::run() {
   const Result<void> started = co_await service_.start();

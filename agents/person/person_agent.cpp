@@ -43,7 +43,7 @@ PersonAgent::PersonAgent(runtime::AgentContext context, simulation::Link& link, 
       names_(std::move(names)),
       service_(context_, runtime::contract_from_text(contract_text).value()),
       caller_(context_, service_),
-      roles_(context_, service_, caller_, {runtime::robot_role(), runtime::eyes_role()}) {}
+      roles_(context_, service_, {runtime::robot_role(), runtime::eyes_role()}) {}
 
 Task<void> PersonAgent::say(Datum state, Datum detail) {
   Datum fact = list("person"_sym, std::move(state), std::move(detail));
@@ -63,7 +63,7 @@ Task<Result<bool>> PersonAgent::known(std::string name) {
 Task<Result<void>> PersonAgent::move_arm(Datum operation) {
   Result<Datum> moved = fail("stopped", "the arm was not moved");
   for (int n = 0; n < tries; ++n) {
-    moved = co_await roles_.call("robot", operation, arm_timeout);
+    moved = co_await caller_.call(roles_.player("robot"), operation, arm_timeout);
     if (moved) co_return {};
     if (moved.error().symbol != "stopped") break;
   }
@@ -71,7 +71,7 @@ Task<Result<void>> PersonAgent::move_arm(Datum operation) {
 }
 
 Task<Result<Datum>> PersonAgent::ask_eyes(Datum operation) {
-  co_return co_await roles_.call("eyes", std::move(operation), vision_timeout);
+  co_return co_await caller_.call(roles_.player("eyes"), std::move(operation), vision_timeout);
 }
 
 Task<Result<void>> PersonAgent::show_end_effector() {

@@ -15,7 +15,7 @@ constexpr Duration presence_look = 1s;
 
 // Tells the request and waits for its reply; tells it again when the caller's presence began anew, because a board that
 // restarted has forgotten both.
-Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
+Task<Result<Answer>> Caller::ask(Datum request, Time deadline, std::function<bool()> is_replaced) {
   const Query replied = query_for(list("reply"_sym, request[1], "?result"_sym));
   Result<Answer> answer = fail("timeout", "the time was over before the request was sent");
   while (context_.executor.now() < deadline) {
@@ -30,15 +30,15 @@ Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
       continue;
     }
     bool waiting = true;
-    bool given_up = false;
+    bool replaced = false;
     while (waiting) {
       const Time look_up = std::min(deadline, context_.executor.now() + presence_look);
       answer = co_await await_answer(context_.board, replied, look_up, context_.executor);
       const bool in_vain = !answer && answer.error().symbol == "timeout";
-      given_up = in_vain && give_up && give_up();
-      waiting = in_vain && !given_up && look_up < deadline && service_.presence() == presence;
+      replaced = in_vain && is_replaced && is_replaced();
+      waiting = in_vain && !replaced && look_up < deadline && service_.presence() == presence;
     }
-    if (given_up) co_return fail("replaced", "nobody waits for this answer any more");
+    if (replaced) co_return fail("replaced", "nobody waits for this answer any more");
     const bool lost = !answer && (answer.error().symbol == "timeout" || is_away(answer.error()));
     if (!lost) co_return answer;
   }
@@ -47,11 +47,12 @@ Task<Result<Answer>> Caller::ask(Datum request, Time deadline, GiveUp give_up) {
 
 Datum Caller::next_id() { return Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_)); }
 
-Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout, GiveUp give_up, Datum id) {
+Task<Result<Datum>> Caller::call(Callee callee, Datum operation, Duration timeout, Datum id) {
+  const std::string& agent = callee.agent;
   if (!id.is_symbol()) id = next_id();
   const Datum request = list("request"_sym, id, Datum::symbol(agent), operation);
   const Time deadline = context_.executor.now() + timeout;
-  const Result<Answer> answer = co_await ask(request, deadline, std::move(give_up));
+  const Result<Answer> answer = co_await ask(request, deadline, std::move(callee.is_replaced));
   Transaction clean_up;
   clean_up.retract(list("request"_sym, id, "?"_sym, "?"_sym));
   clean_up.retract(list("reply"_sym, id, "?"_sym));

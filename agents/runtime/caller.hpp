@@ -16,19 +16,28 @@
 
 namespace pizarra::runtime {
 
+// Who is asked: an agent by its name, or whoever plays a role (roles.hpp).
+struct Callee {
+  Callee(std::string name, std::function<bool()> replaced = {})
+      : agent(std::move(name)), is_replaced(std::move(replaced)) {}
+  Callee(const char* name) : agent(name) {}
+
+  std::string agent;
+  // Whether another serves in its place by now, so that its answer is waited for in vain; asked about once a second.
+  std::function<bool()> is_replaced;
+};
+
 class Caller {
  public:
-  // Whether nobody waits for the answer any more; asked about once a second.
-  using GiveUp = std::function<bool()>;
-
   Caller(AgentContext& context, const Service& service) : context_(context), service_(service) {}
   // The ID of a request to come, for a caller that names it to others.
   Datum next_id();
-  // Under the given ID, or one of its own. Given up, the request is withdrawn and the failure is `replaced`.
-  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout, GiveUp give_up = {}, Datum id = {});
+  // Under the given ID, or one of its own. Where the callee is replaced the request is withdrawn, and the failure is
+  // `replaced`.
+  Task<Result<Datum>> call(Callee callee, Datum operation, Duration timeout, Datum id = {});
 
  private:
-  Task<Result<Answer>> ask(Datum request, Time deadline, GiveUp give_up);
+  Task<Result<Answer>> ask(Datum request, Time deadline, std::function<bool()> is_replaced);
 
   AgentContext& context_;
   const Service& service_;

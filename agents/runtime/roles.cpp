@@ -59,8 +59,8 @@ std::vector<Relation> role_relations() {
   return relations;
 }
 
-Roles::Roles(AgentContext& context, const Service& service, Caller& caller, std::vector<Role> roles)
-    : context_(context), service_(service), caller_(caller), changed_(context.executor) {
+Roles::Roles(AgentContext& context, const Service& service, std::vector<Role> roles)
+    : context_(context), service_(service), changed_(context.executor) {
   for (Role& role : roles) {
     Holder usual{role.usual, "absent"};
     std::string wired = role.usual;
@@ -180,14 +180,12 @@ Task<bool> Roles::wait_for(std::string role, Time deadline) {
   co_return true;
 }
 
-Task<Result<Datum>> Roles::call(std::string role, Datum operation, Duration timeout, Datum id) {
-  const std::string server = holder(role).server;
-  const auto left = [this, role, server] {
-    const Holder& now = holder(role);
-    return now.server != server && now.is_present() && !kinds_.contains(server);
-  };
-  Caller::GiveUp replaced = left;
-  co_return co_await caller_.call(server, std::move(operation), timeout, std::move(replaced), std::move(id));
+Callee Roles::player(std::string role) const {
+  const std::string& server = holder(role).server;
+  return {server, [this, role = std::move(role), server] {
+            const Holder& now = holder(role);
+            return now.server != server && now.is_present() && !kinds_.contains(server);
+          }};
 }
 
 Task<void> Roles::keep_told() {

@@ -10,10 +10,10 @@
 // Where the server that is wired is away, or is not of the role's kind, the next in line stands in: the next by name of
 // those bound in the role's context, (cell eyes) for the eyes. When the wired one is there again, it serves again.
 //
-//   Roles roles(context, service, caller, {eyes_role(), planner_role()});
+//   Roles roles(context, service, {eyes_role(), planner_role()});
 //   roles.start();
 //   bool there = co_await roles.wait_for("eyes", deadline);
-//   Result<Datum> seen = co_await roles.call("eyes", list("get-objects"_sym), 2s);
+//   Result<Datum> seen = co_await caller.call(roles.player("eyes"), list("get-objects"_sym), 2s);
 //
 // Until somebody wires a role, its usual server is wired to it. A client that asks once, as a prompt does, asks
 // holder_of().
@@ -52,7 +52,7 @@ std::vector<Relation> role_relations();
 class Roles {
  public:
   // All outlive it.
-  Roles(AgentContext& context, const Service& service, Caller& caller, std::vector<Role> roles);
+  Roles(AgentContext& context, const Service& service, std::vector<Role> roles);
 
   // Declares, wires what is not wired to its usual server, and follows what is told. The service has started.
   void start();
@@ -62,10 +62,9 @@ class Roles {
   Task<bool> wait_for(std::string role, Time deadline);
   // Wakes when a role has another holder.
   WaitList& changed() { return changed_; }
-  // A call that is under way stays with the server that it went to, unless that is gone and another stands in: then
-  // the request is withdrawn. Failures: those of Caller::call, and `replaced`.
-  Task<Result<Datum>> call(std::string role, Datum operation, Duration timeout, Datum id = {});
-  Datum next_id() { return caller_.next_id(); }
+  // Whoever plays it now, to be called. It is replaced once it is gone and another stands in: a call that is under way
+  // stays with it until then. This outlives the call.
+  Callee player(std::string role) const;
 
  private:
   using Take = void (Roles::*)(const Datum& fact, bool stands);
@@ -86,7 +85,6 @@ class Roles {
 
   AgentContext& context_;
   const Service& service_;
-  Caller& caller_;
   std::vector<Played> played_;
   std::map<std::string, std::string> kinds_;               // of the agents that are present
   std::map<std::string, std::vector<std::string>> bound_;  // agents by context, in order

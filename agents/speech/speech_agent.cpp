@@ -21,7 +21,7 @@ SpeechAgent::SpeechAgent(runtime::AgentContext context)
     : context_(std::move(context)),
       service_(context_, runtime::contract_from_text(contract_text).value()),
       caller_(context_, service_),
-      roles_(context_, service_, caller_, {runtime::robot_role(), runtime::coordinator_role()}) {}
+      roles_(context_, service_, {runtime::robot_role(), runtime::coordinator_role()}) {}
 
 Task<Result<void>> SpeechAgent::run() {
   const Result<void> started = co_await service_.start();
@@ -34,7 +34,7 @@ Task<Result<void>> SpeechAgent::run() {
 Task<Result<Datum>> SpeechAgent::say(Datum operation) {
   const Result<forms::Sentence> meant = forms::read_sentence(operation[1].text());
   if (!meant) co_return fail(meant);
-  const Result<Datum> done = co_await roles_.call(meant->agent, meant->operation, longest_motion);
+  const Result<Datum> done = co_await caller_.call(roles_.player(meant->agent), meant->operation, longest_motion);
   if (!done) co_return fail(done);
   std::vector<Datum> answer{Datum::string(write(meant->operation))};
   answer.insert(answer.end(), done->items().begin(), done->items().end());

@@ -26,8 +26,8 @@ Task<Result<Datum>> Arm::ask(Datum operation) {
       const bool back = co_await roles_.wait_for("robot", deadline);
       if (!back) co_return fail("absent", "the robot agent stays away", robot);
     }
-    asked_ = roles_.next_id();
-    const Result<Datum> done = co_await roles_.call("robot", operation, motion_timeout, *asked_);
+    asked_ = caller_.next_id();
+    const Result<Datum> done = co_await caller_.call(roles_.player("robot"), operation, motion_timeout, *asked_);
     asked_.reset();
     if (done) co_return done;
     // Another arm does not stand where this one was going.
@@ -76,7 +76,7 @@ Task<Result<void>> Arm::perform(ServoCommand command) {
 Task<Result<void>> Arm::cut_short() {
   if (!asked_) co_return Result<void>();
   const Datum operation = list("finish"_sym, "stop"_sym, *asked_);
-  const Result<Datum> stopped = co_await roles_.call("robot", operation, stop_timeout);
+  const Result<Datum> stopped = co_await caller_.call(roles_.player("robot"), operation, stop_timeout);
   if (!stopped) co_return fail(stopped);
   co_return Result<void>();
 }

@@ -17,8 +17,9 @@ namespace pizarra::coordinator {
 
 class Arm {
  public:
-  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, runtime::Roles& roles, Story& story)
-      : context_(context), options_(options), roles_(roles), story_(story) {}
+  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, runtime::Roles& roles, runtime::Caller& caller,
+      Story& story)
+      : context_(context), options_(options), roles_(roles), caller_(caller), story_(story) {}
 
   // One robot operation. Failures: those of the robot, `absent` when it stays away too long, and `stopped` where
   // another robot stands in for the one that was moving.
@@ -42,6 +43,7 @@ class Arm {
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   runtime::Roles& roles_;
+  runtime::Caller& caller_;
   Story& story_;
   std::optional<Datum> asked_;  // the ID of the request that is not answered yet
 };

@@ -25,7 +25,7 @@ Task<Result<Datum>> Eyes::ask(Datum operation) {
     if (!here) {
       co_return fail("absent", "the vision agent stays away", Datum::symbol(roles_.holder("eyes").server));
     }
-    const Result<Datum> reply = co_await roles_.call("eyes", operation, reply_timeout);
+    const Result<Datum> reply = co_await caller_.call(roles_.player("eyes"), operation, reply_timeout);
     if (reply) co_return reply;
     const std::string& why = reply.error().symbol;
     const bool again = why == "busy" || why == "timeout" || why == "replaced";

@@ -11,8 +11,13 @@ namespace pizarra::coordinator {
 class Eyes {
  public:
   Eyes(runtime::AgentContext& context, const CoordinatorOptions& options, runtime::Roles& roles,
-       Surroundings& surroundings, Story& story)
-      : context_(context), options_(options), roles_(roles), surroundings_(surroundings), story_(story) {}
+       runtime::Caller& caller, Surroundings& surroundings, Story& story)
+      : context_(context),
+        options_(options),
+        roles_(roles),
+        caller_(caller),
+        surroundings_(surroundings),
+        story_(story) {}
 
   // Step a: the objects that vision has learned, without the end effector, as they are spelled there. A goal asks once.
   Task<Result<std::vector<std::string>>> objects();
@@ -41,6 +46,7 @@ class Eyes {
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   runtime::Roles& roles_;
+  runtime::Caller& caller_;
   Surroundings& surroundings_;
   Story& story_;
   std::optional<std::vector<std::string>> known_;  // the objects; none before they were asked for

@@ -21,7 +21,7 @@ Task<Result<Datum>> Planning::ask(Datum operation, Duration patience) {
     const bool here = co_await roles_.wait_for("planner", deadline);
     const Datum planner = Datum::symbol(roles_.holder("planner").server);
     if (!here) co_return fail("absent", "the planner agent stays away", planner);
-    reply = co_await roles_.call("planner", operation, patience);
+    reply = co_await caller_.call(roles_.player("planner"), operation, patience);
     const bool silent = !reply && reply.error().symbol == "timeout";
     if (silent) co_return fail("absent", "the planner agent does not answer", planner);
     const bool replaced = !reply && reply.error().symbol == "replaced";

@@ -22,8 +22,13 @@ struct NextOperation {
 class Planning {
  public:
   Planning(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-           runtime::Roles& roles, const Surroundings& surroundings)
-      : context_(context), options_(options), domain_(domain), roles_(roles), surroundings_(surroundings) {}
+           runtime::Roles& roles, runtime::Caller& caller, const Surroundings& surroundings)
+      : context_(context),
+        options_(options),
+        domain_(domain),
+        roles_(roles),
+        caller_(caller),
+        surroundings_(surroundings) {}
 
   // Has a plan made from what is believed now, and answers its operations, one after another; none where the goal
   // holds. Failures: no-plan (proved), gave-up, absent, and what the planner says of a task it cannot read.
@@ -50,6 +55,7 @@ class Planning {
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   runtime::Roles& roles_;
+  runtime::Caller& caller_;
   const Surroundings& surroundings_;
 };
 

@@ -47,7 +47,7 @@ class RolesTest : public PatternTest {
  protected:
   Role eyes() const { return {"eyes", "server", "server", "eyes-1"}; }
   static Result<Datum> ask(Member& client, Roles& roles, const std::string& operation) {
-    return client.run(roles.call("eyes", read(operation), 2s));
+    return client.run(client.caller.call(roles.player("eyes"), read(operation), 2s));
   }
   bool served_by(Roles& roles, const std::string& server, const std::string& state) {
     return wait_until([&] { return roles.holder("eyes") == Holder{server, state}; }, 4s);
@@ -61,14 +61,14 @@ TEST_P(RolesTest, AClientIsServedByAnotherFromItsNextCallOn) {
   const auto client = member("client", "here", "client");
   const auto bench = member("eyes-1", "bench");
   const auto desk = member("eyes-2", "desk");
-  Roles roles(client->context, client->service, client->caller, {eyes()});
+  Roles roles(client->context, client->service, {eyes()});
   roles.start();
   ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
   EXPECT_EQ(ask(*client, roles, "(where)").value(), list("bench"));
   std::optional<Result<Datum>> slow;
   const auto call = [&]() -> Task<void> {
     Datum operation = list("slow"_sym);
-    Result<Datum> answer = co_await roles.call("eyes", operation, 2s);
+    Result<Datum> answer = co_await client->caller.call(roles.player("eyes"), operation, 2s);
     slow.emplace(std::move(answer));
   };
   const Job calling = wall->executor().spawn(call());
@@ -87,7 +87,7 @@ TEST_P(RolesTest, TheNextInLineStandsInForOneThatDiedAndGivesBack) {
   auto bench = member("eyes-1", "bench");
   const auto other = member("eyes-3", "roof");
   const auto desk = member("eyes-2", "desk");
-  Roles roles(client->context, client->service, client->caller, {eyes()});
+  Roles roles(client->context, client->service, {eyes()});
   roles.start();
   ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
   bench.reset();
@@ -108,13 +108,13 @@ TEST_P(RolesTest, ARequestToAServerThatDiedIsWithdrawnWhereAnotherStandsIn) {
   const auto client = member("client", "here", "client");
   auto bench = member("eyes-1", "bench");
   const auto desk = member("eyes-2", "desk");
-  Roles roles(client->context, client->service, client->caller, {eyes()});
+  Roles roles(client->context, client->service, {eyes()});
   roles.start();
   ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
   std::optional<Result<Datum>> slow;
   const auto call = [&]() -> Task<void> {
     Datum operation = list("slow"_sym);
-    Result<Datum> answer = co_await roles.call("eyes", operation, 60s);
+    Result<Datum> answer = co_await client->caller.call(roles.player("eyes"), operation, 60s);
     slow.emplace(std::move(answer));
   };
   const Job calling = wall->executor().spawn(call());
@@ -129,7 +129,7 @@ TEST_P(RolesTest, WhoIsOfAnotherKindDoesNotServe) {
   const auto client = member("client", "here", "client");
   const auto bench = member("eyes-1", "bench");
   const auto arm = member("arm", "here", "robot");
-  Roles roles(client->context, client->service, client->caller, {eyes()});
+  Roles roles(client->context, client->service, {eyes()});
   roles.start();
   ASSERT_TRUE(served_by(roles, "eyes-1", "wired"));
   ASSERT_TRUE(arm->run(arm->context.board.tell(read("(wired client eyes arm)"))).has_value());
@@ -138,7 +138,7 @@ TEST_P(RolesTest, WhoIsOfAnotherKindDoesNotServe) {
 
 TEST_P(RolesTest, AServerThatNobodyStandsInForIsAbsent) {
   const auto client = member("client", "here", "client");
-  Roles roles(client->context, client->service, client->caller, {eyes()});
+  Roles roles(client->context, client->service, {eyes()});
   roles.start();
   EXPECT_FALSE(client->run(roles.wait_for("eyes", in(50ms))));
   EXPECT_EQ(roles.holder("eyes"), (Holder{"eyes-1", "absent"}));
