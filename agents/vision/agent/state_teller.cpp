@@ -22,7 +22,7 @@ std::string_view state_name(CameraFeed::State state) {
 std::string_view StateTeller::mode() const {
   if (holders_.finding()) return "finding";
   if (holders_.learning()) return "learning";
-  if (!tracking_.empty()) return "tracking";
+  if (!tracker_.empty()) return "tracking";
   return feed_.wanted() ? "capturing" : "idle";
 }
 

@@ -2,7 +2,7 @@
 
 // Tells what the eyes are doing, for whom, and how their camera is.
 //
-//   StateTeller state(camera, feed, holders, tracking, pictures, facts);
+//   StateTeller state(camera, feed, holders, tracker, pictures, facts);
 //   co_await state.tell();                       // something of it has changed
 //   if (state.has_news()) co_await state.tell();   // the camera has dropped frames since
 //   state.mode();                                // "tracking"
@@ -11,7 +11,7 @@
 #include "agents/vision/agent/fact_teller.hpp"
 #include "agents/vision/agent/mode_holders.hpp"
 #include "agents/vision/agent/picture_streams.hpp"
-#include "agents/vision/agent/tracking.hpp"
+#include "agents/vision/sight/mark_tracker.hpp"
 
 namespace pizarra::vision {
 
@@ -19,8 +19,8 @@ class StateTeller {
  public:
   // All outlive it.
   StateTeller(camera::StereoCamera& camera, const CameraFeed& feed, const ModeHolders& holders,
-              const Tracking& tracking, const PictureStreams& pictures, VisionFacts& facts)
-      : camera_(camera), feed_(feed), holders_(holders), tracking_(tracking), pictures_(pictures), facts_(facts) {}
+              const MarkTracker& tracker, const PictureStreams& pictures, VisionFacts& facts)
+      : camera_(camera), feed_(feed), holders_(holders), tracker_(tracker), pictures_(pictures), facts_(facts) {}
 
   // idle, capturing, learning, finding, tracking
   std::string_view mode() const;
@@ -33,7 +33,7 @@ class StateTeller {
   camera::StereoCamera& camera_;
   const CameraFeed& feed_;
   const ModeHolders& holders_;
-  const Tracking& tracking_;
+  const MarkTracker& tracker_;
   const PictureStreams& pictures_;
   VisionFacts& facts_;
   camera::CameraDrops told_drops_;

@@ -32,7 +32,7 @@ VisionAgent::State::State(runtime::AgentContext agent_context, camera::StereoCam
       known(context, options.objects_directory, holders, presence, facts,
             [this](const Renames& renames) {
               search.rename(renames);
-              tracking.rename(renames);
+              tracker.rename(renames);
             }),
       pictures(context, stereo_camera, image_streams),
       feed(
@@ -40,10 +40,10 @@ VisionAgent::State::State(runtime::AgentContext agent_context, camera::StereoCam
           [this] { return camera_changed(); }),
       search(context.executor, feed, known,
              [this](const camera::StereoFrame& frame) {
-               tracking.was_passed_over(frame);
+               tracking_turn.was_passed_over(frame);
                show(frame, {});
              }),
-      state(stereo_camera, feed, holders, tracking, pictures, facts) {}
+      state(stereo_camera, feed, holders, tracker, pictures, facts) {}
 
 Task<Result<void>> VisionAgent::State::run() {
   // However the run ends, nothing of it goes on.
@@ -80,8 +80,12 @@ Task<Result<void>> VisionAgent::State::run() {
 
 Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   std::vector<TrackSighting> sightings;
-  const bool tracks = !holders.finding() && tracking.is_due(frame);
-  if (tracks) sightings = tracking.look_at(frame, *feed.model());
+  const bool tracks = !holders.finding() && !tracker.empty() && tracking_turn.is_due(frame);
+  if (tracks) {
+    StereoSight sight(frame, *feed.model());
+    sightings = tracker.update(sight, frame.captured);
+    tracking_turn.looked_at(frame);
+  }
   tags.look_at(frame, *feed.model());
   pictures.publish(frame);
   // A frame that was taken for finds is shown by the find, with what it found.
@@ -96,7 +100,7 @@ Task<void> VisionAgent::State::tell_silence() {
   FramePace pace;
   Time last = context.executor.now();
   while (true) {
-    const Duration patience = tracking.empty() && tags.empty() ? rest_check : pace.patience();
+    const Duration patience = tracker.empty() && tags.empty() ? rest_check : pace.patience();
     const Result<camera::StereoFrame> frame = co_await feed.next(last, patience);
     if (frame) {
       last = frame->captured;
@@ -114,7 +118,7 @@ Task<void> VisionAgent::State::tell_silence() {
 
 Task<void> VisionAgent::State::tell_missed() {
   if (holders.finding()) co_return;
-  const std::vector<TrackSighting> sightings = tracking.miss_all(context.executor.now());
+  const std::vector<TrackSighting> sightings = tracker.miss_all(context.executor.now());
   if (sightings.empty() || !holders.connected()) co_return;
   co_await facts.tell_look(feed.frame_number(), feed.latest(), sightings);
 }
@@ -131,22 +135,23 @@ void VisionAgent::State::show(const camera::StereoFrame& frame, std::vector<Trac
 Task<void> VisionAgent::State::camera_changed() {
   co_await state.tell();
   if (feed.state() == CameraFeed::State::open) co_return;
-  tracking.camera_is_gone();
+  tracking_turn.let_go();
   co_await facts.unsay();
   tags.stop();
   co_await facts.unsay_tags();
 }
 
 Task<void> VisionAgent::State::follow_holders() {
-  tracking.keep_only(holders.tracked());
+  tracker.keep_only(holders.tracked());
+  if (tracker.empty()) tracking_turn.let_go();
   turns.wake();
   co_await rest_or_go_on();
-  if (!tracking.empty() && holders.connected()) co_return;
+  if (!tracker.empty() && holders.connected()) co_return;
   co_await facts.unsay();
 }
 
 Task<void> VisionAgent::State::rest_or_go_on() {
-  const bool busy = holders.learning() || holders.finding() || !tracking.empty() || !tags.empty();
+  const bool busy = holders.learning() || holders.finding() || !tracker.empty() || !tags.empty();
   if (!busy && !holders.connected()) feed.stop();
   co_await state.tell();
 }

@@ -88,7 +88,7 @@ Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
 Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
   const auto& [client, operation, name, came] = asked;
   const Time deadline = context.executor.now() + ClientTurns::longest_wait;
-  co_await tracking.let_look(deadline);
+  if (!tracker.empty()) co_await tracking_turn.let_look(deadline);
   holders.begin_finding(client);
   feed.start();
   co_await state.tell();
@@ -111,11 +111,11 @@ Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
   const std::string holder = co_await presence.holder_for(asked.client);
   const LearnedObject* object = known.objects().find(asked.name);
   if (object == nullptr) co_return fail(known.not_known(asked.name));
-  if (!holders.tracked().contains(object->name)) tracking.look_only_after(asked.came);
+  if (!holders.tracked().contains(object->name)) tracking_turn.look_only_after(asked.came);
   const LearnedObject* end_effector = known.objects().find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;
-    const Result<void> added = tracking.add(*each, search.place_of(each->name));
+    const Result<void> added = tracker.add(*each, search.place_of(each->name));
     if (!added) co_return fail(added);
     holders.track(holder, each->name);
   }

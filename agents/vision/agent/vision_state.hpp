@@ -10,7 +10,7 @@
 #include "agents/vision/agent/picture_streams.hpp"
 #include "agents/vision/agent/state_teller.hpp"
 #include "agents/vision/agent/tag_teller.hpp"
-#include "agents/vision/agent/tracking.hpp"
+#include "agents/vision/agent/tracking_turn.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 
 namespace pizarra::vision {
@@ -72,7 +72,8 @@ struct VisionAgent::State {
   ClientTurns turns{context, presence, holders};
   VisionFacts facts{context, service};
   KnownObjects known;
-  Tracking tracking{context.executor, known.objects()};
+  MarkTracker tracker{known.objects()};
+  TrackingTurn tracking_turn{context.executor};
   TagTeller tags{context.executor, facts, options.tags};
   PictureStreams pictures;
   CameraFeed feed;
