@@ -6,7 +6,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 #include "lisp/forms/arm_names.hpp"
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 #include "lisp/nearest.hpp"
 #include "lisp/numbers.hpp"
 

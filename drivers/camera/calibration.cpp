@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra::camera {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "lisp/forms/arm_names.hpp"
 #include "lisp/forms/file_paths.hpp"
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 #include "lisp/nearest.hpp"
 
 namespace pizarra::forms {

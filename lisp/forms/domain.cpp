@@ -5,7 +5,8 @@
 
 #include "lisp/forms/domain_extension.hpp"
 #include "lisp/forms/goal_formula.hpp"
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/module_errors.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra::forms {
 

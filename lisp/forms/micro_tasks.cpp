@@ -1,6 +1,5 @@
 #include "lisp/forms/micro_tasks.hpp"
 
-#include "lisp/guile/interpret.hpp"
 #include "lisp/guile/scheme.hpp"
 
 namespace pizarra::forms {

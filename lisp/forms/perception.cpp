@@ -1,6 +1,5 @@
 #include "lisp/forms/perception.hpp"
 
-#include "lisp/guile/interpret.hpp"
 #include "lisp/guile/scheme.hpp"
 
 namespace pizarra::forms {

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "lisp/forms/domain.hpp"
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/module_errors.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra::forms {
 

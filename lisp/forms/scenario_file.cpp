@@ -1,7 +1,7 @@
 #include "lisp/forms/scenario_file.hpp"
 
 #include "lisp/forms/file_paths.hpp"
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra::forms {
 

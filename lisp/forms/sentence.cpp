@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra::forms {
 

@@ -1,5 +1,6 @@
 #include "lisp/guile/scheme.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "lisp/guile/convert.hpp"
+#include "lisp/guile/module_errors.hpp"
 #include "lisp/shipped.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -32,6 +34,7 @@ struct Call {
   SCM function = SCM_UNDEFINED;
   SCM error_key = SCM_UNDEFINED;
   SCM error_values = SCM_UNDEFINED;
+  bool raised = false;
   Builder result = {};
 };
 
@@ -39,14 +42,15 @@ SCM on_error(void* data, SCM key, SCM values) {
   Call& call = *static_cast<Call*>(data);
   call.error_key = key;
   call.error_values = values;
+  call.raised = true;
   return SCM_UNDEFINED;
 }
 
 // Runs a body under a catch of everything; whether it came to its end.
 bool run(Call& call, scm_t_catch_body body) {
-  call.error_key = SCM_UNDEFINED;
+  call.raised = false;
   scm_internal_catch(SCM_BOOL_T, body, &call, on_error, &call);
-  return SCM_UNBNDP(call.error_key);
+  return !call.raised;
 }
 
 SCM find_body(void* data) {
@@ -78,11 +82,9 @@ SCM explain_body(void* data) {
 
 Failure explain(Call& call) {
   Call explanation{call.module, call.procedure, call.arguments};
+  explanation.error_key = call.error_key;
   explanation.error_values = call.error_values;
-  const SCM key = call.error_key;
-  explanation.error_key = key;
-  scm_internal_catch(SCM_BOOL_T, explain_body, &explanation, on_error, &explanation);
-  const bool explained = explanation.error_key == key && !explanation.result.problem();
+  const bool explained = run(explanation, explain_body) && !explanation.result.problem();
   const Datum text = explained ? explanation.result.result() : Datum::string("it cannot be shown");
   return {"scheme-error",
           fmt::format("(pizarra {}) {} raised an error: {}", call.module, call.procedure, text.text()),
@@ -141,12 +143,55 @@ class Interpreter {
   std::map<std::pair<std::string, std::string>, SCM> functions_;
 };
 
+// What the module answers: (ok VALUE) or (errors ERROR ...).
+Result<Datum> outcome_of(const std::vector<Datum>& data, const std::string& module, const std::vector<Datum>& more,
+                         const std::string& procedure) {
+  std::vector<Datum> arguments{Datum::list(data)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Result<Datum> outcome = call_scheme(module, procedure, arguments);
+  if (!outcome) return outcome;
+  const bool ok = outcome->is_form("ok") && outcome->size() == 2;
+  const auto errors = outcome->items().subspan(std::min<std::size_t>(outcome->size(), 1));
+  const bool refused = outcome->is_form("errors") && !errors.empty() && std::ranges::all_of(errors, is_module_error);
+  if (ok || refused) return outcome;
+  return fail("scheme-error", fmt::format("(pizarra {}) {} returned no outcome", module, procedure), *outcome);
+}
+
+std::unexpected<std::vector<Failure>> alone(Failure failure) {
+  return std::unexpected(std::vector<Failure>{std::move(failure)});
+}
+
 }  // namespace
 
 Result<Datum> call_scheme(const std::string& module, const std::string& procedure,
                           const std::vector<Datum>& arguments) {
   Call call{module, procedure, arguments};
   return Interpreter::instance().call(call);
+}
+
+std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source, const std::string& module,
+                                                           const std::vector<Datum>& more,
+                                                           const std::string& procedure) {
+  const Result<Datum> outcome = outcome_of(source.data(), module, more, procedure);
+  if (!outcome) return alone(outcome.error());
+  if (outcome->is_form("errors")) return std::unexpected(failures_of(source, outcome->items().subspan(1)));
+  if (!source.errors().empty()) return std::unexpected(failures_of(source, {}));
+  return (*outcome)[1];
+}
+
+Result<Datum> interpret_data(const std::vector<Datum>& data, const std::string& module,
+                             const std::vector<Datum>& more) {
+  const Result<Datum> outcome = outcome_of(data, module, more, "interpret");
+  if (!outcome) return fail(outcome);
+  if (outcome->is_form("ok")) return (*outcome)[1];
+  return std::unexpected(failure_of(data, (*outcome)[1]));
+}
+
+Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more,
+                        const std::string& procedure) {
+  std::expected<Datum, std::vector<Failure>> read = interpret_apart(source, module, more, procedure);
+  if (!read) return fail(one_report(read.error()));
+  return std::move(*read);
 }
 
 }  // namespace pizarra::guile

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include "lisp/guile/interpret.hpp"
 #include "lisp/writer.hpp"
 #include "tests/lisp/random_datum.hpp"
 

@@ -7,7 +7,7 @@
 #include "agents/launcher/agent_factory.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
-#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 #include "programs/hand_eye/hand_eye_poses.hpp"
 #include "tests/source_dir.hpp"
 

@@ -12,7 +12,7 @@
 #include <span>
 #include <string>
 
-#include "lisp/forms/look.hpp"
+#include "lisp/forms/vision_reply.hpp"
 
 namespace pizarra::coordinator {
 

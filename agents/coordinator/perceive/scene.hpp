@@ -9,7 +9,7 @@
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
-#include "lisp/forms/look.hpp"
+#include "lisp/forms/vision_reply.hpp"
 
 namespace pizarra::coordinator {
 
