@@ -90,7 +90,7 @@ class RemoteBoard : public Board {
   Task<Result<void>> release(LeaseId lease) override;
 
  private:
-  friend class RemoteStream;
+  friend class RemoteChanges;
   using Done = std::function<void(Result<Datum>)>;
   struct Pending {
     std::string body;
@@ -167,7 +167,7 @@ class RemoteBoard : public Board {
   wire::WatchId next_watch_ = 1;
   std::map<wire::RequestId, Pending> pending_;
   std::map<std::string, Relation> declared_;
-  std::map<wire::WatchId, class RemoteStream*> streams_;
+  std::map<wire::WatchId, class RemoteChanges*> streams_;
   std::unique_ptr<class Replicas> replicas_;
   Executor::TimerId tick_timer_ = 0;
   Executor::TimerId transmit_timer_ = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "blackboard/client/remote_board.hpp"
-#include "blackboard/client/remote_stream.hpp"
+#include "blackboard/client/remote_watch.hpp"
 #include "blackboard/client/replicas.hpp"
 #include "lisp/writer.hpp"
 
@@ -89,9 +89,9 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   if (!same_session || !same_life) {
     redeclare();
     replicas_->begin_again();
-    std::vector<RemoteStream*> streaming;
+    std::vector<RemoteChanges*> streaming;
     for (const auto& [id, stream] : streams_) streaming.push_back(stream);
-    for (RemoteStream* stream : streaming) stream->begin_again();
+    for (RemoteChanges* stream : streaming) stream->begin_again();
   }
   for (auto& [request, pending] : pending_) {
     if (request < first_waiting_ && (same_session || !pending.sent)) transmit(request, pending);

@@ -74,7 +74,7 @@ void Replicas::begin_again() {
 }
 
 Replica::Replica(Replicas& replicas, const Relation& relation)
-    : RemoteStream(replicas.board_, everything_in(relation), true),
+    : RemoteChanges(replicas.board_, everything_in(relation), true),
       replicas_(replicas),
       relation_(relation),
       known_(replicas.executor_) {}

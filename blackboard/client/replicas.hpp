@@ -8,7 +8,7 @@
 // in order arrives in order.
 //
 //   Replicas replicas(board);
-//   RemoteStream* stream = replicas.add(relation);            // null where it is held already
+//   Replica& replica = replicas.add(relation);
 //   std::optional<Result<Answers>> held = replicas.ask(query);
 
 #include <map>
@@ -16,7 +16,7 @@
 #include <optional>
 #include <string>
 
-#include "blackboard/client/remote_stream.hpp"
+#include "blackboard/client/remote_watch.hpp"
 #include "blackboard/store/fact_table.hpp"
 #include "blackboard/time/latch.hpp"
 
@@ -57,7 +57,7 @@ class Replicas {
 };
 
 // One relation.
-class Replica : public RemoteStream {
+class Replica : public RemoteChanges {
  public:
   Replica(Replicas& replicas, const Relation& relation);
 
