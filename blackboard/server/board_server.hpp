@@ -14,7 +14,7 @@
 // its key's, its teller called by the key's name, and what it asks for held against the key's permissions; a key that
 // changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). A request that
 // changes the board is done once however often it is sent, and a refused one stays refused: the last replies of a
-// session are remembered (answered.hpp), and with a journal those about durable facts also in its next life, where the
+// session are remembered (replies.hpp), and with a journal those about durable facts also in its next life, where the
 // session goes on when its client greets. A client has 4 MB under way, half of which is for replies alone. Changes that
 // a slow client has not read wait in its watches' queues (served_watches.hpp), in 4 MB that these share; a watch whose
 // change has no room there is resynchronised.

@@ -1,6 +1,6 @@
 #include "blackboard/server/in_doubt.hpp"
 
-#include "blackboard/server/reply_text.hpp"
+#include "blackboard/server/replies.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::server {

@@ -11,7 +11,7 @@
 #include <deque>
 #include <set>
 
-#include "blackboard/server/answered.hpp"
+#include "blackboard/server/replies.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "lisp/datum.hpp"
 

@@ -4,7 +4,7 @@
 #include <ranges>
 
 #include "blackboard/limits.hpp"
-#include "blackboard/server/reply_text.hpp"
+#include "blackboard/server/replies.hpp"
 #include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/wire/answer_form.hpp"

@@ -7,7 +7,7 @@
 //   if (requests.is_to_be_done(id, session, number, body)) ...        // else it is answered, or being answered
 //   if (!requests.serve(id, session, {message})) ...                  // it must wait for an index, or its turn
 //
-// A client's last replies are remembered (answered.hpp). A request about durable facts is answered when the journal has
+// A client's last replies are remembered (replies.hpp). A request about durable facts is answered when the journal has
 // it (durability.hpp). A question about the past is answered from the journal.
 
 #include <optional>

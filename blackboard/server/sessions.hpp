@@ -16,9 +16,9 @@
 #include <optional>
 #include <string>
 
-#include "blackboard/server/answered.hpp"
 #include "blackboard/server/permitted_board.hpp"
 #include "blackboard/server/postponed.hpp"
+#include "blackboard/server/replies.hpp"
 #include "blackboard/server/served_watches.hpp"
 #include "blackboard/store/indexing.hpp"
 

@@ -1,17 +1,25 @@
 #pragma once
 
-// A session's replies, kept for requests that come again: the newest 256, as far as they take 4 MB together.
+// The replies to a session's requests: how one is written (wire.hpp), and those that are kept for requests that come
+// again: the newest 256, as far as they take 4 MB together.
 //
+//   const std::string text = reply_text(number, result_to_datum(result));
 //   Answered done;
 //   done.add(number, {text});
 //   done.find(number);            // null where it was not answered, or where that is forgotten:
 //   done.forgotten();             // up to this number
 
 #include <map>
+#include <string>
 
 #include "blackboard/server/durability.hpp"
+#include "blackboard/wire/wire.hpp"
 
 namespace pizarra::server {
+
+// A failure's long sentence or subject is shortened.
+Datum result_to_datum(const Result<Datum>& result);
+std::string reply_text(wire::RequestId id, const Datum& result);
 
 class Answered {
  public:

@@ -1,4 +1,7 @@
-#include "blackboard/server/reply_text.hpp"
+#include "blackboard/server/replies.hpp"
+
+#include <algorithm>
+#include <utility>
 
 #include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
@@ -23,6 +26,22 @@ std::string reply_text(wire::RequestId id, const Datum& result) {
   write_to(text += ' ', result);
   text += ')';
   return text;
+}
+
+void Answered::add(wire::RequestId number, Durability::Reply reply) {
+  const auto [place, fresh] = replies_.emplace(number, std::move(reply));
+  if (fresh) bytes_ += place->second.text.size();
+  // One is remembered whatever its size.
+  while (replies_.size() > most || (bytes_ > most_bytes && replies_.size() > 1)) {
+    forgotten_ = std::max(forgotten_, replies_.begin()->first);
+    bytes_ -= replies_.begin()->second.text.size();
+    replies_.erase(replies_.begin());
+  }
+}
+
+const Durability::Reply* Answered::find(wire::RequestId number) const {
+  const auto found = replies_.find(number);
+  return found == replies_.end() ? nullptr : &found->second;
 }
 
 }  // namespace pizarra::server
