@@ -4,15 +4,15 @@
 
 namespace pizarra::camera {
 
-// Outside of the lock, for it may wake who takes it.
-void FrameDesk::ring_once(std::unique_lock<std::mutex> lock) {
-  if (std::exchange(rung_, true)) return;
-  lock.unlock();
-  ring_();
+void FrameDesk::tell_news() {
+  if (std::exchange(told_, true) || executor_ == nullptr) return;
+  executor_->post([desk = weak_from_this()] {
+    if (const std::shared_ptr<FrameDesk> here = desk.lock()) here->news_.wake_all();
+  });
 }
 
 void FrameDesk::put(DeskFrame frame, const StereoModel& model) {
-  std::unique_lock lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   // Nobody misses what comes while nobody asks.
   if (!taken_ && frame.grey.captured - asked_ < soon) ++drops_.late;
   frame.grey.number = ++number_;
@@ -21,23 +21,23 @@ void FrameDesk::put(DeskFrame frame, const StereoModel& model) {
   model_ = model;
   taken_ = false;
   if (colour_left_ > 0) --colour_left_;
-  ring_once(std::move(lock));
+  tell_news();
 }
 
 void FrameDesk::leave_out(Time captured, std::string why) {
-  std::unique_lock lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   ++number_;
   given_ = captured;
   ++drops_.corrupt;
   drops_.why_corrupt = std::move(why);
-  ring_once(std::move(lock));
+  tell_news();
 }
 
 void FrameDesk::end(Failure failure) {
-  std::unique_lock lock(mutex_);
+  const std::scoped_lock lock(mutex_);
   ended_ = std::move(failure);
   changed_.notify_all();
-  ring_once(std::move(lock));
+  tell_news();
 }
 
 bool FrameDesk::closing(Time now) const {
@@ -63,7 +63,7 @@ void FrameDesk::count_skewed(std::uint64_t skewed) {
 std::optional<Result<DeskFrame>> FrameDesk::take(Time after, bool colour, Time now) {
   const std::scoped_lock lock(mutex_);
   asked_ = now;
-  rung_ = false;
+  told_ = false;
   if (colour) colour_left_ = frames_in_colour;
   const bool fresh = newest_ && newest_->grey.captured > after;
   const bool has = fresh && (!colour || newest_->colour_left != nullptr);
@@ -77,7 +77,7 @@ std::optional<Result<DeskFrame>> FrameDesk::take(Time after, bool colour, Time n
 std::optional<Result<StereoModel>> FrameDesk::model(Time now) {
   const std::scoped_lock lock(mutex_);
   asked_ = now;
-  rung_ = false;
+  told_ = false;
   if (model_) return *model_;
   if (ended_) return fail(*ended_);
   return std::nullopt;
@@ -95,13 +95,16 @@ std::uint64_t FrameDesk::number() const {
 
 bool FrameDesk::ended() {
   const std::scoped_lock lock(mutex_);
-  rung_ = false;
+  told_ = false;
   return ended_.has_value();
 }
 
-bool FrameDesk::wait_for_end(Duration duration) {
+void FrameDesk::leave(Duration longest) {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, duration, [this] { return ended_.has_value(); });
+  executor_ = nullptr;
+  closed_ = true;
+  changed_.notify_all();
+  changed_.wait_for(lock, longest, [this] { return ended_.has_value(); });
 }
 
 void FrameDesk::close() {

@@ -1,19 +1,20 @@
 #pragma once
 
 // Where the thread that reads a camera leaves its newest frame, and the agents' thread finds it. One frame lies there
-// at most: a newer one replaces it.
+// at most: a newer one replaces it. Both threads hold it.
 //
-//   FrameDesk desk(ring, now, 0);          // `ring` is called, by the reader, once for what is new
-//                                        // since somebody looked
-//   desk.put(frame, model);                // the reader
-//   std::optional<Result<DeskFrame>> frame = desk.take(after, false, now);    // the agents
-//   desk.close();                          // the reader finds closing(), lets the device go and ends
+//   const auto desk = std::make_shared<FrameDesk>(executor, 0);
+//   desk->put(frame, model);               // the reader
+//   std::optional<Result<DeskFrame>> frame = desk->take(after, false, executor.now());    // the agents
+//   const bool woken = co_await desk->news().wait(deadline);              // where there was none
+//   desk->close();                         // the reader finds closing(), lets the device go and ends
 
 #include <condition_variable>
-#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 
+#include "blackboard/time/latch.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
 namespace pizarra::camera {
@@ -25,11 +26,11 @@ struct DeskFrame {
   std::shared_ptr<const Image> colour_right;
 };
 
-class FrameDesk {
+class FrameDesk : public std::enable_shared_from_this<FrameDesk> {
  public:
   // Frames are numbered above `number`.
-  FrameDesk(std::function<void()> ring, Time now, std::uint64_t number)
-      : ring_(std::move(ring)), number_(number), asked_(now) {}
+  FrameDesk(Executor& executor, std::uint64_t number)
+      : executor_(&executor), news_(executor), number_(number), asked_(executor.now()) {}
 
   // ---- for the reader
   void put(DeskFrame frame, const StereoModel& model);
@@ -51,8 +52,10 @@ class FrameDesk {
   std::optional<Result<StereoModel>> model(Time now);
   // Whether the reader has let the device go.
   bool ended();
-  // Waits for that, so long at most.
-  bool wait_for_end(Duration duration);
+  // Wakes once for what the reader has done since somebody looked here.
+  WaitList& news() { return news_; }
+  // Closes, and waits until the reader has ended, so long at most. Nobody is woken any more: the executor may end.
+  void leave(Duration longest);
   // Whether frames come, and the newest that the camera gave is not longer ago than this.
   bool healthy(Time now, Duration longest_silence) const;
   // Of the newest frame, also of one that could not be had.
@@ -65,16 +68,17 @@ class FrameDesk {
   static constexpr Duration soon = 1s;
   static constexpr int frames_in_colour = 30;
 
-  void ring_once(std::unique_lock<std::mutex> lock);
+  void tell_news();
 
-  const std::function<void()> ring_;
+  Executor* executor_;  // of the agents; null once they have left
+  WaitList news_;       // on its thread
   mutable std::mutex mutex_;
   std::condition_variable changed_;  // closed or ended
   std::optional<DeskFrame> newest_;
   std::optional<StereoModel> model_;
   std::optional<Failure> ended_;
   bool taken_ = true;
-  bool rung_ = false;  // and nobody has looked since
+  bool told_ = false;  // that there is news, and nobody has looked since
   bool closed_ = false;
   int colour_left_ = 0;
   std::uint64_t number_;

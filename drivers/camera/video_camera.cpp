@@ -15,39 +15,14 @@ constexpr Duration longest_silence = 3s;  // three images of the slowest rate th
 
 }  // namespace
 
-struct VideoCamera::Bell : std::enable_shared_from_this<Bell> {
-  explicit Bell(Executor& made_on) : executor(&made_on), waiting(made_on) {}
-  void ring() {
-    const std::scoped_lock lock(mutex);
-    if (executor == nullptr) return;
-    executor->post([bell = weak_from_this()] {
-      if (const std::shared_ptr<Bell> here = bell.lock()) here->waiting.wake_all();
-    });
-  }
-  void silence() {
-    const std::scoped_lock lock(mutex);
-    executor = nullptr;
-  }
-
-  std::mutex mutex;
-  Executor* executor;
-  WaitList waiting;  // on the executor's thread
-};
-
 VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup)
     : VideoCamera(executor, setup, [setup] { return sources_of(setup); }) {}
 
 VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup, MakeSources make_sources)
-    : executor_(executor),
-      setup_(std::move(setup)),
-      make_sources_(std::move(make_sources)),
-      bell_(std::make_shared<Bell>(executor)) {}
+    : executor_(executor), setup_(std::move(setup)), make_sources_(std::move(make_sources)) {}
 
 VideoCamera::~VideoCamera() {
-  bell_->silence();
-  if (!desk_) return;
-  desk_->close();
-  desk_->wait_for_end(longest_farewell);
+  if (desk_) desk_->leave(longest_farewell);
 }
 
 Task<Result<StereoModel>> VideoCamera::open() {
@@ -58,14 +33,15 @@ Task<Result<StereoModel>> VideoCamera::open() {
     const Result<void> begun = begin_reading();
     if (!begun) co_return fail(begun);
   }
+  const std::shared_ptr<FrameDesk> desk = desk_;
   const Time deadline = executor_.now() + longest_opening;
   while (true) {
-    std::optional<Result<StereoModel>> model = desk_->model(executor_.now());
+    std::optional<Result<StereoModel>> model = desk->model(executor_.now());
     if (model) co_return std::move(*model);
-    const bool woken = co_await bell_->waiting.wait(deadline);
+    const bool woken = co_await desk->news().wait(deadline);
     if (!woken) break;
   }
-  const std::string why_corrupt = desk_->drops().why_corrupt;
+  const std::string why_corrupt = desk->drops().why_corrupt;
   if (!why_corrupt.empty()) co_return fail("disconnected", why_corrupt);
   co_return fail("disconnected", fmt::format("no image came within {} s", longest_opening / 1s));
 }
@@ -73,10 +49,12 @@ Task<Result<StereoModel>> VideoCamera::open() {
 // A device is had by one reader at a time.
 Task<Result<void>> VideoCamera::end_reading() {
   if (desk_ == nullptr) co_return Result<void>();
-  desk_->close();
+  // Kept alive, here and below: another may be put in its place meanwhile.
+  const std::shared_ptr<FrameDesk> desk = desk_;
+  desk->close();
   const Time deadline = executor_.now() + longest_ending;
-  while (!desk_->ended()) {
-    const bool woken = co_await bell_->waiting.wait(deadline);
+  while (!desk->ended()) {
+    const bool woken = co_await desk->news().wait(deadline);
     if (!woken) co_return fail("disconnected", "the camera hangs: what was asked of it before is not answered");
   }
   co_return Result<void>();
@@ -91,7 +69,7 @@ Result<void> VideoCamera::begin_reading() {
   }
   dropped_before_ = drops();
   const std::uint64_t number_before = desk_ ? desk_->number() : 0;
-  desk_ = std::make_shared<FrameDesk>([bell = bell_] { bell->ring(); }, executor_.now(), number_before);
+  desk_ = std::make_shared<FrameDesk>(executor_, number_before);
   start_detached(executor_.now(),
                  [desk = desk_, setup = setup_, calibration, make = make_sources_](const std::function<Time()>& now) {
                    read_camera({setup, calibration, make, now}, *desk);
@@ -101,7 +79,6 @@ Result<void> VideoCamera::begin_reading() {
 
 Task<Result<StereoFrame>> VideoCamera::next(Time after, bool colour) {
   if (desk_ == nullptr) co_return fail("disconnected", "the camera is not open");
-  // Kept alive: open() may put another in its place meanwhile.
   const std::shared_ptr<FrameDesk> desk = desk_;
   while (true) {
     std::optional<Result<DeskFrame>> taken = desk->take(after, colour, executor_.now());
@@ -116,7 +93,7 @@ Task<Result<StereoFrame>> VideoCamera::next(Time after, bool colour) {
     }
     // Also what cannot be read says that the camera is there.
     const Time deadline = executor_.now() + longest_silence;
-    const bool woken = co_await bell_->waiting.wait(deadline);
+    const bool woken = co_await desk->news().wait(deadline);
     if (!woken) break;
   }
   co_return fail("disconnected", fmt::format("no image came within {} s", longest_silence / 1s));

@@ -19,7 +19,6 @@
 // Failures, each naming the camera: disconnected, refused-setting, wrong-size and those of the calibration file from
 // open(); disconnected from next().
 
-#include "blackboard/time/latch.hpp"
 #include "drivers/camera/camera_reading.hpp"
 
 namespace pizarra::camera {
@@ -40,16 +39,12 @@ class VideoCamera : public StereoCamera {
   CameraDrops drops() const override;
 
  private:
-  // How the reader's thread wakes who waits here, for as long as there is somebody.
-  struct Bell;
-
   Task<Result<void>> end_reading();
   Result<void> begin_reading();
 
   Executor& executor_;
   forms::CameraSetup setup_;
   MakeSources make_sources_;
-  std::shared_ptr<Bell> bell_;
   std::shared_ptr<FrameDesk> desk_;
   CameraDrops dropped_before_;
 };
