@@ -1,6 +1,8 @@
 #pragma once
 
 // The relations that a page reads and posts, as parts of its contract.
+//
+//   contract_from_text(fmt::format("(contract console {} {})", posts_of_pages, reads_of_pages));
 
 namespace pizarra::console {
 

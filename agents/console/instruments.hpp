@@ -2,6 +2,9 @@
 
 // Measurements of a board, as JSON, that the program which serves the console hands in: its commands `top` and `method`
 // know how to take them. Both use the page's own session, so its key decides what they may read.
+//
+//   Instruments instruments;
+//   instruments.cells = [&](const std::string& key) { return cells_seen_with(key); };
 
 #include <functional>
 #include <memory>

@@ -1,6 +1,10 @@
 #pragma once
 
-// The options of a coordinator that a cell configures. Lengths mm.
+// The options of a coordinator that a cell configures. Lengths mm. They are set before it runs.
+//
+//   CoordinatorOptions options;
+//   options.domain_file = "domains/blocks.scm";
+//   CoordinatorAgent coordinator(context, options);
 
 #include <optional>
 #include <string>

@@ -1,6 +1,9 @@
 #pragma once
 
 // Telling facts so that they arrive: a board that is away for a while is tried again.
+//
+//   const Result<Revision> told = co_await commit(board, executor, std::move(transaction));
+//   const std::vector<Fact> grippers = co_await facts_now(board, executor, pattern);
 
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"

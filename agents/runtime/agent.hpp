@@ -6,6 +6,9 @@
 // Lifecycle: constructed (nothing happens), run() spawned on the executor (declares, announces its presence, serves),
 // ended by destroying the Job that runs it; its lease then lapses and frees its name. A restarted agent reads its state
 // from its facts.
+//
+//   VisionAgent vision(AgentContext{"vision", host, executor, *board, random}, camera, &streams);
+//   const Job job = executor.spawn(keep(vision));     // awaits vision.run(); service.hpp shows what that does
 
 #include <string>
 

@@ -1,6 +1,8 @@
 #pragma once
 
 // The contract of an agent that is a Scheme file: what the file offers and posts, and which relations its rules read.
+//
+//   const Result<runtime::Contract> contract = contract_of(&program, "counter");
 
 #include "agents/runtime/contract.hpp"
 #include "lisp/forms/agent_program.hpp"

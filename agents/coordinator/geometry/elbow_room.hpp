@@ -2,6 +2,8 @@
 
 // Room for the fingers between cubes that stand side by side: where they leave none, the one that is wanted is pushed
 // out of the row, towards the camera or away from it, by the fingers held a hand's breadth apart.
+//
+//   if (is_crowded(room, centre, others)) push = push_for_room(room, centre, others);
 
 #include <Eigen/Core>
 #include <functional>

@@ -4,6 +4,10 @@
 //
 // A look is one `look` fact of vision. Looks are counted here and not by their frame numbers, which begin again when
 // a camera is restarted.
+//
+//   Sightings sightings;
+//   sightings.look(frame, look.seen);
+//   if (sightings.recent("circle", 1)) place = sightings.find("circle")->place_mm;
 
 #include <Eigen/Core>
 #include <cstdint>

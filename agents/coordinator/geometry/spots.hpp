@@ -1,6 +1,8 @@
 #pragma once
 
 // Room on the table: where a cube can be put down, and how wide the gripper may open between neighbours.
+//
+//   const std::optional<Eigen::Vector2d> spot = free_spot(TableArea::of(row, 60), occupied, from_y_mm);
 
 #include <Eigen/Core>
 #include <functional>

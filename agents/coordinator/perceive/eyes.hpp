@@ -1,6 +1,10 @@
 #pragma once
 
 // Whoever plays the eyes, as the coordinator uses them: which objects there are, where, and that they are tracked.
+//
+//   Result<std::vector<std::string>> names = co_await eyes.objects();
+//   Result<void> tracked = co_await eyes.track();
+//   Result<void> looked = co_await eyes.fresh_look();      // then surroundings.scene() has it
 
 #include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"

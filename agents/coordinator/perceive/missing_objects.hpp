@@ -2,6 +2,9 @@
 
 // Objects that are looked for and not seen, as the failure `missing-object`: its subject is the name, or the list of
 // the names.
+//
+//   co_return std::unexpected(missing_objects({"circle"}));
+//   names_of_missing(planned.error());                     // {"circle"}
 
 #include <string>
 #include <vector>

@@ -2,6 +2,11 @@
 
 // Where things stand, by the newest looks and by what the arm, the gripper and the camera's head say of themselves.
 // Nothing is watched or told here: Surroundings takes everything in.
+//
+//   Scene scene(options, domain);
+//   scene.take_camera(model);                              // and what others tell of themselves
+//   if (scene.places_next_look()) scene.take_look(frame, *perceived);
+//   scene.grip_mm();
 
 #include <set>
 

@@ -1,6 +1,8 @@
 #pragma once
 
 // One operation of a plan with its variables replaced, and facts as they are compared.
+//
+//   const std::vector<Datum> missing = missing_from(beliefs, needed);     // {(clear circle), (not (holding square))}
 
 #include <set>
 #include <vector>
