@@ -42,12 +42,11 @@ void add_unreached(std::vector<Lack>& lacks, const std::vector<BoardView>& views
 std::vector<cv::Mat> turns_of(const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board) {
   const double focal_px = usual_focal * image.width;
   const cv::Matx33d camera(focal_px, 0, image.width / 2.0, 0, focal_px, image.height / 2.0, 0, 0, 1);
-  const std::vector<cv::Point3f> corners = corners_of(board);
   std::vector<cv::Mat> out;
   for (const BoardView& view : views) {
     cv::Mat turn;
     cv::Mat unused;
-    if (cv::solvePnP(corners, view.left, camera, cv::noArray(), turn, unused)) out.push_back(turn);
+    if (cv::solvePnP(corners_of(view, board), view.left, camera, cv::noArray(), turn, unused)) out.push_back(turn);
   }
   return out;
 }

@@ -19,6 +19,7 @@
 //   Result<StereoCalibration> calibration = read_calibration_file("pair.calibration");
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,10 +35,18 @@ struct LensModel {
   std::array<double, 5> distortion{};
 };
 
+// The tags in the light squares of a ChArUco board.
+struct BoardTags {
+  std::string family = "aruco-4x4-50";
+  int dictionary = 0;  // as OpenCV numbers that family
+  double side_mm = 18;
+};
+
 struct CalibrationBoard {
   int columns = 9;  // of inner corners
   int rows = 6;
   double square_mm = 25;
+  std::optional<BoardTags> tags = {};  // none: a chessboard
 };
 
 // How far what was fitted may be off, as standard deviations; of both cameras the larger one. 0: not said.

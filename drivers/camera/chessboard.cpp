@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "drivers/camera/charuco.hpp"
 #include "drivers/camera/lens_fit.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
 
@@ -83,7 +84,16 @@ std::vector<cv::Point3f> corners_of(const CalibrationBoard& board) {
   return out;
 }
 
+std::vector<cv::Point3f> corners_of(const BoardView& view, const CalibrationBoard& board) {
+  std::vector<cv::Point3f> all = corners_of(board);
+  if (view.which.empty()) return all;
+  std::vector<cv::Point3f> out;
+  for (const std::size_t corner : view.which) out.push_back(all[corner]);
+  return out;
+}
+
 Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board) {
+  if (board.tags) return find_charuco(left, right, board);
   BoardView view{.left = find_corners(left, board)};
   const bool in_left = !view.left.empty();
   if (right.empty() && !in_left) {

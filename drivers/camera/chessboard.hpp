@@ -1,7 +1,7 @@
 #pragma once
 
-// Calibrates a pair of cameras, or one, by a chessboard that all see from several sides. One camera is a pair without a
-// right image.
+// Calibrates a pair of cameras, or one, by a chessboard or a ChArUco board that all see from several sides. One camera
+// is a pair without a right image.
 //
 //   std::vector<BoardView> views;
 //   Result<BoardView> view = find_board(left, right, board);         // for each pair of images
@@ -27,7 +27,8 @@ namespace pizarra::camera {
 struct BoardView {
   std::vector<cv::Point2f> left = {};
   std::vector<cv::Point2f> right = {};
-  std::string name = {};  // as a person knows it
+  std::string name = {};                // as a person knows it
+  std::vector<std::size_t> which = {};  // which of the board's corners they are; empty: all, row by row
 };
 
 // RMS of a view's corners in both images, px.
@@ -38,6 +39,8 @@ struct ViewError {
 
 // Where they are on the board, row by row, mm.
 std::vector<cv::Point3f> corners_of(const CalibrationBoard& board);
+// Those that the view has, in its order.
+std::vector<cv::Point3f> corners_of(const BoardView& view, const CalibrationBoard& board);
 
 // 8 bit images, grey or BGR, of one size; the right one is empty where one camera is alone.
 Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board);

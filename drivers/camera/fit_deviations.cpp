@@ -90,7 +90,6 @@ class Fitted {
       : calibration_(calibration), left_(camera_of(calibration.left)), right_(camera_of(calibration.right)) {
     between_.at = cv::Vec3d(calibration.translation_mm.data());
     cv::Rodrigues(cv::Matx33d(calibration.rotation.data()), between_.turn);
-    corners_ = corners_of(calibration.board);
   }
 
   CalibrationDeviations deviations(const std::vector<BoardView>& views) const {
@@ -112,28 +111,30 @@ class Fitted {
   }
 
  private:
-  Place place_of(const BoardView& view) const {
+  Place place_of(const BoardView& view, const std::vector<cv::Point3f>& corners) const {
     Place board;
-    cv::solvePnP(corners_, view.left, left_.matrix, left_.distortion, board.turn, board.at);
+    cv::solvePnP(corners, view.left, left_.matrix, left_.distortion, board.turn, board.at);
     return board;
   }
 
   void add_single(SharedNormal& normal, const BoardView& view) const {
-    const Moves moves = moves_of(left_, place_of(view), corners_);
+    const std::vector<cv::Point3f> corners = corners_of(view, calibration_.board);
+    const Moves moves = moves_of(left_, place_of(view, corners), corners);
     cv::Mat1d own;
     cv::hconcat(moves.with_turn, moves.with_place, own);
     normal.add(moves.with_lens, own);
   }
 
   void add_pair(SharedNormal& normal, const BoardView& view) const {
-    const Place board = place_of(view);
-    const Moves left = moves_of(left_, board, corners_);
+    const std::vector<cv::Point3f> corners = corners_of(view, calibration_.board);
+    const Place board = place_of(view, corners);
+    const Moves left = moves_of(left_, board, corners);
     Place seen;
     cv::Mat1d turn_by_turn, turn_by_at, turn_by_camera_turn, turn_by_camera_at;
     cv::Mat1d at_by_turn, at_by_at, at_by_camera_turn, at_by_camera_at;
     cv::composeRT(board.turn, board.at, between_.turn, between_.at, seen.turn, seen.at, turn_by_turn, turn_by_at,
                   turn_by_camera_turn, turn_by_camera_at, at_by_turn, at_by_at, at_by_camera_turn, at_by_camera_at);
-    const Moves right = moves_of(right_, seen, corners_);
+    const Moves right = moves_of(right_, seen, corners);
     const int rows = right.with_lens.rows;
     cv::Mat1d shared(2 * rows, 2 * lens_values + place_values, 0.0);
     cv::Mat1d own(2 * rows, place_values);
@@ -168,7 +169,6 @@ class Fitted {
   Camera left_;
   Camera right_;
   Place between_;
-  std::vector<cv::Point3f> corners_;
 };
 
 }  // namespace

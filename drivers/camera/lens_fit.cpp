@@ -93,11 +93,17 @@ Corners corners_in(const std::vector<BoardView>& views, std::vector<cv::Point2f>
   return out;
 }
 
+Boards boards_in(const std::vector<BoardView>& views, const CalibrationBoard& board) {
+  Boards out;
+  for (const BoardView& view : views) out.push_back(corners_of(view, board));
+  return out;
+}
+
 }  // namespace
 
 Fit<CalibratedPair> fit_single(const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board,
                                const TellStep& tell) {
-  const Seen seen{views, image, Boards(views.size(), corners_of(board))};
+  const Seen seen{views, image, boards_in(views, board)};
   const Fit<Lens> lens = fit_lens(seen, "camera", corners_in(views, &BoardView::left), tell);
   if (!lens) return std::unexpected(lens.error());
   CalibratedPair out;
@@ -117,7 +123,7 @@ Fit<CalibratedPair> fit_single(const std::vector<BoardView>& views, cv::Size ima
 
 Fit<CalibratedPair> fit_pair(const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board,
                              const TellStep& tell) {
-  const Seen seen{views, image, Boards(views.size(), corners_of(board))};
+  const Seen seen{views, image, boards_in(views, board)};
   const Corners left = corners_in(views, &BoardView::left);
   const Corners right = corners_in(views, &BoardView::right);
   Fit<Lens> left_lens = fit_lens(seen, "left camera", left, tell);

@@ -8,9 +8,29 @@ namespace {
 
 constexpr std::size_t most_sizes = 8;
 
-bool is_same(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b, double reach_px) {
-  return std::ranges::equal(a, b,
-                            [&](const cv::Point2f& p, const cv::Point2f& q) { return cv::norm(p - q) <= reach_px; });
+// As many corners say where a flat board stands, whatever else of it is seen.
+constexpr std::size_t corners_of_a_place = 4;
+
+bool is_near(const cv::Point2f& a, const cv::Point2f& b, double reach_px) { return cv::norm(a - b) <= reach_px; }
+
+// Where which of the board's corners a view has, that is known; else it has all of them.
+std::size_t number_of(const camera::BoardView& view, std::size_t i) { return view.which.empty() ? i : view.which[i]; }
+
+// Whether the board stands the same in both, as far as both see it.
+bool is_same(const camera::BoardView& a, const camera::BoardView& b, double reach_px) {
+  std::size_t common = 0;
+  for (std::size_t i = 0, j = 0; i < a.left.size() && j < b.left.size();) {
+    const std::size_t in_a = number_of(a, i);
+    const std::size_t in_b = number_of(b, j);
+    if (in_a == in_b) {
+      if (!is_near(a.left[i], b.left[j], reach_px)) return false;
+      if (!a.right.empty() && !is_near(a.right[i], b.right[j], reach_px)) return false;
+      ++common;
+    }
+    if (in_a <= in_b) ++i;
+    if (in_b <= in_a) ++j;
+  }
+  return common >= corners_of_a_place;
 }
 
 }  // namespace
@@ -29,7 +49,7 @@ Result<void> BoardViews::take(const ImagePair& pair, const std::string& name) {
   if (!alike) return fail(alike);
   const double reach_px = least_motion_ * size.width;
   for (const camera::BoardView& before : (*alike)->views) {
-    if (!is_same(before.left, view->left, reach_px) || !is_same(before.right, view->right, reach_px)) continue;
+    if (!is_same(before, *view, reach_px)) continue;
     return fail("still", fmt::format("the board stands as in {}", before.name));
   }
   view->name = name;

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fmt/format.h>
 
+#include "agents/vision/marks/tag_text.hpp"
 #include "drivers/camera/chessboard.hpp"
 #include "lisp/forms/cell_file.hpp"
 #include "lisp/outside_text.hpp"
@@ -27,11 +28,18 @@ constexpr double least_motion_chosen = 0.01;
 constexpr double least_motion_seen = 0.04;
 constexpr std::chrono::seconds longest_untold{2};
 
+struct BoardTagChoices {
+  std::string family = "4x4-50";
+  double side_mm = 18;
+};
+
 struct CalibrateChoices {
   std::vector<std::string> images;
   std::string cell;
   std::string out;  // empty: pair.calibration, of one camera camera.calibration
   camera::CalibrationBoard board;
+  bool charuco = false;
+  BoardTagChoices tags;
   std::size_t pairs = 20;
   bool json = false;
   bool tell = false;  // a board how it goes:
@@ -214,7 +222,26 @@ Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
   return BoardPairs::of_cameras(cell->eyes);
 }
 
-int run_calibrate(const CalibrateChoices& choices) {
+// Failures: unknown-family; bad-board, of tags that do not fit into the squares, or are too few for them.
+Result<camera::BoardTags> board_tags(const CalibrateChoices& choices) {
+  const Result<const vision::TagFamily*> family = vision::family_from_text(choices.tags.family);
+  if (!family) return fail(family);
+  const std::string name((*family)->name);
+  if ((*family)->is_wide()) return fail("bad-board", "a ChArUco board has no tags of " + name);
+  if (choices.tags.side_mm >= choices.board.square_mm) {
+    return fail("bad-board", fmt::format("tags of {:g} mm do not fit into squares of {:g} mm", choices.tags.side_mm,
+                                         choices.board.square_mm));
+  }
+  const int squares = (choices.board.columns + 1) * (choices.board.rows + 1);
+  const int tags = vision::tags_of(**family);
+  if (squares / 2 > tags) {
+    return fail("bad-board",
+                fmt::format("the board has {} light squares, and {} only {} tags", squares / 2, name, tags));
+  }
+  return camera::BoardTags{name, (*family)->dictionary.value(), choices.tags.side_mm};
+}
+
+int run_calibrate(CalibrateChoices& choices) {
   const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   if (choices.cell.empty() == choices.images.empty()) {
     const Failure which{"no-images",
@@ -223,6 +250,11 @@ int run_calibrate(const CalibrateChoices& choices) {
                         {},
                         {}};
     return complain_as(style, which, exit_usage);
+  }
+  if (choices.charuco) {
+    const Result<camera::BoardTags> tags = board_tags(choices);
+    if (!tags) return complain_as(style, tags.error(), exit_usage);
+    choices.board.tags = *tags;
   }
   const Result<std::unique_ptr<BoardPairs>> pairs = pairs_of(choices);
   if (!pairs) return complain_as(style, pairs.error(), exit_usage);
@@ -240,8 +272,9 @@ void add_calibrate_command(CLI::App& app, int& status) {
   auto choices = std::make_shared<CalibrateChoices>();
   CLI::App* word = app.add_subcommand("calibrate",
                                       "Calibrate a pair of cameras, or one alone, from images of a chessboard "
-                                      "(`shapes --board` prints one),\n"
-                                      "and keep it in a file for a cell's (camera ...).");
+                                      "(`shapes --board` prints one)\n"
+                                      "or a ChArUco board (`shapes --charuco`), and keep it in a file for a cell's "
+                                      "(camera ...).");
   word->add_option("IMAGES", choices->images,
                    "LEFT and RIGHT: folders of images, or quoted patterns; the same number in two names "
                    "makes a pair. Of one camera alone the one place")
@@ -260,6 +293,17 @@ void add_calibrate_command(CLI::App& app, int& status) {
   word->add_option("--square", choices->board.square_mm, "The edge of a square, mm")
       ->check(number_check(0.1, 1000))
       ->capture_default_str();
+  CLI::Option* const charuco = word->add_flag(
+      "--charuco", choices->charuco,
+      "The board is a ChArUco board, with a tag in each light square; a part of it in the image is enough");
+  word->add_option("--tags", choices->tags.family, "With --charuco: the family of the board's tags")
+      ->capture_default_str()
+      ->needs(charuco)
+      ->type_name("FAMILY");
+  word->add_option("--tag-side", choices->tags.side_mm, "With --charuco: the side of its tags, mm")
+      ->check(number_check(0.1, 1000))
+      ->capture_default_str()
+      ->needs(charuco);
   word->add_option("--pairs", choices->pairs,
                    "With --cell: how many pairs or images to take, each when the board has "
                    "moved; Ctrl-C takes those there are")

@@ -1,7 +1,9 @@
 #include "programs/commands/calibration_news.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
 #include <unistd.h>
 
 #include "blackboard/client/keyed_board.hpp"
@@ -24,13 +26,25 @@ Datum part_of(const camera::Lack& lack) {
   return list(lack.part->right_image ? 1 : 0, lack.part->column, lack.part->row);
 }
 
-Datum outline_of(const std::vector<cv::Point2f>& corners, const camera::CalibrationBoard& board) {
-  const auto last = corners.size() - 1;
+using FourCorners = std::array<cv::Point2f, 4>;
+
+// Of a part of the board the smallest rectangle around its corners.
+FourCorners four_around(const std::vector<cv::Point2f>& corners, const camera::CalibrationBoard& board) {
+  const auto all = static_cast<std::size_t>(board.columns) * static_cast<std::size_t>(board.rows);
+  FourCorners out;
+  if (corners.size() < all) {
+    cv::minAreaRect(corners).points(out.data());
+    return out;
+  }
   const auto row = static_cast<std::size_t>(board.columns - 1);
+  return {corners[0], corners[row], corners[all - 1], corners[all - 1 - row]};
+}
+
+Datum outline_of(const std::vector<cv::Point2f>& corners, const camera::CalibrationBoard& board) {
   std::vector<Datum> out;
-  for (const std::size_t corner : {std::size_t{0}, row, last, last - row}) {
-    out.push_back(to_datum(cvRound(corners[corner].x)));
-    out.push_back(to_datum(cvRound(corners[corner].y)));
+  for (const cv::Point2f& corner : four_around(corners, board)) {
+    out.push_back(to_datum(cvRound(corner.x)));
+    out.push_back(to_datum(cvRound(corner.y)));
   }
   return Datum::list(std::move(out));
 }

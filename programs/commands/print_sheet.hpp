@@ -31,6 +31,8 @@ struct Sheet {
 Sheet shapes_sheet();
 // The chessboard that `calibrate` looks for unless told otherwise: 10 x 7 squares of 25 mm.
 Sheet board_sheet();
+// The ChArUco board that it looks for likewise: the same squares, and tags of 18 mm of aruco-4x4-50 in the light ones.
+Sheet charuco_sheet();
 
 // Tags, as tags_from_text() reads them, apart, each with its number below it. Failures: those of it, too-many for a
 // page, and too-small. Without a side their squares are 40 mm large, or those within a dark line 25 mm.

@@ -15,12 +15,14 @@ namespace {
 struct ShapesChoices {
   std::string file;
   bool board = false;
+  bool charuco = false;
   std::string tags;
   std::optional<double> side_mm;
 };
 
 Result<Sheet> sheet_of(const ShapesChoices& choices) {
   if (!choices.tags.empty()) return tags_sheet(choices.tags, choices.side_mm);
+  if (choices.charuco) return charuco_sheet();
   return choices.board ? board_sheet() : shapes_sheet();
 }
 
@@ -44,16 +46,20 @@ void add_shapes_command(CLI::App& app, int& status) {
   CLI::App* shapes = app.add_subcommand(
       "shapes",
       "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, as faces\n"
-      "for cubes, the board of `calibrate`, or tags.");
+      "for cubes, a board of `calibrate`, or tags.");
   shapes->add_option("--print", choices->file, "Write the page to this file")
       ->required()
       ->type_name("FILE.pdf|FILE.png");
   CLI::Option* const board =
       shapes->add_flag("--board", choices->board, "Instead: the chessboard that `calibrate` looks for");
+  CLI::Option* const charuco =
+      shapes->add_flag("--charuco", choices->charuco, "Instead: the ChArUco board that `calibrate --charuco` looks for")
+          ->excludes(board);
   CLI::Option* const tags =
       shapes->add_option("--tags", choices->tags, "Instead: these tags of one family, such as 36h11:0-11 or 4x4-50:3,7")
           ->type_name("FAMILY:IDS")
-          ->excludes(board);
+          ->excludes(board)
+          ->excludes(charuco);
   shapes
       ->add_option("--side", choices->side_mm,
                    "The side of the tags' square, mm; default 40, and 25 of the light square of 41h12, 21h7 and 52h13")

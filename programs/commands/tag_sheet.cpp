@@ -6,6 +6,7 @@
 
 #include "agents/vision/marks/tag_detection.hpp"
 #include "agents/vision/marks/tag_text.hpp"
+#include "drivers/camera/charuco.hpp"
 #include "programs/commands/print_sheet.hpp"
 
 namespace pizarra::programs {
@@ -73,8 +74,7 @@ void add_runs(Sheet& sheet, const cv::Mat1b& cells, bool turned, const Vector2d&
 }
 
 // Both ways, so that no printer leaves a light line between cells.
-void add_tag(Sheet& sheet, const vision::TagFamily& family, int number, const Vector2d& corner, double cell_mm) {
-  const cv::Mat1b cells = vision::print_of(family, number);
+void add_tag(Sheet& sheet, const cv::Mat1b& cells, const Vector2d& corner, double cell_mm) {
   add_runs(sheet, cells, false, corner, cell_mm);
   add_runs(sheet, cells.t(), true, corner, cell_mm);
 }
@@ -104,9 +104,38 @@ Result<Sheet> tags_sheet(const std::string& which, std::optional<double> side_mm
                                      family.is_wide() ? "light " : "", grid.side_mm)});
   for (std::size_t i = 0; i < tags->size(); ++i) {
     const Vector2d corner = grid.place(i);
-    add_tag(sheet, family, (*tags)[i].number, corner, grid.cell_mm());
+    add_tag(sheet, vision::print_of(family, (*tags)[i].number), corner, grid.cell_mm());
     const double below = grid.width_mm() + grid.around_mm + letter_mm;
     sheet.texts.push_back({corner + Vector2d(0, below), letter_mm, fmt::format("{}", (*tags)[i].number)});
+  }
+  add_scale(sheet);
+  return sheet;
+}
+
+// The page stands where the board lies: the board is turned by a quarter, clockwise.
+Sheet charuco_sheet() {
+  camera::CalibrationBoard board;
+  const camera::BoardTags& kind = board.tags.emplace();
+  const Vector2d first((Sheet::width_mm - (board.rows + 1) * board.square_mm) / 2, 16);
+  const double right_mm = Sheet::width_mm - first.x();
+  const auto on_page = [&](const Vector2d& corner, double side) {
+    return Vector2d(right_mm - corner.y() - side, first.y() + corner.x());
+  };
+  Sheet sheet;
+  sheet.texts.push_back(
+      {{first.x(), 12}, letter_mm, "Pizarra: ChArUco, 9 x 6 inner corners, squares of 25 mm, tags of 18 mm (4x4-50)"});
+  for (int y = 0; y <= board.rows; ++y) {
+    for (int x = y % 2; x <= board.columns; x += 2) {
+      const Vector2d at = on_page(board.square_mm * Vector2d(x, y), board.square_mm);
+      sheet.areas.push_back(box_at(at, Vector2d::Constant(board.square_mm)));
+    }
+  }
+  const vision::TagFamily& family = *vision::family_called(kind.family);
+  for (const camera::PlacedTag& tag : camera::tags_on(board)) {
+    cv::Mat turned;
+    cv::rotate(vision::print_of(family, tag.number), turned, cv::ROTATE_90_CLOCKWISE);
+    const Vector2d at = on_page({tag.corner_mm.x, tag.corner_mm.y}, kind.side_mm);
+    add_tag(sheet, turned, at, kind.side_mm / turned.cols);
   }
   add_scale(sheet);
   return sheet;

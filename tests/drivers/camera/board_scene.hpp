@@ -19,6 +19,8 @@ struct BoardScene {
   // From the left camera to the right one.
   cv::Affine3d between{cv::Vec3d(0.01, -0.03, 0.008), cv::Vec3d(-82, 1.5, 2)};
   CalibrationBoard board;
+  // What is on the board's squares, all of them, so many px a square; empty: a chessboard.
+  cv::Mat1b picture = {};
 
   // In the board's own frame.
   cv::Vec3d corner(std::size_t index) const {
@@ -55,8 +57,12 @@ struct BoardScene {
     const bool paper = x > -2 && y > -2 && x < board.columns + 1 && y < board.rows + 1;
     if (!paper) return 120;
     const bool squares = x > -1 && y > -1 && x < board.columns && y < board.rows;
-    const bool dark = squares && (cvFloor(x) + cvFloor(y)) % 2 == 0;
+    const bool dark = squares && (picture.empty() ? (cvFloor(x) + cvFloor(y)) % 2 == 0 : is_dark(x + 1, y + 1));
     return dark ? 35 : 215;
+  }
+  bool is_dark(double x, double y) const {
+    const int square_px = picture.cols / (board.columns + 1);
+    return picture(cvFloor(y * square_px), cvFloor(x * square_px)) < 128;
   }
   const std::vector<cv::Point2d>& left_rays(int samples) const {
     static const std::vector<cv::Point2d> rays = rays_of(left, samples);
