@@ -92,9 +92,18 @@ Durability::Position Durability::awaited(const store::Store& store, const Datum&
   return shows_change && asks_durable(store, body[1]) ? last_change_ : 0;
 }
 
-Result<void> Durability::check_room(const Datum& body, bool durable) const {
+Result<Durability::Before> Durability::begin(const store::Store& store, const Datum& body) const {
+  const Before before{concerns_durable(store, body), position()};
   const bool changes = body.is_form("take") || body.is_form("transact") || body.is_form("declare");
-  return changes ? check_room(body, durable, 0) : Result<void>();
+  const Result<void> room = changes ? check_room(body, before.durable, 0) : Result<void>();
+  if (!room) return fail(room);
+  return before;
+}
+
+Durability::After Durability::end(const store::Store& store, const Datum& body, const Before& before) {
+  const bool changed = before.durable && position() > before.journal_end;
+  if (changed) last_change_ = position();
+  return {changed, awaited(store, body, before.durable)};
 }
 
 Result<void> Durability::check_room(const store::Store& store, const Datum& body,

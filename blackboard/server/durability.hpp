@@ -3,8 +3,10 @@
 // A served board's duty to clients whose changes must last: it answers them only when the disk has what they were told,
 // and it answers a question about durable facts only when the disk has those that it tells of.
 //
-//   const Durability::Position awaited = durability.awaited(store, body, durable);
-//   if (awaited > 0) durability.hold(session, request, {reply, awaited});
+//   const Result<Durability::Before> before = durability.begin(store, body);
+//   if (!before) refuse(before.error());                              // else the request is done
+//   const Durability::After after = durability.end(store, body, *before);
+//   if (after.awaited > 0) durability.hold(session, request, {reply, after.awaited});
 //
 // Held replies are given to `send` in order, when the journal has all that came before them. Nothing is begun that the
 // journal has no space for; should it not be written even so, those whose changes stand already are answered with the
@@ -37,22 +39,23 @@ class Durability {
   Durability& operator=(const Durability&) = delete;
   ~Durability();
 
-  // Whether the request tells, retracts, takes, settles or declares what is durable.
-  bool concerns_durable(const store::Store& store, const Datum& body) const;
-  // Before a change, which then does not come to stand: failure journal-full. Where the disk is full, what takes
+  struct Before {
+    bool durable = false;      // whether the request tells, retracts, takes, settles or declares what is durable
+    Position journal_end = 0;  // where the journal ended
+  };
+  // Before a request is done. Failure journal-full: then it is not to be done. Where the disk is full, what takes
   // durable facts away and adds none goes on.
-  // `durable`: what concerns_durable() says of it.
-  Result<void> check_room(const Datum& body, bool durable) const;
+  Result<Before> begin(const store::Store& store, const Datum& body) const;
   // The same with what its retractions take away, each fact of which the journal names.
   Result<void> check_room(const store::Store& store, const Datum& body, const Transaction& transaction) const;
-  Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
+  struct After {
+    bool changed = false;  // whether what is durable is another now
+    Position awaited = 0;  // the journal must be written up to here before it is answered; 0: it need not wait
+  };
+  // After it was done.
+  After end(const store::Store& store, const Datum& body, const Before& before);
   // Whether the journal has all that happened.
   bool has_all() const { return journal_ == nullptr || journal_->position() <= journal_->kept(); }
-  // The journal must be written up to this position before the request is answered; 0: the answer need not wait.
-  // `durable`: what concerns_durable() says of it.
-  Position awaited(const store::Store& store, const Datum& body, bool durable) const;
-  // After a change of what is durable.
-  void changed() { last_change_ = position(); }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
   void answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const;
@@ -66,6 +69,9 @@ class Durability {
   };
   using Change = journal::JournalWriter::Change;
   static Change change_of(const Datum& body, bool durable);
+  bool concerns_durable(const store::Store& store, const Datum& body) const;
+  Position awaited(const store::Store& store, const Datum& body, bool durable) const;
+  Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
   Result<void> check_room(const Datum& body, bool durable, std::size_t removals) const;
   void progress();
   std::string in_doubt(wire::RequestId request, const Reply& reply) const;

@@ -116,19 +116,17 @@ bool Requests::serve(wire::SessionId id, Session& session, const Postponed::Mess
     ask_past(id, session, number, body);
     return true;
   }
-  const bool durable = durability_.concerns_durable(board_.store(), body);
-  const Result<void> room = durability_.check_room(body, durable);
-  if (!room) {
-    refuse_undone(session, number, body, room.error());
+  const Result<Durability::Before> before = durability_.begin(board_.store(), body);
+  if (!before) {
+    refuse_undone(session, number, body, before.error());
     return true;
   }
-  const Revision before = board_.store().revision();
-  const Done done{number, body, durable, durability_.position()};
+  const Revision revision = board_.store().revision();
   const std::optional<Result<Datum>> result = perform_in_turn(id, session, waiting);
   if (!result) return false;
-  answer(id, session, done, *result);
+  answer(id, session, {number, body, *before}, *result);
   const bool timed = message.size() == 5;
-  if (timed && board_.store().revision() > before) note_journey(body, Time(Duration(message[4].integer())));
+  if (timed && board_.store().revision() > revision) note_journey(body, Time(Duration(message[4].integer())));
   return true;
 }
 
@@ -136,9 +134,7 @@ void Requests::answer(wire::SessionId id, Session& session, const Done& done, co
   if (!result && is_refusal(result.error())) refusals_.note(session.client(), result.error());
   const Datum said = result_to_datum(result);
   std::string text = reply_text(done.number, said);
-  const bool changed = done.durable && durability_.position() > done.before;
-  if (changed) durability_.changed();
-  const Durability::Position awaited = durability_.awaited(board_.store(), done.body, done.durable);
+  const auto [changed, awaited] = durability_.end(board_.store(), done.body, done.before);
   const bool stands = result && changed;
   if (must_be_done_once(done.body)) {
     session.done.add(done.number, {text, awaited, stands});

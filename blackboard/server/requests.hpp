@@ -57,8 +57,7 @@ class Requests {
   struct Done {
     wire::RequestId number;
     const Datum& body;
-    bool durable;                 // whether it is about durable facts
-    Durability::Position before;  // where the journal ended
+    Durability::Before before;
   };
   void answer(wire::SessionId id, Session& session, const Done& done, const Result<Datum>& result);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
