@@ -1,6 +1,9 @@
 // What is asked of the robot agent: which operation it is, whether its caller may ask for it, and those that move
 // something: motions, held jogs, the gripper.
 
+#include <algorithm>
+
+#include "agents/robot/carry.hpp"
 #include "agents/robot/jog.hpp"
 #include "agents/robot/robot_state.hpp"
 #include "agents/runtime/hold_deadlines.hpp"
@@ -11,6 +14,8 @@ namespace pizarra::robot {
 namespace {
 
 constexpr double max_opening_mm = 100;
+// Fingers that stand so much wider than they were sent have something between them.
+constexpr double widened_mm = 3;
 
 // Open to all; whatever else is asked for changes something, and is its commander's to ask for.
 bool only_monitors(const Datum& operation) {
@@ -36,6 +41,11 @@ Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
 
 Task<Result<Datum>> RobotAgent::State::answer_with(Result<Datum> known) { co_return known; }
 
+bool RobotAgent::State::holds_something(const arm::ArmReading& reading) const {
+  if (reading.gripped) return *reading.gripped;
+  return fingers_sent_mm && reading.opening_mm > *fingers_sent_mm + widened_mm;
+}
+
 Task<Result<Datum>> RobotAgent::State::move(Fact request) {
   const Datum operation = request.datum[3];
   const Result<InHand> in_hand = control.take_in_hand(request.datum);
@@ -53,7 +63,8 @@ Task<Result<Datum>> RobotAgent::State::move(Fact request) {
     if (!told) co_return fail(told);
     co_return answer(!motion->at_limit);
   }
-  const double speed_part = speed_percent / 100;
+  double speed_part = speed_percent / 100;
+  if (holds_something(*reading)) speed_part = std::min(speed_part, carry_speed(model, at, motion->waypoints));
   Task<Result<void>> following = control.follow(at, std::move(motion->waypoints), speed_part);
   co_return co_await carry_out(std::move(request), std::move(following));
 }
@@ -98,6 +109,7 @@ Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {
   if (!opening_mm) co_return fail(opening_mm);
   const Result<InHand> in_hand = control.take_in_hand(request.datum);
   if (!in_hand) co_return fail(in_hand);
+  fingers_sent_mm = *opening_mm;
   Task<Result<void>> gripping = control.grip(*opening_mm);
   co_return co_await carry_out(std::move(request), std::move(gripping));
 }

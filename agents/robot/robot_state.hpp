@@ -32,6 +32,7 @@ struct RobotAgent::State {
   Holds holds;
   ArmVariables variables;
   double speed_percent = 100;
+  std::optional<double> fingers_sent_mm;  // to which opening, in this life
   std::optional<EarlierMotion> earlier;
   Job watch;
   runtime::Service service;  // last, because its jobs use all the others
@@ -46,6 +47,7 @@ struct RobotAgent::State {
   Task<Result<Datum>> answer_monitor(Datum operation);
   Task<Result<Datum>> answer_with(Result<Datum> known);
   Task<Result<Datum>> get_status();
+  bool holds_something(const arm::ArmReading& reading) const;
   Task<Result<Datum>> move(Fact request);
   Task<Result<Datum>> jog(Fact request);
   Task<Result<void>> follow_while_held(std::string client, Duration deadline, arm::Joints from,

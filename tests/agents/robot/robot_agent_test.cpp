@@ -166,5 +166,15 @@ TEST_F(Robot, TellsThePoseAsOftenAsItIsToldTo) {
   EXPECT_LE(poses, 127u);
 }
 
+TEST_F(Robot, SwingsSlowlyWhatIsBetweenItsFingers) {
+  arm.between_fingers_mm = 60;
+  EXPECT_EQ(call("(gripper 0)"), "(ok true)");
+  EXPECT_EQ(call("(turn right 30)"), "(ok true)");
+  EXPECT_LT(arm.last_speed, 0.5);
+  EXPECT_EQ(call("(gripper 80)"), "(ok true)");
+  EXPECT_EQ(call("(turn left 30)"), "(ok true)");
+  EXPECT_EQ(arm.last_speed, 1);
+}
+
 }  // namespace
 }  // namespace pizarra::robot
