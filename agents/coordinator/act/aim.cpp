@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "agents/coordinator/geometry/elbow_room.hpp"
 #include "agents/coordinator/geometry/sight_lines.hpp"
 #include "agents/coordinator/geometry/spots.hpp"
 
@@ -189,8 +190,9 @@ double Aims::opening_around(std::string_view object, double wide_mm) const {
     if (name == object || name == options_.gripper.mark) continue;
     neighbours.push_back(scene_.centre_mm(name, sighting));
   }
-  const std::string name(object);
-  return opening_between(scene_.centre_mm(name, *centre), neighbours, domain_.cube_mm(), options_.gripper.finger_mm,
+  const Eigen::Vector3d middle = scene_.centre_mm(std::string(object), *centre);
+  neighbours = seen_from_fingers(scene_.fingers_deg(object), middle, std::move(neighbours));
+  return opening_between(middle, neighbours, domain_.cube_mm(), options_.gripper.finger_mm,
                          options_.gripper.openings.narrow_mm, wide_mm);
 }
 

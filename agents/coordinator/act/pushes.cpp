@@ -47,7 +47,9 @@ std::optional<Push> Pushes::push_for(std::string_view object) const {
     if (name != object && name != options_.gripper.mark)
       others.push_back(surroundings_.scene().centre_mm(name, sighting));
   }
-  return push_for_room(elbow_room(), surroundings_.scene().centre_mm(std::string(object), *target), others);
+  ElbowRoom room = elbow_room();
+  room.fingers_deg = surroundings_.scene().fingers_deg(object);
+  return push_for_room(room, surroundings_.scene().centre_mm(std::string(object), *target), others);
 }
 
 Task<Result<void>> Pushes::make_room(std::string object) {

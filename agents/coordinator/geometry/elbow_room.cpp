@@ -1,5 +1,6 @@
 #include "agents/coordinator/geometry/elbow_room.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -72,8 +73,16 @@ std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& 
 
 }  // namespace
 
+std::vector<Eigen::Vector3d> seen_from_fingers(double fingers_deg, const Eigen::Vector3d& centre,
+                                               std::vector<Eigen::Vector3d> others) {
+  const Eigen::AngleAxisd back(-fingers_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ());
+  for (Eigen::Vector3d& other : others) other = centre + back * (other - centre);
+  return others;
+}
+
 bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others) {
-  return std::ranges::any_of(others, [&](const Eigen::Vector3d& other) { return crowds(room, centre, other); });
+  const std::vector<Eigen::Vector3d> beside = seen_from_fingers(room.fingers_deg, centre, others);
+  return std::ranges::any_of(beside, [&](const Eigen::Vector3d& other) { return crowds(room, centre, other); });
 }
 
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,

@@ -19,6 +19,7 @@ struct ElbowRoom {
   double narrow_mm = 76;       // the smallest opening that goes around a cube
   double pusher_mm = 36;       // the opening to push with: both fingers touch the cube's face
   double margin_mm = 3;
+  double fingers_deg = 0;    // how they are turned to grasp, as Arm::face() has it; at 0 they stand apart along y
   double mark_half_mm = 22;  // from a mark's middle to its edge
   // Where each image is taken from, base frame; none: whether marks are seen is not asked.
   std::vector<Eigen::Vector2d> eyes_mm = {};
@@ -34,6 +35,10 @@ struct Push {
   Eigen::Vector2d to_mm;
   double face_deg = 0;  // how the gripper is turned, as Arm::face() has it; at 0 the fingers stand apart along y
 };
+
+// Where the others stand to fingers around `centre` that are turned so far: as they would to fingers at 0.
+std::vector<Eigen::Vector3d> seen_from_fingers(double fingers_deg, const Eigen::Vector3d& centre,
+                                               std::vector<Eigen::Vector3d> others);
 
 // Whether a neighbour at its height stands where a finger must go.
 bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others);

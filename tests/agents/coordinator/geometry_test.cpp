@@ -198,6 +198,21 @@ TEST(Opening, IsWideAloneAndNarrowBetweenNeighbours) {
 
 TEST(ElbowRoom, IsThereWithoutNeighbours) { EXPECT_FALSE(is_crowded({}, {450, 0, 30}, {{450, 100, 30}})); }
 
+// The neighbour stands aslant behind the cube, where a finger comes to stand once the gripper is turned.
+TEST(ElbowRoom, IsAskedForWhereTheTurnedFingersGo) {
+  const Eigen::Vector3d centre(495, -89, 30);
+  const std::vector<Eigen::Vector3d> others{{449, -147, 30}};
+  const auto opening = [&](double fingers_deg) {
+    return opening_between(centre, seen_from_fingers(fingers_deg, centre, others), 60, 8, 76, 96);
+  };
+  ElbowRoom room;
+  EXPECT_FALSE(is_crowded(room, centre, others));
+  EXPECT_EQ(opening(0), 96);
+  room.fingers_deg = -10;
+  EXPECT_TRUE(is_crowded(room, centre, others));
+  EXPECT_EQ(opening(-10), 76);
+}
+
 TEST(ElbowRoom, IsMadeByPushingOutOfTheRow) {
   const Eigen::Vector3d centre(450, 0, 30);
   const std::vector<Eigen::Vector3d> others{{455, 60, 30}};
