@@ -44,7 +44,11 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
   const Result<void> grasped = co_await runner_.improvise(grasp);
   if (!grasped) co_return grasped;
   const Result<void> laid = co_await lay_down_at(spot, object);
-  co_return laid;
+  if (!laid) co_return laid;
+  const Sighting* lies = scene_.sightings().find(object);
+  const double moved_mm = lies ? (scene_.centre_mm(object, *lies) - stood).head<2>().norm() : 0;
+  if (moved_mm < domain_.cube_mm() / 2) co_return fail("missed", fmt::format("{} lies where it lay", object), name);
+  co_return Result<void>();
 }
 
 Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {

@@ -118,6 +118,25 @@ TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereTheArmWasStoppedTheFirstTime) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }
 
+TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereItSlippedFromTheFingers) {
+  const Eigen::Vector3d before(450, -40, 30);
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", before}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell, before](const std::string& name) {
+    return name == "circle" && (cell.cubes["triangle"] - before).head<2>().norm() < 30;
+  };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+  ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
+  cell.held.clear();
+  cell.cubes["triangle"] = before;
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 2);
+}
+
 TEST(CrowdedCell, SweepsACubeInThatCameToLieBesideTheImages) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
   cell.covered = [&cell](const std::string& name) { return std::abs(cell.cubes[name].y()) > 240; };
