@@ -66,25 +66,41 @@ Task<Result<void>> Pushes::push_over(std::string object) {
   if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
   const double cube = domain_.cube_mm();
   const Eigen::Vector3d centre = surroundings_.scene().centre_mm(object, *seen);
+  vigil_.commit();
+  const std::optional<Push> inwards = sweep_in_from(object, centre);
+  if (inwards) co_return co_await sweep(*inwards);
   const Push push = push_over_from(elbow_room(), centre);
   const double height = std::max(centre.z() + above_centre * cube, grip_height * cube);
-  vigil_.commit();
   const Result<void> pushed = co_await push_along(push, height);
   co_return pushed;
+}
+
+// What the images cut off is not measured well enough to be grasped.
+std::optional<Push> Pushes::sweep_in_from(const std::string& object, const Eigen::Vector3d& centre) const {
+  const ElbowRoom room = elbow_room();
+  if (!room.shown || room.shown(centre)) return std::nullopt;
+  const LostCube lies{centre, domain_.cube_mm() / 2};
+  const std::vector<Push> sweeps = border_sweeps(room, centre.x(), lies, standing_but(object));
+  return sweeps.empty() ? std::nullopt : std::optional(sweeps.front());
+}
+
+std::vector<Eigen::Vector3d> Pushes::standing_but(const std::string& object) const {
+  const Scene& scene = surroundings_.scene();
+  std::vector<Eigen::Vector3d> standing;
+  for (const auto& [name, sighting] : scene.sightings().all()) {
+    const bool there = scene.sightings().remembered(name, options_.grace_looks);
+    const bool other = name != object && name != options_.gripper.mark;
+    if (there && other) standing.push_back(scene.centre_mm(name, sighting));
+  }
+  return standing;
 }
 
 std::vector<Push> Pushes::sweeps_for(const std::string& missing) const {
   const Scene& scene = surroundings_.scene();
   const Sighting* last = scene.sightings().find(missing);
   if (!last) return {};
-  std::vector<Eigen::Vector3d> standing;
-  for (const auto& [name, sighting] : scene.sightings().all()) {
-    const bool there = scene.sightings().remembered(name, options_.grace_looks);
-    const bool other = name != missing && name != options_.gripper.mark;
-    if (there && other) standing.push_back(scene.centre_mm(name, sighting));
-  }
   const LostCube lost{scene.centre_mm(missing, *last), scene.falls_within_mm(*last)};
-  return border_sweeps(elbow_room(), options_.row.x_mm, lost, standing);
+  return border_sweeps(elbow_room(), options_.row.x_mm, lost, standing_but(missing));
 }
 
 Task<Result<void>> Pushes::sweep(Push push) {

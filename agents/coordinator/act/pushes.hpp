@@ -25,6 +25,7 @@ class Pushes {
       : options_(options), domain_(domain), surroundings_(surroundings), story_(story), arm_(arm), vigil_(vigil) {}
 
   Task<Result<void>> make_room(std::string object);
+  // What lies at the side of the images is swept to where all of it shows instead.
   Task<Result<void>> push_over(std::string object);
   // Over the table beside the images, where the missing object may lie; the likeliest first.
   std::vector<Push> sweeps_for(const std::string& missing) const;
@@ -34,6 +35,9 @@ class Pushes {
   Task<Result<void>> push_along(Push push, double height_mm);
   ElbowRoom elbow_room() const;
   std::optional<Push> push_for(std::string_view object) const;
+  std::optional<Push> sweep_in_from(const std::string& object, const Eigen::Vector3d& centre) const;
+  // The middles of the cubes that are there but for this one.
+  std::vector<Eigen::Vector3d> standing_but(const std::string& object) const;
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;

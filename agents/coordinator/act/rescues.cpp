@@ -64,6 +64,16 @@ Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {
   co_return true;
 }
 
+// Fingers that press on a neighbour cannot close, and are as wide open as they were. Nothing is between them higher up.
+Task<Result<bool>> Rescues::stay_at(double opened_mm) {
+  const std::vector<Datum> up{list("raise"_sym)};
+  const Result<void> raised = co_await runner_.improvise(up);
+  if (!raised) co_return fail(raised);
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  co_return std::abs(opened_mm - *closed) < 1;
+}
+
 Task<Result<void>> Rescues::loosen(Datum operation) {
   if (operation.size() < 2) co_return Result<void>();
   const std::string object(operation[1].text());
@@ -82,8 +92,9 @@ Task<Result<void>> Rescues::loosen(Datum operation) {
     // Fingers that jam across a cube's edges let it go first. Others stay closed: beside them there may be no room.
     const Result<double> opened = co_await arm_.grip(widest_mm_);
     if (!opened) co_return fail(opened);
-    const bool stuck = std::abs(*opened - *closed) < 1;
-    if (stuck) {
+    const Result<bool> stuck = co_await stay_at(*opened);
+    if (!stuck) co_return fail(stuck);
+    if (*stuck) {
       const std::string sentence = fmt::format("the gripper says {:.0f} mm, closed or open", *opened);
       co_await story_.tell("servo", sentence, operation[1]);
       co_return fail("stuck", sentence);

@@ -68,6 +68,23 @@ TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersJamWiderThanACub
   EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
 }
 
+// They press on a neighbour, wide open, and cannot close.
+TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersMoveOnlyOnceTheyAreRaised) {
+  cell.lowest_mm = 60;
+  cell.jam_mm = 96;
+  want("(goal (holding circle))");
+  EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+}
+
+TEST_F(Coordinator, SweepsWhatCannotBeGraspedAtTheSideOfTheImagesToWhereItShows) {
+  cell.cubes["circle"] = {450, -290, 30};
+  cell.lowest_mm = 60;
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+  cell.run_for(5s);
+  EXPECT_GT(cell.cubes["circle"].y(), -260);
+}
+
 // Pushed towards the camera, the face around its mark would be cut off below.
 TEST_F(Coordinator, PushesACubeNearTheCameraAwayFromIt) {
   cell.cubes["circle"] = {540, 19, 30};

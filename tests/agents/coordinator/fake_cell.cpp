@@ -34,6 +34,9 @@ constexpr std::string_view vision_text = R"(
          (relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) (y number) (b number))
                    (key eyes))))
 )";
+// Of the fine approach: what is in the way stops the arm no higher above it.
+constexpr double longest_step_mm = 40;
+
 Datum form(std::string_view text) { return read_one(text).value(); }
 
 Task<void> serve(runtime::AgentContext& context, std::string_view contract, runtime::Handler handler) {
@@ -227,7 +230,8 @@ void FakeCell::let_go() {
 double FakeCell::close_gripper(double wanted_mm) {
   ++motions;
   if (wanted_mm > 60) let_go();
-  opening_mm = std::max(wanted_mm, jam_mm);
+  const bool is_there = lowest_mm == 0 || grip.z() < lowest_mm + longest_step_mm;
+  opening_mm = is_there ? std::max(wanted_mm, jam_mm) : wanted_mm;
   if (wanted_mm > 60) return opening_mm;
   for (const auto& [name, place] : cubes) {
     if (!is_near(place, grip, 12, 15)) continue;

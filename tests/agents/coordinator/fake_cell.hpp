@@ -75,7 +75,7 @@ class FakeCell {
   double opening_mm = 100;
   std::string held;                // between the fingers
   double lowest_mm = 0;            // what is in the way stops the arm on its way further down,
-  double jam_mm = 0;               // and the fingers there at this opening
+  double jam_mm = 0;               // and the fingers there at this opening; everywhere, where nothing is in the way
   std::optional<double> stuck_mm;  // what the gripper's sensor says, however far the fingers are open
   std::string refusal;             // the symbol with which the robot refuses to move, such as halted
   int motions = 0;
