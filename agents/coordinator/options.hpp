@@ -51,7 +51,8 @@ struct CoordinatorOptions {
 
   int belief_looks = 3;             // in a row, before a difference counts
   int grace_looks = 10;             // unseen for as long, an object's facts go
-  Duration settle = 2s;             // the goal must hold for as long before it counts as reached
+  Duration settle = 2s;             // the goal must hold for as long before it counts as reached,
+  int settle_looks = 5;             // and in so many looks: while none come, nobody sees whether it does
   Duration missing_patience = 6s;   // how long a needed object is looked for
   Duration absence_patience = 20s;  // how long an agent that died is waited for
 };

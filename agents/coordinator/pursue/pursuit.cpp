@@ -216,7 +216,7 @@ Task<Result<void>> Pursuit::do_operation(NextOperation next) {
 
 Task<bool> Pursuit::settles(Goal goal) {
   const Time settled = context_.executor.now() + options_.settle;
-  while (context_.executor.now() < settled) {
+  for (int looks = 0; looks < options_.settle_looks || context_.executor.now() < settled; ++looks) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
     if (vigil_.interrupted()) co_return false;

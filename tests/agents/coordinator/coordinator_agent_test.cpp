@@ -314,6 +314,19 @@ TEST_F(Coordinator, BuildsAgainWhatIsKnockedOverBeforeItHasSettled) {
   expect_on("circle", "triangle");
 }
 
+TEST_F(Coordinator, CallsNoGoalReachedWhileNobodySeesWhetherItHolds) {
+  cell.cubes["circle"] = {455, -50, 90};
+  cell.run_for(3s);
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(event ? plan ? ?)", 20s));
+  cell.stop_vision();
+  cell.cubes["circle"] = {450, -150, 30};
+  cell.run_for(3s);
+  cell.start_vision();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+}
+
 TEST_F(Coordinator, TellsWhyWithTheFrameThatShowedTheDifference) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(operation ? (PICK-UP circle) running)", 30s));
