@@ -9,7 +9,8 @@
 //
 // A difference is unsafe once it has lasted for a second of quiet. Nothing fails then, and nobody interferes. The
 // object lies still in plain sight: both cameras see its whole mark, on a face that is turned to them by 35 degrees or
-// less. The eyes recognise marks up to that angle (docs/eyes.md). Facts are compared while all cubes lie so.
+// less and is not cut off by an image's border. The eyes recognise marks up to that angle (docs/eyes.md). Facts are
+// compared while all cubes lie so.
 
 #include <Eigen/Core>
 #include <functional>

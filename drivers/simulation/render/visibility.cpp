@@ -12,8 +12,9 @@ struct Mask {
   std::vector<int> ids;
   void fill(int y, Span span, int id) {
     if (y < 0 || y >= height) return;
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
     for (int x = std::max(0, span.first); x <= std::min(width - 1, span.last); ++x) {
-      ids[static_cast<std::size_t>(y * width + x)] = id;
+      ids[row + static_cast<std::size_t>(x)] = id;
     }
   }
 };
@@ -43,6 +44,19 @@ void for_spans(const SeenDecal& decal, Rows rows, Use use) {
   }
 }
 
+// The pixels of a face that the border of the image cuts off.
+int cut_off(const Eye& eye, const Outline& face, Rows rows) {
+  int pixels = 0;
+  for (int y = rows.top; y < rows.bottom; ++y) {
+    const Span span = face.span(y, 0);
+    if (span.empty()) continue;
+    pixels += span.last - span.first + 1;
+    const int shown = std::min(span.last, eye.width - 1) - std::max(span.first, 0) + 1;
+    if (y >= 0 && y < eye.height) pixels -= std::max(0, shown);
+  }
+  return pixels;
+}
+
 }  // namespace
 
 std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solids) {
@@ -65,14 +79,15 @@ std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solid
       for (const SeenDecal& decal : face.decals) {
         if (decal.id == 0) continue;
         MarkView mark{.id = decal.id};
-        for_spans(decal, {std::max(whole.top, -eye.height), std::min(whole.bottom, 2 * eye.height)},
-                  [&](int y, Span span) {
-                    const int count = span.last - span.first + 1;
-                    mark.all_pixels += count;
-                    mark.centre_px += count * Eigen::Vector2d((span.first + span.last) / 2.0, y);
-                  });
+        const Rows rows{std::max(whole.top, -eye.height), std::min(whole.bottom, 2 * eye.height)};
+        for_spans(decal, rows, [&](int y, Span span) {
+          const int count = span.last - span.first + 1;
+          mark.all_pixels += count;
+          mark.centre_px += count * Eigen::Vector2d((span.first + span.last) / 2.0, y);
+        });
         if (mark.all_pixels == 0) continue;
         mark.centre_px /= mark.all_pixels;
+        mark.all_pixels += cut_off(eye, face.outline, rows);
         mark.pixels = static_cast<int>(std::ranges::count(mask.ids, decal.id));
         marks.push_back(mark);
       }

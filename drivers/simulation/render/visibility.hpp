@@ -10,8 +10,10 @@ namespace pizarra::simulation {
 
 struct MarkView {
   int id = 0;
-  int pixels = 0;      // that show it
-  int all_pixels = 0;  // that would show it if nothing were in front and the image had no border
+  int pixels = 0;  // that show it
+  // That would show it if nothing were in front and the image had no border, with those that the border cuts off of the
+  // face around it: without these no eyes recognise it.
+  int all_pixels = 0;
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();  // its centroid as it would be seen then
 };
 

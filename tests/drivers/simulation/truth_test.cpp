@@ -29,6 +29,14 @@ TEST(Truth, AMarkOutOfTheImageIsNotVisible) {
   EXPECT_LT(bench.truth("aside").visible, 0.1);
 }
 
+TEST(Truth, AMarkIsSeenInPartWhereTheImageCutsOffTheFaceAroundIt) {
+  WorldConfig config;
+  config.cubes = {{.name = "near", .x_mm = 600, .y_mm = 0}};
+  Bench bench(config);
+  EXPECT_LT(bench.truth("near").visible, 1);
+  EXPECT_GT(bench.truth("near").visible, 0.5);
+}
+
 TEST(Truth, AMarkThatOneCameraAloneSeesIsNotVisible) {
   WorldConfig config;
   config.cubes = {{.name = "aside", .x_mm = 450, .y_mm = -300}};
