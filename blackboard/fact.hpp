@@ -1,6 +1,12 @@
 #pragma once
 
 // A fact on the board with its provenance: who told it, when, at which revision, and because of which other facts.
+//
+// The board makes it when it is told, and it does not change: what is told with the same key later is another fact.
+//
+//   const Result<std::vector<Fact>> found = co_await board.facts(list("on"_sym, "?"_sym, "?"_sym));
+//   found->front().datum[1].text();              // "circle", of (on circle triangle)
+//   co_await board.tell(conclusion, {found->front().id});
 
 #include <cstdint>
 #include <limits>

@@ -1,6 +1,10 @@
 #pragma once
 
 // The bytes of which the language is made, and where a byte of a text stands for a person.
+//
+//   is_symbol_char('>');                      // true
+//   begins_like_number("-.5");                // true
+//   place_of("cell.scm", text, offset);       // "cell.scm:3:7", that line, and a caret under it
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,9 @@
 #pragma once
 
 // Numbers as facts and files tell them: with few digits, and angles in degrees.
+//
+//   rounded(0.126, 100);            // 0.13
+//   degrees(radians(90));           // 90
 
 #include <cmath>
 #include <numbers>

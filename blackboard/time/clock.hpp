@@ -1,6 +1,8 @@
 #pragma once
 
 // Time as agents see it: microseconds since the epoch, real or virtual. Only an Executor knows what time it is.
+//
+//   const Time deadline = executor.now() + 500ms;
 
 #include <chrono>
 
