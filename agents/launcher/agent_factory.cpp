@@ -228,8 +228,10 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   camera.blur_sigma_px = description.noise.blur_px;
   camera.light_gradient = description.noise.gradient;
   for (const forms::CubePlacement& cube : description.cubes) {
-    const simulation::Mark mark = simulation::mark_from_name(cube.mark).value_or(simulation::Mark::circle);
-    config.cubes.push_back({cube.name, mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on, cube.edge_mm});
+    const std::optional<simulation::FaceMark> mark = simulation::face_mark_from_name(cube.mark);
+    if (!mark)
+      return fail("bad-cell", fmt::format("{} is no mark of the simulated world", cube.mark), Datum::string(cube.name));
+    config.cubes.push_back({cube.name, *mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on, cube.edge_mm});
   }
   const Result<void> sound = simulation::check(config);
   if (!sound) return fail(sound);

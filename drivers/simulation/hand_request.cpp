@@ -26,8 +26,8 @@ Result<std::vector<double>> lengths(const Datum& request, std::size_t first, std
 Result<void> add_cube(Cell& cell, const Datum& request) {
   const Result<std::vector<double>> to = lengths(request, 4, 2);
   if (!to) return fail(to);
-  const std::optional<Mark> mark = mark_from_name(word(request, 3));
-  if (!mark) return fail("bad-request", "a mark is circle, square, cross or triangle", request[3]);
+  const std::optional<FaceMark> mark = face_mark_from_name(word(request, 3));
+  if (!mark) return fail("bad-request", "that is no mark of this world, neither a shape nor a tag", request[3]);
   if (cell.hand().busy()) return fail("busy", "the hand is doing something else");
   const Result<CubeId> cube = cell.prepare(word(request, 2), *mark);
   if (!cube) return fail(cube);

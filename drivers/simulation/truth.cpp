@@ -166,7 +166,7 @@ Datum describe_scene(const Cell& cell, const WorldConfig& config, const forms::C
   out.push_back(list("camera"_sym, camera.at_mm[0], camera.at_mm[1], camera.at_mm[2], camera.pan_deg, camera.tilt_deg,
                      camera.roll_deg));
   for (CubeId cube = 0; cube < cell.physics().cubes(); ++cube) {
-    out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), mark_name(cell.mark(cube))));
+    out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), face_mark_name(cell.mark(cube))));
   }
   return Datum::list(std::move(out));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
 
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
@@ -14,9 +15,6 @@ namespace pizarra::simulation {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> names_of_marks = {"circle",   "square",    "cross",    "triangle",
-                                                             "arrow",    "hourglass", "house",    "star",
-                                                             "letter-h", "letter-t",  "letter-y", "letter-z"};
 constexpr double narrowest_view_px = 16;
 constexpr double widest_view_px = 4096;
 
@@ -83,16 +81,6 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
 }
 
 }  // namespace
-
-std::optional<Mark> mark_from_name(std::string_view name) {
-  const auto found = std::ranges::find(names_of_marks, name);
-  if (found == names_of_marks.end()) return std::nullopt;
-  return static_cast<Mark>(found - names_of_marks.begin());
-}
-
-std::string_view mark_name(Mark mark) { return names_of_marks[static_cast<std::size_t>(mark)]; }
-
-std::span<const std::string_view> mark_names() { return names_of_marks; }
 
 Result<void> check(const WorldConfig& config) {
   const TableConfig& table = config.table;

@@ -10,37 +10,17 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 #include "drivers/ptu/head_axes.hpp"
+#include "drivers/simulation/face_mark.hpp"
 #include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra::simulation {
-
-enum class Mark : std::uint8_t {
-  circle,
-  square,
-  cross,
-  triangle,
-  arrow,
-  hourglass,
-  house,
-  star,
-  letter_h,
-  letter_t,
-  letter_y,
-  letter_z
-};
-
-// Such as "circle" and "letter-h"; nothing for another word.
-std::optional<Mark> mark_from_name(std::string_view name);
-std::string_view mark_name(Mark mark);
-std::span<const std::string_view> mark_names();
 
 inline constexpr double cube_mass_kg = 0.15;  // whatever its size
 // Cubes in a world at once, the hand's included.
@@ -49,8 +29,8 @@ inline constexpr std::size_t max_cubes = 16;
 inline constexpr double gripper_opening_mm = 100;
 
 struct CubeConfig {
-  std::string name;  // [A-Za-z][A-Za-z0-9-]*, told apart without case
-  Mark mark = Mark::circle;
+  std::string name;              // [A-Za-z][A-Za-z0-9-]*, told apart without case
+  FaceMark mark = Mark::circle;  // on each of its faces
   double x_mm = 450;
   double y_mm = 0;
   double yaw_deg = 0;

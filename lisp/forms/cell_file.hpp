@@ -11,6 +11,7 @@
 //       (cube circle (at 450 -150) (yaw 5))                    ; its mark is the shape of its name
 //       (cube square (at 450 50) (size 40))                    ; smaller than the others
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
+//       (cube box (mark apriltag-36h11 17) (at 450 150))       ; a tag in place of a shape
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
@@ -67,7 +68,7 @@ namespace pizarra::forms {
 
 struct CubePlacement {
   std::string name;
-  std::string mark;  // such as circle: docs/write-a-cell.md lists them
+  std::string mark;  // such as circle or apriltag-36h11-17: docs/write-a-cell.md lists them
   double x_mm = 0;
   double y_mm = 0;
   double yaw_deg = 0;
@@ -183,8 +184,8 @@ struct CellDescription {
   double arm_rate_hz = 10;  // how often it tells its state while that changes
   std::optional<CellSlave> slave;
   PanTiltLine pan_tilt;
-  CameraSetup eyes;               // of the vision agent
-  std::vector<CellTags> tags;     // that it tells of unasked
+  CameraSetup eyes;            // of the vision agent
+  std::vector<CellTags> tags;  // that it tells of unasked
   std::string objects_directory;  // of the object database, empty: there is none
   std::string domain_file;        // a path that can be opened
   std::string board_host;

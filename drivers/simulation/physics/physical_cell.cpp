@@ -136,7 +136,7 @@ Result<CubeId> Cell::find(std::string_view name) const {
   return fail("unknown-object", fmt::format("no cube is called {}", name), Datum::string(name));
 }
 
-Result<CubeId> Cell::prepare(std::string_view name, Mark mark) {
+Result<CubeId> Cell::prepare(std::string_view name, const FaceMark& mark) {
   const Result<CubeId> known = find(name);
   if (known) {
     if (physics_.present(*known)) return fail("bad-request", fmt::format("{} is in the cell already", name));

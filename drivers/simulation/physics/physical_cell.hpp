@@ -34,9 +34,9 @@ class Cell {
   // The cube's number; names are compared without case. Failure: unknown-object.
   Result<CubeId> find(std::string_view name) const;
   // A cube of that name, away until the hand brings it; one that is away already is answered. Failure: bad-request.
-  Result<CubeId> prepare(std::string_view name, Mark mark);
+  Result<CubeId> prepare(std::string_view name, const FaceMark& mark);
   const std::string& name(CubeId cube) const { return cubes_[cube].name; }
-  Mark mark(CubeId cube) const { return cubes_[cube].mark; }
+  const FaceMark& mark(CubeId cube) const { return cubes_[cube].mark; }
 
   const Physics& physics() const { return physics_; }
   ArmMotion& arm() { return arm_; }
@@ -49,7 +49,7 @@ class Cell {
  private:
   struct CubeInfo {
     std::string name;
-    Mark mark;
+    FaceMark mark;
   };
   struct Load {
     double force_n = 0;

@@ -88,6 +88,17 @@ void paint_row(Canvas& canvas, const SeenSolid& solid, int y, Span outer, const 
   }
 }
 
+// The light cells on the dark square of a tag.
+template <int channels>
+void paint_cells(Canvas& canvas, const SeenCells& cells, const Outline& square, const Colour& colour,
+                 const Rect& within) {
+  const auto tone = tone_of<channels>(colour);
+  for (int y = within.top; y < within.bottom; ++y) {
+    const Span span = clipped(square.span(y, -0.5), within);
+    for (int x = span.first; x <= span.last; ++x) blend<channels>(canvas.at(x, y), tone, cells.light(x, y));
+  }
+}
+
 template <int channels>
 void paint_solid(Canvas& canvas, const SeenSolid& solid, const Rect& within) {
   const Rect area = solid.rect.intersected(within);
@@ -98,6 +109,7 @@ void paint_solid(Canvas& canvas, const SeenSolid& solid, const Rect& within) {
   for (const SeenFace& face : solid.faces) {
     for (const SeenDecal& decal : face.decals) {
       for (const Outline& part : decal.parts) paint_outline<channels>(canvas, part, decal.colour, area);
+      if (decal.cells) paint_cells<channels>(canvas, *decal.cells, decal.parts.front(), face.colour, area);
     }
   }
 }

@@ -113,8 +113,9 @@ SeenSolid see(const Eye& eye, const Solid& solid) {
     SeenFace& out =
         seen.faces.emplace_back(SeenFace{Outline(std::move(edges)), Outline(std::move(seams)), face->colour, {}});
     for (const Decal& decal : face->decals) {
-      SeenDecal& seen_decal = out.decals.emplace_back(SeenDecal{{}, decal.colour, decal.id});
+      SeenDecal& seen_decal = out.decals.emplace_back(SeenDecal{{}, decal.colour, decal.id, {}});
       for (const Points& part : decal.parts) seen_decal.parts.emplace_back(see(eye, part));
+      if (decal.cells) seen_decal.cells.emplace(eye, *decal.cells);
     }
   }
   seen.silhouette = Outline(std::move(silhouette));

@@ -11,6 +11,7 @@
 
 #include "drivers/simulation/render/eye.hpp"
 #include "drivers/simulation/render/outline.hpp"
+#include "drivers/simulation/render/seen_cells.hpp"
 #include "drivers/simulation/render/solid.hpp"
 
 namespace pizarra::simulation {
@@ -19,6 +20,7 @@ struct SeenDecal {
   std::vector<Outline> parts;
   Colour colour;
   int id;
+  std::optional<SeenCells> cells;
 };
 
 struct SeenFace {

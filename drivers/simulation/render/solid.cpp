@@ -77,4 +77,16 @@ void paint_mark(Face& face, const Vector3d& centre_mm, const Vector3d& up, Mark 
   face.decals.push_back(std::move(decal));
 }
 
+void paint_tag(Face& face, const Vector3d& centre_mm, const Vector3d& up, const std::shared_ptr<const TagPrint>& print,
+               double side_mm, const Colour& colour, int id) {
+  const Vector3d right = up.cross(face.normal) * side_mm;
+  const Vector3d down = -up * side_mm;
+  const Vector3d corner = centre_mm - right / 2 - down / 2;
+  const Points square = {corner, corner + down, corner + down + right, corner + right};
+  face.decals.push_back({.parts = {square},
+                         .colour = lit(colour, face.normal),
+                         .id = id,
+                         .cells = TagCells{print, corner, right / print->side, down / print->side}});
+}
+
 }  // namespace pizarra::simulation

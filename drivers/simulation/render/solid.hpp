@@ -4,8 +4,11 @@
 //
 //   Solid cube = make_box(pose, {0, 0, 0}, {30, 30, 30}, white);
 //   paint_mark(cube.faces[0], centre, up, Mark::circle, 1, black, id);
+//   paint_tag(cube.faces[2], centre, up, tag.print, 48, black, id);
 
 #include <Eigen/Geometry>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "drivers/simulation/render/mark_shape.hpp"
@@ -15,10 +18,19 @@ namespace pizarra::simulation {
 using Colour = Eigen::Vector3f;  // blue, green, red; 0..255
 using Points = std::vector<Eigen::Vector3d>;
 
+// Where the cells of a tag lie in the base frame. Its light ones have the colour of the face.
+struct TagCells {
+  std::shared_ptr<const TagPrint> print;
+  Eigen::Vector3d corner_mm;  // the upper left one of its print
+  Eigen::Vector3d right_mm;   // a cell to the right
+  Eigen::Vector3d down_mm;    // a cell down
+};
+
 struct Decal {
   std::vector<Points> parts;  // convex polygons in the face's plane; they may overlap
   Colour colour;
   int id = 0;  // above 0 for marks that the truth asks about
+  std::optional<TagCells> cells = {};
 };
 
 struct Face {
@@ -49,5 +61,8 @@ Solid make_prism(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm, d
 // direction in the plane.
 void paint_mark(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up, Mark mark, double scale,
                 const Colour& colour, int id);
+// Paints a tag whose dark square has sides of `side_mm`.
+void paint_tag(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up,
+               const std::shared_ptr<const TagPrint>& print, double side_mm, const Colour& colour, int id);
 
 }  // namespace pizarra::simulation

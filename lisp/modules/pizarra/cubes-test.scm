@@ -39,6 +39,21 @@
 (check "names are told apart without case"
        (complaint '(world (cube circle (at 450 0)) (cube Circle (mark circle) (at 450 100)))) '(1 repeated (0 2 2)))
 (check "an unknown mark is refused" (complaint '(world (cube a (mark moon) (at 450 0)))) '(1 unknown-name (0 2 1 2 1)))
+(check "a mark may be a tag"
+       (cubes-in '(cube lid (mark apriltag-36h11 17) (at 450 0)) '(cube box (mark aruco-4x4-50 3) (on lid)))
+       '((lid apriltag-36h11-17 450 0 0 "" 60) (box aruco-4x4-50-3 450 0 0 lid 60)))
+(check "a family has tags up to a number"
+       (list (cubes-in '(cube lid (mark apriltag-16h5 29) (at 450 0)))
+             (complaint '(world (cube lid (mark apriltag-16h5 30) (at 450 0))))
+             (complaint '(world (cube lid (mark apriltag-16h5 -1) (at 450 0)))))
+       '(((lid apriltag-16h5-29 450 0 0 "" 60)) (1 out-of-range (0 2 1 2 2)) (1 out-of-range (0 2 1 2 2))))
+(check "a tag has one whole number"
+       (list (complaint '(world (cube lid (mark apriltag-36h11) (at 450 0))))
+             (complaint '(world (cube lid (mark apriltag-36h11 1.5) (at 450 0))))
+             (complaint '(world (cube lid (mark apriltag-36h11 1 2) (at 450 0)))))
+       '((1 malformed (0 2 1 2)) (1 malformed (0 2 1 2 2)) (1 malformed (0 2 1 2 3))))
+(check "an unknown family is refused" (complaint '(world (cube a (mark apriltag-36h12 1) (at 450 0))))
+       '(1 unknown-name (0 2 1 2 1)))
 (check "what cannot be reached is refused" (complaint '(world (cube circle (at 4500 0)))) '(1 out-of-range (0 2 1 2 1)))
 
 (finish-checks)

@@ -11,6 +11,7 @@
 (define-module (pizarra cubes)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
+  #:use-module ((pizarra tags) #:select (dark-families tag-at))
   #:export (cubes-of cube-size-of openings-of row-of))
 
 (define marks '(circle triangle square cross arrow hourglass house star letter-h letter-t letter-y letter-z))
@@ -54,9 +55,15 @@
           (on (place-on on known))
           (else (complain! node 'malformed "the cube has no place: (at X Y) or (on CUBE)")))))
 
+;; Whether (mark ...) says a family of tags.
+(define (tag? mark)
+  (let ((word (node-ref mark 1)))
+    (and word (memq (node-datum word) dark-families))))
+
 (define (cube-mark node found name)
   (let ((mark (section-in found 'mark)))
-    (cond (mark (choice-at mark 1 "a mark" marks))
+    (cond ((and mark (tag? mark)) (tag-at mark))
+          (mark (choice-at mark 1 "a mark" (append marks dark-families)))
           ((memq name marks) name)
           (else (complain! node 'malformed "the cube ~a needs a (mark ...)~a" name (suggestion #f marks))))))
 
