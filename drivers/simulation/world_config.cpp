@@ -40,6 +40,11 @@ Result<void> check_camera(const CameraConfig& camera) {
   return bad("the camera's figures are out of range", "camera");
 }
 
+bool is_sound(const LampConfig& lamp) {
+  const auto placed = [](double mm) { return within(mm, -10'000, 10'000); };
+  return std::ranges::all_of(lamp.at_mm, placed) && lamp.at_mm[2] > 0 && within(lamp.part, 0, 1);
+}
+
 Result<void> check_cube(const WorldConfig& config, std::size_t index) {
   const CubeConfig& cube = config.cubes[index];
   if (!is_plain_name(cube.name)) return bad(fmt::format("\"{}\" is no name for a cube", cube.name), cube.name);
@@ -92,6 +97,7 @@ Result<void> check(const WorldConfig& config) {
   }
   const Result<void> camera = check_camera(config.camera);
   if (!camera) return camera;
+  if (config.second_lamp && !is_sound(*config.second_lamp)) return bad("no lamp stands or shines like that", "lamp");
   if (!within(config.cube_mm, 10, gripper_opening_mm)) return bad("no gripper takes cubes of that size", "cubes");
   if (config.cubes.size() > max_cubes) {
     return bad(fmt::format("a cell has at most {} cubes", max_cubes), "cubes");

@@ -8,6 +8,7 @@
 //                   {.name = "cross", .mark = Mark::cross, .on = "circle"}};
 //   Result<void> sound = check(config);
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -58,10 +59,17 @@ struct CameraConfig {
   double light_gradient = 0.12;  // how much brighter one edge of the image is than the other; direction by the seed
 };
 
+// A lamp beside the one high above the cell, with hard shadows.
+struct LampConfig {
+  std::array<double, 3> at_mm{};
+  double part = 0.4;  // of the light that it gives, 0..1
+};
+
 struct WorldConfig {
   std::uint64_t seed = 1;
   TableConfig table;
   CameraConfig camera;
+  std::optional<LampConfig> second_lamp = {};
   double cube_mm = 60;  // the edge of a cube of which nothing else is said; its marks grow with it
   std::vector<CubeConfig> cubes;
   double edge_mm(const CubeConfig& cube) const { return cube.edge_mm.value_or(cube_mm); }
@@ -70,8 +78,8 @@ struct WorldConfig {
   std::optional<arm::Joints> start_joints;  // the arm's ready pose where not given
 };
 
-// Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, camera
-// or cube figures out of range, too many cubes.
+// Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, figures
+// of camera, lamp or cubes out of range, too many cubes.
 Result<void> check(const WorldConfig& config);
 
 }  // namespace pizarra::simulation

@@ -141,6 +141,11 @@ std::vector<CellTags> tags_from_datum(const Datum& tags) {
   return out;
 }
 
+std::optional<CellLamp> lamp_from_datum(const Datum& lamp) {
+  if (lamp.size() == 0) return std::nullopt;
+  return CellLamp{{lamp[0].number(), lamp[1].number(), lamp[2].number()}, lamp[3].number()};
+}
+
 std::optional<CellDoor> door_from_datum(const Datum& datum, const std::string& file) {
   if (datum.size() == 0) return std::nullopt;
   CellDoor door;
@@ -221,6 +226,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.scheme_agents = scheme_agents_from_datum(datum[21], file);
   cell.tags = tags_from_datum(datum[22]);
   cell.door = door_from_datum(datum[23], file);
+  cell.second_lamp = lamp_from_datum(datum[25]);
   return cell;
 }
 

@@ -12,6 +12,7 @@
 //       (cube square (at 450 50) (size 40))                    ; smaller than the others
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
 //       (cube box (mark apriltag-36h11 17) (at 450 150))       ; a tag in place of a shape
+//       (lamp (at 900 -600 1200) (part 0.4))                   ; a second one, with hard shadows: part of the light
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
@@ -81,6 +82,12 @@ struct CellNoise {
   double sensor_grey = 3;
   double blur_px = 0.7;
   double gradient = 0.12;
+};
+
+// A second lamp in the world, and which part of the light is its own.
+struct CellLamp {
+  std::array<double, 3> at_mm{};
+  double part = 0;
 };
 
 // How far the gripper opens around a cube: at least, as a rule, and where there is room.
@@ -172,6 +179,7 @@ struct CellDescription {
   std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
   int frames_per_s = 10;         // of the simulated camera
   CellNoise noise;
+  std::optional<CellLamp> second_lamp;
   double cube_mm = 60;  // no cube is larger
   GripperOpenings openings;
   CubeRow row;

@@ -111,6 +111,7 @@ void paint_solid(Canvas& canvas, const SeenSolid& solid, const Rect& within) {
       for (const Outline& part : decal.parts) paint_outline<channels>(canvas, part, decal.colour, area);
       if (decal.cells) paint_cells<channels>(canvas, *decal.cells, decal.parts.front(), face.colour, area);
     }
+    if (!face.shadows.empty()) shade(canvas, face.shadows, face.shadow_dark, area);
   }
 }
 
@@ -141,6 +142,26 @@ void shade(Canvas& canvas, const Outline& outline, float dark, double softness_p
       const double part = std::clamp(0.5 + outline.distance(x, y) / (2 * softness_px), 0.0, 1.0);
       const float keep = 1 - dark * static_cast<float>(part * part * (3 - 2 * part));
       for (int c = 0; c < canvas.channels; ++c) canvas.at(x, y)[c] *= keep;
+    }
+  }
+}
+
+void shade(Canvas& canvas, const std::vector<Outline>& outlines, float dark, const Rect& within) {
+  std::vector<float> shaded(static_cast<std::size_t>(canvas.width));  // how far each pixel of a row is
+  for (int y = within.top; y < within.bottom; ++y) {
+    Span all{canvas.width, -1};
+    for (const Outline& outline : outlines) {
+      const Span span = clipped(outline.span(y, -0.5), within);
+      for (int x = span.first; x <= span.last; ++x) {
+        float& of_pixel = shaded[static_cast<std::size_t>(x)];
+        of_pixel = std::max(of_pixel, outline.coverage(x, y));
+      }
+      if (!span.empty()) all = {std::min(all.first, span.first), std::max(all.last, span.last)};
+    }
+    for (int x = all.first; x <= all.last; ++x) {
+      float& of_pixel = shaded[static_cast<std::size_t>(x)];
+      for (int c = 0; c < canvas.channels; ++c) canvas.at(x, y)[c] *= 1 - dark * of_pixel;
+      of_pixel = 0;
     }
   }
 }

@@ -37,4 +37,7 @@ void paint(Canvas& canvas, const Outline& outline, const Colour& colour, const R
 // Takes away `dark` (0..1) of the light inside, fading over `softness_px` around the edge.
 void shade(Canvas& canvas, const Outline& outline, float dark, double softness_px, const Rect& within);
 
+// The same inside any of them, sharply: where they lie over each other it is no darker.
+void shade(Canvas& canvas, const std::vector<Outline>& outlines, float dark, const Rect& within);
+
 }  // namespace pizarra::simulation

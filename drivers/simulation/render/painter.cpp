@@ -110,8 +110,9 @@ SeenSolid see(const Eye& eye, const Solid& solid) {
       edges.push_back(Outline::edge(q, p));
       (shares(turned, from, to) ? seams : silhouette).push_back(edges.back());
     }
-    SeenFace& out =
-        seen.faces.emplace_back(SeenFace{Outline(std::move(edges)), Outline(std::move(seams)), face->colour, {}});
+    SeenFace& out = seen.faces.emplace_back(
+        SeenFace{Outline(std::move(edges)), Outline(std::move(seams)), face->colour, {}, {}, face->shadow_dark});
+    for (const Points& shadow : face->shadows) out.shadows.emplace_back(see(eye, shadow));
     for (const Decal& decal : face->decals) {
       SeenDecal& seen_decal = out.decals.emplace_back(SeenDecal{{}, decal.colour, decal.id, {}});
       for (const Points& part : decal.parts) seen_decal.parts.emplace_back(see(eye, part));

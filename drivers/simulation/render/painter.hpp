@@ -28,6 +28,8 @@ struct SeenFace {
   Outline seams;  // only the edges towards other seen faces
   Colour colour;
   std::vector<SeenDecal> decals;
+  std::vector<Outline> shadows;
+  float shadow_dark;
 };
 
 struct SeenSolid {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "drivers/simulation/gripper_shape.hpp"
+#include "drivers/simulation/render/convex.hpp"
+#include "drivers/simulation/render/second_lamp.hpp"
 
 namespace pizarra::simulation {
 
@@ -149,25 +151,9 @@ void add_fist(std::vector<Solid>& solids, const Vector3d& at) {
   solids.push_back(make_prism(at + out * 110, at + out * 480, 33, 44, round_sides, sleeve));
 }
 
-double cross(const Vector2d& o, const Vector2d& a, const Vector2d& b) {
-  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-}
-
-// Andrew's monotone chain.
-Points hull_on_table(std::vector<Vector2d> points) {
-  std::ranges::sort(points, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
-  std::vector<Vector2d> hull;
-  for (const int pass : {0, 1}) {
-    const std::size_t start = hull.size();
-    for (const Vector2d& point : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    if (pass == 0) std::ranges::reverse(points);
-  }
+Points lying_on_table(const Polygon& polygon) {
   Points out;
-  for (const Vector2d& point : hull) out.emplace_back(point.x(), point.y(), 0);
+  for (const Vector2d& point : polygon) out.emplace_back(point.x(), point.y(), 0);
   return out;
 }
 
@@ -181,8 +167,23 @@ void add_shadow(std::vector<Points>& shadows, const Solid& solid, const TableCon
     points.emplace_back(std::clamp(on.x(), table.x_low_mm, table.x_high_mm),
                         std::clamp(on.y(), table.y_low_mm, table.y_high_mm));
   }
-  Points hull = hull_on_table(std::move(points));
+  Points hull = lying_on_table(convex_hull(std::move(points)));
   if (hull.size() > 2) shadows.push_back(std::move(hull));
+}
+
+// Its shadows fall on the table and on cubes: those on the arm's round limbs would be many and narrow.
+void light_by(const LampConfig& lamp, const TableConfig& table, std::size_t cubes, Scene& scene) {
+  add_light(lamp, scene.solids);
+  add_shadows(lamp, scene.solids, cubes);
+  std::vector<const Solid*> casters;
+  for (const Solid& solid : scene.solids) casters.push_back(&solid);
+  const Points border = {{table.x_low_mm, table.y_low_mm, 0},
+                         {table.x_high_mm, table.y_low_mm, 0},
+                         {table.x_high_mm, table.y_high_mm, 0},
+                         {table.x_low_mm, table.y_high_mm, 0}};
+  const Vector3d middle = (border[0] + border[2]) / 2;
+  scene.hard_shadows = shadows_on(lamp, border, Vector3d::UnitZ(), casters);
+  scene.hard_shadow_dark = static_cast<float>(part_in_shadow(lamp, middle, Vector3d::UnitZ()));
 }
 
 }  // namespace
@@ -191,6 +192,7 @@ std::vector<Solid> still_solids(const WorldConfig& config) {
   std::vector<Solid> solids;
   solids.push_back(table_solid(config.table));
   if (!config.arm.axis_of(arm::Role::track)) add_pedestal(solids, config.arm, Vector3d::Zero());
+  if (config.second_lamp) add_light(*config.second_lamp, solids);
   return solids;
 }
 
@@ -209,6 +211,7 @@ Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
   }
   add_arm(scene.solids, config.arm, snapshot.joints);
   if (snapshot.fist_mm) add_fist(scene.solids, *snapshot.fist_mm);
+  if (config.second_lamp) light_by(*config.second_lamp, config.table, gripper, scene);
   return scene;
 }
 

@@ -32,6 +32,9 @@ inline constexpr int effector_id = 1;
 struct Scene {
   std::vector<Solid> solids;
   std::vector<Points> shadows;  // convex, on the table, one for each thing that casts one
+  // Hard ones on the table, where there is a second lamp, and the part of the light that they take.
+  std::vector<Points> hard_shadows = {};
+  float hard_shadow_dark = 0;
 };
 
 // Table and pedestal, far to near.

@@ -15,7 +15,7 @@ Face make_face(const Points& points, std::vector<int> vertices, const Colour& co
   const Vector3d& b = points[static_cast<std::size_t>(vertices[1])];
   const Vector3d& c = points[static_cast<std::size_t>(vertices[2])];
   const Vector3d normal = (b - a).cross(c - b).normalized();
-  return {std::move(vertices), normal, lit(colour, normal), {}};
+  return {std::move(vertices), normal, lit(colour, normal), {}, {}, 0};
 }
 
 }  // namespace

@@ -38,6 +38,9 @@ struct Face {
   Eigen::Vector3d normal;
   Colour colour;  // with the light on it
   std::vector<Decal> decals;
+  // Hard, convex, within the face; each takes this part of its light, and several no more than one.
+  std::vector<Points> shadows = {};
+  float shadow_dark = 0;
 };
 
 struct Solid {

@@ -36,6 +36,23 @@ Rect difference(const std::vector<Corners>& before, const std::vector<Corners>& 
   return changed;
 }
 
+std::vector<Outline> on_table(const Eye& eye, const Scene& scene) {
+  std::vector<Outline> out;
+  for (const Points& shadow : scene.hard_shadows) out.emplace_back(see(eye, shadow));
+  return out;
+}
+
+std::vector<Corners> see_hard_shadows(const Eye& eye, const Scene& scene) {
+  std::vector<Corners> out;
+  for (const Points& shadow : scene.hard_shadows) out.push_back(see(eye, shadow));
+  for (const Solid& solid : scene.solids) {
+    for (const Face& face : solid.faces) {
+      for (const Points& shadow : face.shadows) out.push_back(see(eye, shadow));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 struct StereoRenderer::View {
@@ -58,6 +75,7 @@ struct StereoRenderer::View {
   bool exposed = false;
   std::vector<Corners> solids;  // as last painted
   std::vector<Corners> shadows;
+  std::vector<Corners> hard_shadows;  // on the table, and on what stands there
 };
 
 StereoRenderer::StereoRenderer(const WorldConfig& config, const Random& random) : config_(config), random_(random) {}
@@ -67,17 +85,19 @@ StereoRenderer::~StereoRenderer() = default;
 std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene, std::uint64_t frame) {
   std::vector<Corners> solids;
   std::vector<Corners> shadows;
+  std::vector<Corners> hard_shadows = see_hard_shadows(view.eye, scene);
   for (const Solid& solid : scene.solids) solids.push_back(see(view.eye, solid.vertices));
   for (const Points& shadow : scene.shadows) shadows.push_back(see(view.eye, shadow));
   const int soft = static_cast<int>(shadow_softness_px) + 1;
   const Rect moved_shadows = difference(view.shadows, shadows);
-  Rect changed = difference(view.solids, solids);
+  Rect changed = difference(view.solids, solids).united(difference(view.hard_shadows, hard_shadows));
   if (!moved_shadows.empty()) changed = changed.united(moved_shadows.grown(soft));
   if (!view.exposed) changed = view.canvas.rect();
   changed = changed.empty() ? changed : sensor_->needed(changed).intersected(view.canvas.rect());
   view.exposed = true;
   view.solids = std::move(solids);
   view.shadows = std::move(shadows);
+  view.hard_shadows = std::move(hard_shadows);
 
   if (!changed.empty()) {
     const Rect area = sensor_->needed(changed).intersected(view.canvas.rect());
@@ -89,6 +109,8 @@ std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene
       const Rect within = rect_around(shadow).grown(soft).intersected(area);
       if (!within.empty()) shade(view.canvas, Outline(shadow), shadow_dark, shadow_softness_px, within);
     }
+    const std::vector<Outline> hard = on_table(view.eye, scene);
+    if (!hard.empty()) shade(view.canvas, hard, scene.hard_shadow_dark, area);
     std::vector<SeenSolid> seen;
     for (const Solid& solid : scene.solids) seen.push_back(see(view.eye, solid));
     for (const std::size_t index : paint_order(view.eye, scene.solids, seen)) paint(view.canvas, seen[index], area);

@@ -2,11 +2,18 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 0 "" 10 ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()))))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) ())))
 (check "a blur up to what the renderer can make is accepted" (car (complaint '(world (noise (blur 2))))) 'ok)
 (check "a wider blur is refused" (complaint '(world (noise (blur 2.1)))) '(1 out-of-range (0 2 1 1 1)))
 (define (agents-of . sections)
   (cddar (apply cell-part 8 sections)))
+(check "a second lamp has a place and a part of the light"
+       (list (cell-part 25 '(world (lamp (at 900 -600 1200)))) (cell-part 25 '(world (lamp (part 0.6) (at 0 0 900)))))
+       '((900 -600 1200 0.4) (0 0 900 0.6)))
+(check "a lamp without a place, among the cubes or too bright is refused"
+       (list (complaint '(world (lamp (part 0.4)))) (complaint '(world (lamp (at 900 -600 100))))
+             (complaint '(world (lamp (at 900 -600 900) (part 0.8)))))
+       '((1 malformed (0 2 1 2)) (1 out-of-range (0 2 1 1 3)) (1 out-of-range (0 2 1 2 1))))
 (check "cameras on a pan-tilt unit bring the agent that turns it"
        (list (list-ref (cell-part 1 '(world (camera (head ptu46-70)))) 6) (agents-of '(world (camera (head ptu46-70)))))
        '(ptu46-70 (robot vision pan-tilt planner coordinator person)))

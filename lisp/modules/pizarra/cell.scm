@@ -3,14 +3,15 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
 ;;        BOARD-HOST BOARD-ADDRESS (HOST ...) CUBE-SIZE OPENINGS ROW BOARD-KEYS PAN-TILT ROOM DRIVER OBJECTS CAMERA
-;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE))
+;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP))
 ;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take; ROOM
 ;; is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
 ;; simulated arm; OBJECTS the folder of the object database, or empty; SLAVE the second arm,
 ;; (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or (); RATE how often a second the arm tells its state.
 ;; The modules used below say the rest: cubes, CUBE-SIZE, OPENINGS, ROW; hosts, BOARD-..., agents that are Scheme files;
 ;; PAN-TILT, DOOR, and the tags that the eyes look for; CAMERA, the agent's own, or () for the simulated ones; GRIPPER,
-;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be.
+;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,
+;; (X Y Z PART), or ().
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -32,7 +33,10 @@
 ;; Each takes a whole number of the world's steps.
 (define frame-rates '(10 20 30 40 60))
 
-;; ---- camera and noise
+;; Above whatever it shines on.
+(define lamp-places-mm '((-3000 3000) (-3000 3000) (800 3000)))
+
+;; ---- camera and light
 
 (define (camera-of found)
   (let* ((camera (section-in found 'camera))
@@ -72,6 +76,15 @@
     (append (numbers-in parts 'sensor '((0 20)) '(3))
             (numbers-in parts 'blur '((0 2)) '(0.7))
             (numbers-in parts 'gradient '((0 0.9)) '(0.12)))))
+
+;; The second lamp, and which part of the light is its own.
+(define (lamp-of found)
+  (let* ((lamp (section-in found 'lamp))
+         (parts (if lamp (sections (node-rest (node-within lamp "in the lamp")) '(at part)) '())))
+    (cond ((not lamp) '())
+          ((not (section-in parts 'at)) (complain-missing! lamp '(at) "the lamp has no place: (at X Y Z)") '())
+          (else (append (numbers-in parts 'at lamp-places-mm '(0 0 1000))
+                        (numbers-in parts 'part '((0 0.7)) '(0.4)))))))
 
 ;; ---- arms
 
@@ -148,7 +161,7 @@
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
-                               '(camera cube cube-size noise openings row) '(cube))
+                               '(camera cube cube-size lamp noise openings row) '(cube))
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
@@ -201,7 +214,8 @@
           agents
           (tags-of found)
           (door-of found (third board))
-          (believed-camera-of found camera))))
+          (believed-camera-of found camera)
+          (lamp-of things))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))
