@@ -88,6 +88,9 @@ std::unique_ptr<BuiltAgent> build_vision(runtime::AgentContext context, const fo
   camera::StereoCamera& camera = devices.keep(std::move(eyes));
   vision::VisionOptions options{.objects_directory = description.objects_directory};
   for (const auto& [family, side_mm] : description.tags) options.tags.push_back({family, side_mm});
+  for (const auto& [name, family, number, side_mm] : description.tagged) {
+    options.tagged.push_back({name, {family, number}, side_mm});
+  }
   return built<vision::VisionAgent>(std::move(devices), std::move(context), camera, streams, std::move(options));
 }
 

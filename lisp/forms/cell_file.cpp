@@ -141,6 +141,15 @@ std::vector<CellTags> tags_from_datum(const Datum& tags) {
   return out;
 }
 
+std::vector<CellTagged> tagged_from_datum(const Datum& tagged) {
+  std::vector<CellTagged> out;
+  for (const Datum& each : tagged.items()) {
+    out.push_back({std::string(each[0].text()), std::string(each[1].text()), static_cast<int>(each[2].integer()),
+                   each[3].number()});
+  }
+  return out;
+}
+
 std::optional<CellLamp> lamp_from_datum(const Datum& lamp) {
   if (lamp.size() == 0) return std::nullopt;
   return CellLamp{{lamp[0].number(), lamp[1].number(), lamp[2].number()}, lamp[3].number()};
@@ -227,6 +236,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.tags = tags_from_datum(datum[22]);
   cell.door = door_from_datum(datum[23], file);
   cell.second_lamp = lamp_from_datum(datum[25]);
+  cell.tagged = tagged_from_datum(datum[26]);
   return cell;
 }
 

@@ -36,6 +36,8 @@
 //     (camera (pair (device 0) (device 2)) (calibration "pair.calibration"))   ; camera_setup.hpp
 //     (tags (apriltag-36h11 40) (aruco-4x4-50 22.5))           ; families of tags that the eyes tell of without having
 //                                                              ; been shown them, and the sides of their squares, mm
+//     (tagged (box apriltag-36h11 17 48))                      ; objects that they know by their tags, without having
+//                                                              ; been shown them: name, tag and its side
 //     (agent conveyor (scheme "conveyor.scm"))                 ; an agent of one's own (docs/scheme-agents.md); with
 //                                                              ; (time 1000) (memory 64) (rate 1000) (key "FILE")
 //     (door (tcp 7801) (serial "/dev/ttyUSB0" 9600) (keys "keys"))   ; of small devices (docs/small-devices.md)
@@ -154,6 +156,14 @@ struct CellTags {
   bool operator==(const CellTags&) const = default;
 };
 
+// An object that the eyes know by its tag.
+struct CellTagged {
+  std::string name;
+  std::string family;
+  int number = 0;
+  double side_mm = 0;
+};
+
 // The text door, on the board's host.
 struct CellDoor {
   struct Line {
@@ -194,6 +204,7 @@ struct CellDescription {
   PanTiltLine pan_tilt;
   CameraSetup eyes;            // of the vision agent
   std::vector<CellTags> tags;  // that it tells of unasked
+  std::vector<CellTagged> tagged;
   std::string objects_directory;  // of the object database, empty: there is none
   std::string domain_file;        // a path that can be opened
   std::string board_host;

@@ -143,6 +143,16 @@ Task<Result<Datum>> KnownObjects::rename(std::string client, std::string name, s
   co_return Datum();
 }
 
+Task<Result<void>> KnownObjects::know(TaggedObject object) {
+  if (objects().find(object.name) != nullptr) co_return {};
+  Result<LearnedSample> sample = learn_print(object, objects());
+  if (!sample) co_return fail(sample);
+  ObjectChange keep = KeepSample{object.name, std::move(*sample)};
+  const Result<std::int64_t> kept = co_await change(std::move(keep));
+  if (!kept) co_return fail(kept);
+  co_return {};
+}
+
 Task<Result<Datum>> KnownObjects::learn_from(std::string other) {
   co_await follow_memory();
   const Result<LearnedObjects> theirs = co_await memory_.known_to(other);

@@ -11,6 +11,7 @@
 
 #include "agents/vision/agent/client_presence.hpp"
 #include "agents/vision/agent/fact_teller.hpp"
+#include "agents/vision/agent/printed_tag.hpp"
 #include "agents/vision/agent/samples_to_accept.hpp"
 #include "agents/vision/database/object_memory.hpp"
 
@@ -44,6 +45,9 @@ class KnownObjects {
   Task<Result<Datum>> reject(std::string client, std::string name);
   Task<Result<Datum>> forget(std::string client, std::string name);
   Task<Result<Datum>> rename(std::string client, std::string name, std::string new_name);
+  // Nobody is to accept it; nothing is done where something is known under its name. Failures: those of learn_print()
+  // and of ObjectMemory.
+  Task<Result<void>> know(TaggedObject object);
   // Takes over the objects of other eyes under names that are unused here. Answers these names.
   Task<Result<Datum>> learn_from(std::string other);
 

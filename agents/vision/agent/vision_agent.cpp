@@ -4,6 +4,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "agents/vision/agent/frame_pace.hpp"
+#include "agents/vision/agent/reply_text.hpp"
 #include "agents/vision/agent/vision_contract.hpp"
 #include "agents/vision/agent/vision_state.hpp"
 
@@ -68,6 +69,7 @@ Task<Result<void>> VisionAgent::State::run() {
   if (!started) co_return started;
   const Result<void> recalled = co_await known.recall();
   if (!recalled) co_return recalled;
+  co_await know_tagged();
   co_await state.tell();
   co_await known.tell();
   if (!tags.empty()) feed.start();
@@ -76,6 +78,16 @@ Task<Result<void>> VisionAgent::State::run() {
   runtime::RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   const Result<void> served = co_await service->serve_requests(std::move(handler));
   co_return served;
+}
+
+// What cannot be known so is told as if LEARN had failed.
+Task<void> VisionAgent::State::know_tagged() {
+  for (const TaggedObject& object : options.tagged) {
+    const Result<void> known_now = co_await known.know(object);
+    if (known_now) continue;
+    std::string text = learn_reply(object.name, false);
+    [[maybe_unused]] const Result<Datum> told = co_await answer_failed(std::move(text), known_now.error());
+  }
 }
 
 Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "agents/runtime/agent.hpp"
+#include "agents/vision/agent/printed_tag.hpp"
 #include "agents/vision/sight/tags_in_view.hpp"
 #include "blackboard/stream.hpp"
 #include "drivers/camera/stereo_camera.hpp"
@@ -31,6 +32,8 @@ struct VisionOptions {
   std::string objects_directory;
   // Tags that are told as they come into view, although nobody asked. The camera is open all the time then.
   std::vector<SizedFamily> tags = {};
+  // Objects that are known by their tags from the beginning. What is known under such a name already stays as it is.
+  std::vector<TaggedObject> tagged = {};
 };
 
 class VisionAgent : public runtime::Agent {

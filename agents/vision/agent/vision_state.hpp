@@ -51,6 +51,7 @@ struct VisionAgent::State {
   Task<Result<Datum>> learn_from(Asked asked) { return known.learn_from(asked.name); }
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
 
+  Task<void> know_tagged();
   Task<void> on_frame(camera::StereoFrame frame);
   // While something is tracked and no frame comes, that nothing is seen.
   Task<void> tell_silence();

@@ -3,7 +3,8 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
 ;;        BOARD-HOST BOARD-ADDRESS (HOST ...) CUBE-SIZE OPENINGS ROW BOARD-KEYS PAN-TILT ROOM DRIVER OBJECTS CAMERA
-;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP))
+;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP
+;;        ((NAME FAMILY NUMBER SIDE) ...)))
 ;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take; ROOM
 ;; is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
 ;; simulated arm; OBJECTS the folder of the object database, or empty; SLAVE the second arm,
@@ -155,7 +156,7 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera camera-pose tags pan-tilt objects domain board
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera camera-pose tags tagged pan-tilt objects domain board
                                                           agent host door)
                           '(agent host)))
          (world (section-in found 'world))
@@ -215,7 +216,8 @@
           (tags-of found)
           (door-of found (third board))
           (believed-camera-of found camera)
-          (lamp-of things))))
+          (lamp-of things)
+          (tagged-of found))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

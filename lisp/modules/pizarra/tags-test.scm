@@ -19,4 +19,25 @@
        '(1 too-many (0 2 5)))
 (check "tags may be said once" (tags '(tags (apriltag-36h11 40)) '(tags (aruco-4x4-50 40))) '(1 repeated (0 3)))
 
+;; The same of tagged objects.
+(define (tagged . objects)
+  (cell-part 26 `(tagged ,@objects)))
+
+(check "objects may be known by their tags"
+       (tagged '(lid apriltag-36h11 17 48) '(box aruco-4x4-50 3 22.5))
+       '((lid apriltag-36h11 17 48) (box aruco-4x4-50 3 22.5)))
+(check "a tagged object has a name, a family, a number and a side"
+       (list (tagged) (tagged '(lid)) (tagged '(lid apriltag-36h11)) (tagged '(lid apriltag-36h11 17)) (tagged 17))
+       '((1 malformed (0 2)) (1 malformed (0 2 1)) (1 malformed (0 2 1)) (1 malformed (0 2 1)) (1 malformed (0 2 1))))
+(check "a tag that no family has is refused"
+       (list (tagged '(lid apriltag-36h12 1 48)) (tagged '(lid apriltag-16h5 30 48)))
+       '((1 unknown-name (0 2 1 1)) (1 out-of-range (0 2 1 2))))
+(check "a tagged object's side is a length, and nothing follows it"
+       (list (tagged '(lid apriltag-36h11 17 0)) (tagged '(lid apriltag-36h11 17 48 1)))
+       '((1 out-of-range (0 2 1 3)) (1 malformed (0 2 1 4))))
+(check "no two objects have one name or one tag"
+       (list (tagged '(lid apriltag-36h11 17 48) '(Lid apriltag-36h11 18 48))
+             (tagged '(lid apriltag-36h11 17 48) '(box apriltag-36h11 17 40)))
+       '((1 repeated (0 2 2)) (1 repeated (0 2 2))))
+
 (finish-checks)

@@ -1,14 +1,16 @@
 ;; Tags in cell files: those that a cell's eyes look for without having been shown them, (tags (FAMILY SIDE-MM) ...);
-;; and the tag that a cube of the world wears, (mark FAMILY NUMBER).
+;; objects that they know by their tags, (tagged (NAME FAMILY NUMBER SIDE-MM) ...); and the tag that a cube of the world
+;; wears, (mark FAMILY NUMBER).
 ;;
 ;; (tags-of FOUND), FOUND the sections of a cell, answers ((FAMILY SIDE-MM) ...), or () where it names none. SIDE-MM is
 ;; that of the dark square, or of the light one of the last three families, within their dark line.
+;; (tagged-of FOUND) answers ((NAME FAMILY NUMBER SIDE-MM) ...), or ().
 ;; (tag-at NODE), of a list that ends with a family and a number, answers the tag's name, as apriltag-36h11-17, or #f.
 
 (define-module (pizarra tags)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (dark-families tags-of tag-at))
+  #:export (dark-families tags-of tagged-of tag-at))
 
 ;; As the eyes call them.
 (define families
@@ -59,3 +61,29 @@
     (refuse-more node 3 "(mark FAMILY NUMBER)")
     (and tag
          (symbol-append (first tag) '- (string->symbol (number->string (second tag)))))))
+
+;; The eyes know 32 objects, the gripper's mark among them.
+(define most-tagged 31)
+
+(define (tagged-object node)
+  (let* ((name (plain-name-at node 0 "the object's name"))
+         (tag (and name (family-and-number node 1)))
+         (side (and tag (number-at node 3 "the side of the tag's dark square"))))
+    (refuse-more node 4 "(NAME FAMILY NUMBER SIDE)")
+    (cond ((not side) #f)
+          ((<= (first side-mm) side (second side-mm)) `(,name ,@tag ,side))
+          (else (complain! (node-ref node 3) 'out-of-range "this must lie between ~a and ~a" (first side-mm)
+                           (second side-mm))))))
+
+(define (tagged-of found)
+  (let* ((node (section-in found 'tagged))
+         (given (if node (node-rest (node-within node "in the tagged objects")) '())))
+    (when (and node (null? given))
+      (complain! node 'malformed "tagged objects are (tagged (NAME FAMILY NUMBER SIDE) ...)"))
+    (refuse-repeated given (lambda (one) (and=> (node-head one) (lambda (name) (string-downcase (symbol->string name)))))
+                     "an object")
+    (refuse-repeated given (lambda (one) (and (pair? (node-datum one)) (list? (node-datum one))
+                                              (>= (length (node-datum one)) 3)
+                                              (list (second (node-datum one)) (third (node-datum one)))))
+                     "an object with the tag")
+    (filter-map tagged-object (at-most given most-tagged "objects with tags"))))
