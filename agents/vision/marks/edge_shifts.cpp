@@ -12,12 +12,10 @@ namespace pizarra::vision {
 namespace {
 
 // So far from an edge, and from where its change ends to either side, no other border may be, px; and no nearer than
-// motion reaches that blurs as much. Nor may any bend be near along its own, as a part of the mark's standard
-// deviation: the template rounds it there.
+// motion reaches that blurs as much. Nor may the template round it there.
 constexpr double clear_px = 2.5;
 constexpr double reach_of_motion = std::numbers::sqrt3;  // in standard deviations of its blur, either way
 constexpr double half_change_px = 1.5;
-constexpr double rounded_share = 0.25;
 // Edges that are so many times as far off as all are wide by something else than blur.
 constexpr double stray = 2.5;
 // How much blur in all directions alike counts, where few directions of edges say otherwise, for each edge.
@@ -79,7 +77,7 @@ bool is_clear(const cv::Vec2d& way, const Blur& blur) {
 bool is_clear_of_bends(const PlaneFit& fit, const PlaneOutline::Point& point, const BendsAround& bends,
                        const cv::Vec2d& normal, const Blur& blur) {
   if (!bends.any) return true;
-  if (point.from_bend <= rounded_share) return false;
+  if (point.is_rounded()) return false;
   const cv::Point2d place = fit.in_image(point.at);
   return std::ranges::all_of(bends.next, [&](const Bend& bend) {
     const cv::Point2d corner = fit.in_image(bend.at);

@@ -32,9 +32,11 @@ constexpr double usual_perspective = 0.03;
 // Of an edge, px: at least so much.
 constexpr double least_edge_spread = 0.08;
 constexpr double biweight = 4.685;
-// Edges farther off support nothing: px, and a part of the mark's standard deviation.
+// Edges farther off support nothing: px, and a part of the mark's standard deviation. So far off they do not speak
+// against it either where the template rounds a corner that is sharp.
 constexpr double most_off_px = 0.75;
 constexpr double most_off_share = 0.04;
+constexpr double most_off_share_rounded = 0.1;
 
 bool is_within(const cv::Mat1b& image, double x, double y) {
   return x >= 0 && y >= 0 && x < image.cols - 1 && y < image.rows - 1;
@@ -233,13 +235,16 @@ class Registration {
   bool judge() {
     if (!measure(cvCeil(least_reach_px))) return false;
     const double most = std::max({most_off_px, most_off_share * size_px_, 3 * spread()});
+    const double most_if_rounded = std::max(most, most_off_share_rounded * size_px_);
     double squares = 0;
     int counted = 0;
     int supporting = 0;
     for (PlaneEdge& edge : fit_.edges) {
       if (!edge.counts) continue;
-      ++counted;
-      edge.is_border = edge.found && std::abs(edge.off_px) < most;
+      const double off = std::abs(edge.off_px);
+      edge.is_border = edge.found && off < most;
+      const bool is_rounded = edge.found && outline_.points[edge.point].is_rounded() && off < most_if_rounded;
+      counted += edge.is_border || !is_rounded ? 1 : 0;
       if (!edge.is_border) continue;
       ++supporting;
       squares += edge.off_px * edge.off_px;

@@ -42,6 +42,9 @@ struct PlaneOutline {
     cv::Vec2d out;       // a unit vector towards the ground
     double from_corner;  // along the border: from a sharp corner
     double from_bend;    // from any corner, the template's rounded ones too
+    // The template rounds the border so far on either side of a corner.
+    static constexpr double rounded_reach = 0.25;
+    bool is_rounded() const { return from_bend <= rounded_reach; }
   };
   std::vector<Point> points;  // evenly along all borders
   cv::Vec2d middle;           // of the area within them, which no light shifts as it may the centroid of the levels

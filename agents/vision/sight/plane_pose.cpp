@@ -266,13 +266,13 @@ double covered_rather_than_tilted(const PlanePose& pose, double tilted_for_one_c
   return contradicted > 0 ? std::max(by_perspective, 1 - std::exp(-contradicted)) : by_perspective;
 }
 
-double off_if_bent_px(const PlaneFit& fit) {
+double off_if_bent_px(const PlaneOutline& outline, const PlaneFit& fit) {
   double together = 0;
   double apart = 0;
   int count = 0;
   const PlaneEdge* before = nullptr;
   for (const PlaneEdge& edge : fit.edges) {
-    const bool there = edge.counts && edge.is_border;
+    const bool there = edge.counts && edge.is_border && !outline.points[edge.point].is_rounded();
     if (there && before != nullptr) {
       together += edge.off_px * edge.off_px;
       apart += (edge.off_px - before->off_px) * (edge.off_px - before->off_px) / 2;

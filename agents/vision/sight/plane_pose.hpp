@@ -57,7 +57,8 @@ cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& p
 double covered_rather_than_tilted(const PlanePose& pose, double tilted_for_one_covered);
 
 // How far off the centre may be where a part beyond a straight edge is hidden that the fit took up, px: that leaves
-// edges that are off together, side by side, where noise leaves each off by itself.
-double off_if_bent_px(const PlaneFit& fit);
+// edges that are off together, side by side, where noise leaves each off by itself. The template leaves them off
+// together where it rounds corners; there it says nothing.
+double off_if_bent_px(const PlaneOutline& outline, const PlaneFit& fit);
 
 }  // namespace pizarra::vision

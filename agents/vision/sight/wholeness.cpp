@@ -60,7 +60,7 @@ double confidence_before_one(const LearnedObject& object, const SeenPair& pair, 
   const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
   const double most = plane != nullptr ? most_by_plane(*plane, pair.left.slimness / slimness) : 1;
   const double of_whole = std::min(pair.likeness.confidence(), most);
-  const double bent_px = plane != nullptr ? off_if_bent_px(plane->fit) : 0;
+  const double bent_px = plane != nullptr ? off_if_bent_px(plane->sample->plane, plane->fit) : 0;
   const auto if_off = [&](double off_px) {
     return confidence_if_off(of_whole, std::max(bent_px, off_px), most_off_px);
   };

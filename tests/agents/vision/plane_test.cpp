@@ -248,6 +248,21 @@ TEST(Plane, OfATiltedSquareIsWhereTheSquareIs) {
   EXPECT_LT(std::sqrt(squares / tries), 3);
 }
 
+// A template rounds the corners of what it was learned from, each edge beside them by a tenth of the mark's standard
+// deviation: from near by that is pixels.
+TEST(Plane, OfACrossThatIsNearerThanItWasLearnedAgreesAndIsNotBent) {
+  Random random(19);
+  const LearnedSample sample = learned(cross, random);
+  for (const double depth_mm : {270, 300, 340, 420}) {
+    SCOPED_TRACE(depth_mm);
+    const cv::Matx33d turn = turned_about({0.15, -0.1, random.uniform(-3, 3)});
+    const std::optional<Registered> seen =
+        registered(filled(projected(cross, turn, {5, -3, depth_mm}), random), sample);
+    ASSERT_TRUE(seen);
+    EXPECT_LT(off_if_bent_px(sample.plane, seen->fit), 0.5);
+  }
+}
+
 // A homography leaves more open than a pose does: of a cross's middle a tenth of a pixel.
 TEST(Plane, PutsTheMiddleOfACrossWhereItsPoseIs) {
   Random random(12);
