@@ -253,61 +253,80 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   return out;
 }
 
+// Follows it, or looks for it elsewhere; nothing where it is not seen whole.
+std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track& track, const LearnedObject& object) {
+  const auto look_at = [&](const SeenPair& pair) {
+    return track.whole.look_at(sight.model(), object, pair, captured_, most_off_px(sight), !track.left);
+  };
+  std::optional<SeenPair> now = follow(sight, track, object);
+  if (now && track.doubted_for > Duration()) come_back(sight, track, object, *now);
+  Wholeness::Look look{.whole = false};
+  if (now) look = look_at(*now);
+  if (!look.whole) note_loss(track, object);
+  if (!now) {
+    now = search(sight, track, object);
+    if (now) look = look_at(*now);
+  }
+  if (!look.whole) return std::nullopt;
+  return SeenWhole{std::move(*now), look};
+}
+
+// That it is the object, and whole.
+MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, Track& track, const LearnedObject& object,
+                                                   SeenWhole& seen) const {
+  SeenPair& now = seen.pair;
+  count_twins(sight, track, object, now);
+  const double of_whole = now.likeness.confidence();
+  double told = of_whole;
+  if (!now.left.tag) told = confidence_if_off(told, seen.look.may_be_off_px, most_off_px(sight));
+  const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
+  if (!known) track.ground_doubt = ground_doubt(sight, now);
+  told = confidence_if_off(told, track.ground_doubt, 1);
+  const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
+  if (is_doubted(track, now)) told = std::min(told, trust_in_another);
+  return {told, in_whole};
+}
+
+// Where it is and how it lies. Seen is what has a range.
+void MarkTracker::measure(StereoSight& sight, Track& track, const LearnedObject& object, const SeenWhole& seen,
+                          double in_whole, TrackSighting& out) const {
+  const SeenPair& now = seen.pair;
+  const std::optional<PlanePose> lies = track.plane.look(sight, object, now);
+  std::optional<SeenRange> range;
+  if (now.right) {
+    const FacePlane plane = face_plane(sight.model(), now.left, *now.right);
+    range = range_by_pair(sight, now.left, *now.right, in_whole, lies && lies->by_both ? &*lies : nullptr);
+    out.right_centre = now.right->centre;
+    out.yaw_deg = yaw_deg(plane);
+  } else if (sight.is_cut_off(object, now.left)) {
+    // By its longer axis, which is as long at either tilt: of a large triangle four poses look alike.
+    range = range_by_size(sight.model(), object, now.left, nullptr);
+  }
+  if (lies) out.pose = pose_of(sight.model(), *lies, range);
+  if (now.left.tag) out.pose = pose_of(sight.model(), object, now, range);
+  if (!range) return;
+  out.seen = true;
+  out.range_mm = range->mm;
+  out.range_spread_mm = range->spread_mm;
+  track.range_mm = range->mm;
+  track.whole.follow(now, seen.look, captured_);
+}
+
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
   if (object == nullptr) return miss(track, captured_);
-  const double off_px = most_off_px(sight);
-  const auto look_at = [&](const SeenPair& pair) {
-    return track.whole.look_at(sight.model(), *object, pair, captured_, off_px, !track.left);
-  };
-  std::optional<SeenPair> now = follow(sight, track, *object);
-  if (now && track.doubted_for > Duration()) come_back(sight, track, *object, *now);
-  Wholeness::Look look{.whole = false};
-  if (now) look = look_at(*now);
-  if (!look.whole) note_loss(track, *object);
+  std::optional<SeenWhole> seen = see(sight, track, *object);
+  if (!seen) return miss(track, captured_);
+  SeenPair& now = seen->pair;
+  TrackSighting out{.name = track.name, .centre = now.left.centre, .yaw_deg = {}, .contour = now.left.contour};
+  track.turn = now.likeness.turn;
+  const Confidence confidence = confidence_in(sight, track, *object, *seen);
+  out.confidence = confidence.told;
+  if (now.likeness.second != nullptr) out.second = now.likeness.second->name;
+  out.margin = now.likeness.margin();
+  measure(sight, track, *object, *seen, confidence.in_whole, out);
   const bool begins = !track.left;
-  if (!now) {
-    now = search(sight, track, *object);
-    if (now) look = look_at(*now);
-  }
-  if (!look.whole) return miss(track, captured_);
-
-  TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
-  out.centre = now->left.centre;
-  out.contour = now->left.contour;
-  track.turn = now->likeness.turn;
-  count_twins(sight, track, *object, *now);
-  const double of_whole = now->likeness.confidence();
-  out.confidence = of_whole;
-  if (!now->left.tag) out.confidence = confidence_if_off(out.confidence, look.may_be_off_px, off_px);
-  const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
-  if (!known) track.ground_doubt = ground_doubt(sight, *now);
-  out.confidence = confidence_if_off(out.confidence, track.ground_doubt, 1);
-  const double in_whole = confidence_in_whole(out.confidence, now->left.tag ? 1 : of_whole);
-  if (is_doubted(track, *now)) out.confidence = std::min(out.confidence, trust_in_another);
-  if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
-  out.margin = now->likeness.margin();
-  const std::optional<PlanePose> lies = track.plane.look(sight, *object, *now);
-  std::optional<SeenRange> range;
-  if (now->right) {
-    const FacePlane plane = face_plane(sight.model(), now->left, *now->right);
-    range = range_by_pair(sight, now->left, *now->right, in_whole, lies && lies->by_both ? &*lies : nullptr);
-    out.right_centre = now->right->centre;
-    out.yaw_deg = yaw_deg(plane);
-  } else if (sight.is_cut_off(*object, now->left)) {
-    // By its longer axis, which is as long at either tilt: of a large triangle four poses look alike.
-    range = range_by_size(sight.model(), *object, now->left, nullptr);
-  }
-  if (lies) out.pose = pose_of(sight.model(), *lies, range);
-  if (now->left.tag) out.pose = pose_of(sight.model(), *object, *now, range);
-  if (range) {
-    out.seen = true;
-    out.range_mm = range->mm;
-    out.range_spread_mm = range->spread_mm;
-    track.range_mm = range->mm;
-    track.whole.follow(*now, look, captured_);
-  }
-  take(sight, track, std::move(*now));
+  take(sight, track, std::move(now));
   // A tag that is followed has no others.
   if (begins && object->tag() == nullptr) note_others(track, *object, sight.left_segmentation().marks());
   track.confidence = out.confidence;

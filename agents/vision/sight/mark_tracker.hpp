@@ -108,6 +108,18 @@ class MarkTracker {
   // Of those in the image in which it was seen last.
   void note_others_before(Track& track, const LearnedObject& object);
   TrackSighting update(StereoSight& sight, Track& track);
+  struct SeenWhole {
+    SeenPair pair;
+    Wholeness::Look look;
+  };
+  std::optional<SeenWhole> see(StereoSight& sight, Track& track, const LearnedObject& object);
+  struct Confidence {
+    double told;
+    double in_whole;  // that nothing covers it
+  };
+  Confidence confidence_in(StereoSight& sight, Track& track, const LearnedObject& object, SeenWhole& seen) const;
+  void measure(StereoSight& sight, Track& track, const LearnedObject& object, const SeenWhole& seen, double in_whole,
+               TrackSighting& out) const;
   TrackSighting miss(Track& track, Time now) const;
   // It was seen before, and is not now.
   void note_loss(Track& track, const LearnedObject& object);
