@@ -179,6 +179,12 @@ std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, M
   return out;
 }
 
+// Of more, a black that is a few grey levels says nothing.
+double print_contrast(const SeenMark& mark) {
+  const double most = std::log(10);
+  return std::min(most, std::abs(std::log((mark.ground_level + 1) / (mark.mark_level + 1))));
+}
+
 double centre_noise_px(const SeenMark& mark, double noise) {
   constexpr double least_noise = 0.3;  // that of rounding to grey levels
   constexpr double edge_px = 8;        // across, by which noise moves an edge, smoothed and blurred: measured

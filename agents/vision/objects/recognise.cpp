@@ -9,6 +9,17 @@ namespace {
 
 // Of the squared cosines of two faces of one cube, with what their measuring adds.
 constexpr double most_facing = 1.2;
+// How much print_contrast() differs between two prints of one ink on one ground: a standard deviation; and how often a
+// lamp's reflection makes one as faint as may be. Measured of 5,100 photographed marks: nine in ten lay within 0.25 of
+// the others, but for those in a reflection.
+constexpr double print_spread = 0.25;
+constexpr double reflected_share = 0.02;
+
+// How likely a fainter print is the same one, 1 where it is no fainter.
+double share_by_print(const SeenMark& mark, const SeenMark& found) {
+  const double fainter = std::max(0.0, print_contrast(found) - print_contrast(mark)) / print_spread;
+  return std::lerp(std::exp(-fainter * fainter / 2), 1.0, reflected_share);
+}
 
 }  // namespace
 
@@ -71,7 +82,7 @@ double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& object
   for (const SeenMark& mark : marks) {
     if (found.box.contains(mark.centre) || may_be_one_cube(found, mark, front)) continue;
     const std::optional<Likeness> likely = recognise(mark, objects, object);
-    if (likely) out += std::exp(-std::max(0.0, likely->error - error) / error_scale);
+    if (likely) out += share_by_print(mark, found) * std::exp(-std::max(0.0, likely->error - error) / error_scale);
   }
   return out;
 }
