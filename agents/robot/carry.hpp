@@ -1,7 +1,7 @@
 #pragma once
 
-// How fast the arm goes while something is between its fingers. What slips from them flies on as fast as the tool went
-// sideways, so that a fast swing throws it off the table.
+// How fast the arm goes while something is between its fingers. A cube that slips flies on as fast as the tool went
+// sideways: a fast swing throws it off the table.
 //
 //   const double part = carry_speed(model, joints, waypoints);      // of the axes' speeds
 

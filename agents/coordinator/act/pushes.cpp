@@ -75,7 +75,7 @@ Task<Result<void>> Pushes::push_over(std::string object) {
   co_return pushed;
 }
 
-// What the images cut off is not measured well enough to be grasped.
+// A cube that the images cut off is not measured well enough to be grasped.
 std::optional<Push> Pushes::sweep_in_from(const std::string& object, const Eigen::Vector3d& centre) const {
   const ElbowRoom room = elbow_room();
   if (!room.shown || room.shown(centre)) return std::nullopt;

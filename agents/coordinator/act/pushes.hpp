@@ -25,7 +25,7 @@ class Pushes {
       : options_(options), domain_(domain), surroundings_(surroundings), story_(story), arm_(arm), vigil_(vigil) {}
 
   Task<Result<void>> make_room(std::string object);
-  // What lies at the side of the images is swept to where all of it shows instead.
+  // A cube at the side of the images is swept instead, to where all of it shows.
   Task<Result<void>> push_over(std::string object);
   // Over the table beside the images, where the missing object may lie; the likeliest first.
   std::vector<Push> sweeps_for(const std::string& missing) const;

@@ -32,8 +32,8 @@ std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const L
                                      const LearnedObject& object, const SeenMark& found);
 
 // How many of these there are. Each counts e times less for every hundredth of error that it is less like the object.
-// It counts less where its print is fainter than that of the one that was found. What may be another face of the same
-// cube is none.
+// It counts less where its print is fainter than that of the one that was found. Another face of the same cube does
+// not count.
 double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& objects, const LearnedObject& object,
                 const SeenMark& found);
 

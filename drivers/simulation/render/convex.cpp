@@ -13,7 +13,7 @@ double left_of_way(const Vector2d& o, const Vector2d& a, const Vector2d& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-// What lies to the left of the line through `from` and `to`.
+// The part to the left of the line through `from` and `to`.
 Polygon left_of(const Polygon& polygon, const Vector2d& from, const Vector2d& to) {
   Polygon out;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

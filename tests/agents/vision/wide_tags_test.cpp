@@ -45,7 +45,7 @@ Tag random_tag(const std::string& name, Random& random) {
   return {name, static_cast<int>(random.below(static_cast<std::uint64_t>(tags_of(family(name)))))};
 }
 
-// What libapriltag draws itself, of the cells that are printed.
+// A tag as libapriltag draws it, of the cells that are printed.
 using Codes = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t*)>;
 
 void expect_drawn_alike(const std::string& name, const Codes& codes, int number) {

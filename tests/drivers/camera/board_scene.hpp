@@ -19,7 +19,7 @@ struct BoardScene {
   // From the left camera to the right one.
   cv::Affine3d between{cv::Vec3d(0.01, -0.03, 0.008), cv::Vec3d(-82, 1.5, 2)};
   CalibrationBoard board;
-  // What is on the board's squares, all of them, so many px a square; empty: a chessboard.
+  // The image of the board's squares, all of them, so many px a square; empty: a chessboard.
   cv::Mat1b picture = {};
 
   // In the board's own frame.
