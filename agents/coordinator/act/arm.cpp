@@ -38,6 +38,12 @@ Task<Result<Datum>> Arm::ask(Datum operation) {
   co_return fail("busy", "the robot stays busy", operation);
 }
 
+Task<double> Arm::speed_percent() {
+  const Datum pattern = list("robot-speed"_sym, Datum::symbol(roles_.holder("robot").server), "?"_sym);
+  const std::vector<Fact> set = co_await facts_now(context_.board, context_.executor, pattern);
+  co_return set.empty() ? 100 : set.front().datum[2].number();
+}
+
 Task<Result<void>> Arm::perform(ServoCommand command) {
   using Motion = ServoCommand::Motion;
   const double amount = std::abs(command.amount);

@@ -32,6 +32,8 @@ class Arm {
   Task<Result<void>> cut_short();
   // The grip centre in a straight line to a point of the base frame, carried on by a track where the links end.
   Task<Result<void>> move_to(Eigen::Vector3d point_mm);
+  // What the speed of its motions is set to, 1 to 100.
+  Task<double> speed_percent();
   // Where the grip centre is, base frame, mm.
   Task<Result<Eigen::Vector3d>> grip_centre();
   // Turns the wrist until the gripper's front looks `yaw_deg` away from the base's x axis, positive to the right.

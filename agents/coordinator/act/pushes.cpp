@@ -18,7 +18,6 @@ constexpr double grip_height = 0.7;
 // ahead of the fingers, passes over it.
 constexpr double above_centre = 0.15;
 constexpr double careful_percent = 30;
-constexpr double usual_percent = 100;
 
 }  // namespace
 
@@ -120,12 +119,14 @@ Task<Result<void>> Pushes::push_along(Push push, double height_mm) {
                                   {push.from_mm.x(), push.from_mm.y(), height_mm},
                                   {push.to_mm.x(), push.to_mm.y(), height_mm},
                                   {push.to_mm.x(), push.to_mm.y(), high}};
+  // An operator may have set a speed that is lower still.
+  const double usual_percent = co_await arm_.speed_percent();
   Result<void> done = co_await arm_.face(push.face_deg);
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
     done = may_move(surroundings_, vigil_);
     if (!done) break;
     const bool pushes = i == 2;
-    const Datum speed = list("speed"_sym, pushes ? careful_percent : usual_percent);
+    const Datum speed = list("speed"_sym, pushes ? std::min(careful_percent, usual_percent) : usual_percent);
     const Result<Datum> set = co_await arm_.ask(speed);
     if (!set) done = fail(set);
     if (set) done = co_await arm_.move_to(ways[i]);

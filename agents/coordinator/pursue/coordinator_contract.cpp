@@ -23,7 +23,7 @@ constexpr std::string_view contract_form = R"scheme(
          (relation camera-pose ((x number) (y number) (z number) (pan number) (tilt number) (roll number)
                                 (state symbol) (spread number) (guess list)) (key) (durable))
          (relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq) (durable)){})
-  (reads agent bound wired look camera-model gripper arm arm-pose arm-foot goal goal-state camera-pose event believed{})
+  (reads agent bound wired look camera-model gripper arm arm-pose arm-foot robot-speed goal goal-state camera-pose event believed{})
   (configures)
   (monitors goal-state operation servo event))
 )scheme";

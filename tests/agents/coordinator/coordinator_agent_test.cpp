@@ -61,6 +61,18 @@ TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersMeetOnAnEdge) {
   EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
 }
 
+TEST_F(Coordinator, PushesNoFasterThanTheOperatorSaidAndLeavesThatSpeedAsItWas) {
+  cell.lowest_mm = 60;
+  cell.jam_mm = 40;
+  cell.tell("(robot-speed robot 10)");
+  want("(goal (holding circle))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+  cell.run_for(20s);
+  const int speeds = cell.times_told("(request ? robot (speed ?))");
+  EXPECT_GT(speeds, 0);
+  EXPECT_EQ(cell.times_told("(request ? robot (speed 10.0))"), speeds);
+}
+
 TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersJamWiderThanACube) {
   cell.lowest_mm = 60;
   cell.jam_mm = 85;

@@ -25,6 +25,7 @@ constexpr std::string_view robot_text = R"(
   (posts (relation gripper ((robot symbol) (opening number)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
                    (key robot))
+         (relation robot-speed ((robot symbol) (percent number)) (key robot) (durable))
          (relation arm ((robot symbol) (state symbol) (action string)) (key robot))))
 )";
 constexpr std::string_view vision_text = R"(
