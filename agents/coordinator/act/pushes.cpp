@@ -94,12 +94,31 @@ std::vector<Eigen::Vector3d> Pushes::standing_but(const std::string& object) con
   return standing;
 }
 
+std::vector<Push> Pushes::pushes_into_view(const std::string& missing) const {
+  const Scene& scene = surroundings_.scene();
+  const ElbowRoom room = elbow_room();
+  std::vector<Push> pushes;
+  for (const auto& [name, sighting] : scene.sightings().all()) {
+    const bool other = name != missing && name != options_.gripper.mark;
+    const bool lost = other && !scene.sightings().remembered(name, options_.grace_looks);
+    Eigen::Vector3d centre = scene.centre_mm(name, sighting);
+    if (!lost || centre.z() > room.cube_mm) continue;
+    centre.z() = room.cube_mm / 2;
+    const std::optional<Push> push = push_into_view(room, centre, standing_but(name));
+    if (push) pushes.push_back(*push);
+  }
+  return pushes;
+}
+
 std::vector<Push> Pushes::sweeps_for(const std::string& missing) const {
+  std::vector<Push> sweeps = pushes_into_view(missing);
   const Scene& scene = surroundings_.scene();
   const Sighting* last = scene.sightings().find(missing);
-  if (!last) return {};
+  if (!last) return sweeps;
   const LostCube lost{scene.centre_mm(missing, *last), scene.falls_within_mm(*last)};
-  return border_sweeps(elbow_room(), options_.row.x_mm, lost, standing_but(missing));
+  const std::vector<Push> beside = border_sweeps(elbow_room(), options_.row.x_mm, lost, standing_but(missing));
+  sweeps.insert(sweeps.end(), beside.begin(), beside.end());
+  return sweeps;
 }
 
 Task<Result<void>> Pushes::sweep(Push push) {

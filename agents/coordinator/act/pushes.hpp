@@ -27,7 +27,8 @@ class Pushes {
   Task<Result<void>> make_room(std::string object);
   // A cube at the side of the images is swept instead, to where all of it shows.
   Task<Result<void>> push_over(std::string object);
-  // Over the table beside the images, where the missing object may lie; the likeliest first.
+  // Over the table beside the images, where the missing object may lie; the likeliest first. Before these, pushes of
+  // what may stand before it, cut off by the images' lower border.
   std::vector<Push> sweeps_for(const std::string& missing) const;
   Task<Result<void>> sweep(Push push);
 
@@ -36,6 +37,8 @@ class Pushes {
   ElbowRoom elbow_room() const;
   std::optional<Push> push_for(std::string_view object) const;
   std::optional<Push> sweep_in_from(const std::string& object, const Eigen::Vector3d& centre) const;
+  // Of others that are not seen any more and lie where the images cut them off, as after a knock against the camera.
+  std::vector<Push> pushes_into_view(const std::string& missing) const;
   // The middles of the cubes that are there but for this one.
   std::vector<Eigen::Vector3d> standing_but(const std::string& object) const;
 

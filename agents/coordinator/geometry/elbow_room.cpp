@@ -92,6 +92,12 @@ std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& 
   return in_sight ? in_sight : shortest_push(room, centre, others, false);
 }
 
+std::optional<Push> push_into_view(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                   const std::vector<Eigen::Vector3d>& others) {
+  if (is_shown(room, centre)) return std::nullopt;
+  return shortest_push(room, centre, others, false);
+}
+
 Push push_over_from(const ElbowRoom& room, const Eigen::Vector3d& centre) {
   // A cube on its edge reaches half its diagonal.
   const double before = std::numbers::sqrt2 / 2 * room.cube_mm + room.finger_half_mm + 2 * room.margin_mm;

@@ -26,7 +26,7 @@ struct ElbowRoom {
   // Whether both images show the face with the mark of a cube whose centre is there; none: that is not asked.
   std::function<bool(const Eigen::Vector3d& centre)> shown = {};
   double reach_low_mm = 310;  // radius from the arm's axis
-  double reach_high_mm = 570;
+  double reach_high_mm = 600;
 };
 
 // A straight push over the table, grip centre, base frame.
@@ -48,6 +48,11 @@ bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std:
 // but only away from the camera, since the plate with the gripper's mark would touch it. All points are cubes' centres.
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others);
+
+// The shortest push that takes what the images cut off to where all of it shows; none where it shows already, or the
+// arm has no room to push it.
+std::optional<Push> push_into_view(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                   const std::vector<Eigen::Vector3d>& others);
 
 // The push that takes a cube which lies askew half a cube's size on, off what it leans on: towards the camera, where it
 // then stands before what held it up, unless it would leave the images.

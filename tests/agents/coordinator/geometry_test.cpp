@@ -275,6 +275,21 @@ TEST(ElbowRoom, APushOverGoesTowardsTheCameraUnlessItLeadsOutOfTheImages) {
   EXPECT_EQ(away.to_mm.x(), centre.x() - room.cube_mm / 2);
 }
 
+TEST(ElbowRoom, APushIntoViewGoesJustAsFarAsTheImagesShowAndSparesOthers) {
+  ElbowRoom room;
+  const Eigen::Vector3d centre(535, -10, 30);
+  EXPECT_FALSE(push_into_view(room, centre, {})) << "all of it shows";
+  room.shown = [](const Eigen::Vector3d& at) { return at.x() <= 505; };
+  const std::optional<Push> push = push_into_view(room, centre, {{442, 45, 30}});
+  ASSERT_TRUE(push);
+  EXPECT_GT(push->from_mm.x(), centre.x() + room.cube_mm / 2);
+  const double length = push->from_mm.x() - push->to_mm.x() - 2 * room.margin_mm;
+  EXPECT_GE(length, 30);
+  EXPECT_LE(length, 34);
+  EXPECT_FALSE(push_into_view(room, centre, {{450, -10, 30}})) << "another one stands where it would go";
+  EXPECT_FALSE(push_into_view(room, {580, -10, 30}, {})) << "the arm does not come behind it";
+}
+
 TEST(ElbowRoom, APushLeavesAllMarksInSightOfBothEyesWhereItCan) {
   ElbowRoom room;
   room.eyes_mm = {{1330, -45}, {1330, 45}};
