@@ -138,9 +138,9 @@ Task<Result<void>> Pushes::push_along(Push push, double height_mm) {
                                   {push.from_mm.x(), push.from_mm.y(), height_mm},
                                   {push.to_mm.x(), push.to_mm.y(), height_mm},
                                   {push.to_mm.x(), push.to_mm.y(), high}};
+  Result<void> done = co_await arm_.face(push.face_deg);
   // An operator may have set a speed that is lower still.
   const double usual_percent = co_await arm_.speed_percent();
-  Result<void> done = co_await arm_.face(push.face_deg);
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
     done = may_move(surroundings_, vigil_);
     if (!done) break;
