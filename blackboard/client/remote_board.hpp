@@ -120,6 +120,7 @@ class RemoteBoard : public Board {
   void greet();
   void welcomed(wire::SessionId session, wire::SessionId life);
   void lose_session();
+  void forget_greetings();
   void try_others(Time now);
   bool has_others() const { return addresses_.size() > 1; }
   // Fails those requests under way for which the condition holds.
@@ -146,6 +147,7 @@ class RemoteBoard : public Board {
   const Duration timeout_;
   bool joined_ = false;
   bool is_of_the_first_ = false;  // whether the board seems to speak the first protocol
+  int newer_hellos_ = 0;          // of a later protocol, sent and not refused
   wire::SessionId session_ = 0;
   wire::SessionId life_ = 0;  // the server's
   Time heard_{};

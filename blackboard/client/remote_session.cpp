@@ -72,7 +72,9 @@ void RemoteBoard::greet() {
   const Datum of_the_first = list("hello"_sym, teller_, session_);
   const Datum hello = list("hello"_sym, teller_, session_, wire::protocol, "doubts"_sym);
   const bool sent = send(is_of_the_first_ ? of_the_first : hello);
-  if (sent) greeted_ = executor_.now();
+  if (!sent) return;
+  greeted_ = executor_.now();
+  if (!is_of_the_first_) ++newer_hellos_;
 }
 
 void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
@@ -101,8 +103,13 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
 
 void RemoteBoard::lose_session() {
   joined_ = false;
+  forget_greetings();
+}
+
+void RemoteBoard::forget_greetings() {
   greeted_ = {};
   is_of_the_first_ = false;
+  newer_hellos_ = 0;
 }
 
 // One that does not welcome within its time stands by, or is gone; over a slow line it may take longer.
@@ -113,8 +120,7 @@ void RemoteBoard::try_others(Time now) {
   tries_for_ = std::max(tries_for_, tries_first_for);
   at_ = (at_ + 1) % addresses_.size();
   tried_ = now;
-  greeted_ = {};
-  is_of_the_first_ = false;
+  forget_greetings();
   socket_->connect_to(addresses_[at_]);
 }
 
@@ -145,9 +151,13 @@ void RemoteBoard::refused(const Failure& failure) {
     silence_ = failure.sentence;
     return;
   }
-  // A board of the first protocol cannot read the hello of another one.
+  // A board of the first protocol cannot read the hello of another one, of which two may be under way.
   const bool may_be_of_the_first = !joined_ && failure.symbol == "bad-frame" && wire::check_protocol(1);
-  if (may_be_of_the_first && !std::exchange(is_of_the_first_, true)) return greet();
+  if (may_be_of_the_first && newer_hellos_ > 0) {
+    --newer_hellos_;
+    if (!std::exchange(is_of_the_first_, true)) greet();
+    return;
+  }
   fail_where([this](const Pending& pending) { return !joined_ || pending.sent; }, failure);
 }
 

@@ -35,6 +35,8 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
     if (message.is_form("hello")) {
       ++hellos_;
       const bool read = welcomes_ && message.size() <= longest_hello_;
+      if (hellos_ <= unanswered_) return;
+      for (; unanswered_ > 0; --unanswered_) say(list("refused"_sym, refusal));
       return say(read ? list("welcome"_sym, 7, 1) : list("refused"_sym, refusal));
     }
     if (!message.is_form("request")) return;
@@ -47,6 +49,7 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
   bool welcomes_ = true;
   std::size_t longest_hello_ = 5;  // that it can read
   int hellos_ = 0;
+  int unanswered_ = 0;  // of them, until the next one comes
   RealExecutor executor_;
   wire::WireSocket server_{
       executor_, wire::WireSocket::Kind::router,
@@ -81,6 +84,14 @@ TEST_P(RefusedTest, ABoardOfTheFirstProtocolIsGreetedAsItKnowsIt) {
   const std::unique_ptr<Board> board = view("alice");
   EXPECT_EQ(symbol_of(run(board->ask(query("(on ?x ?y)")))), "ok");
   EXPECT_EQ(hellos_, 2) << "in its own words first";
+}
+
+TEST_P(RefusedTest, ABoardOfTheFirstProtocolMayRefuseTwoHellosThatWereUnderWay) {
+  longest_hello_ = 3;
+  unanswered_ = 1;
+  const std::unique_ptr<Board> board = view("alice");
+  EXPECT_EQ(symbol_of(run(board->ask(query("(on ?x ?y)")))), "ok");
+  EXPECT_EQ(hellos_, 3) << "two in its own words first";
 }
 
 INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest,

@@ -52,9 +52,10 @@ class Session:
             if teller != name and not teller.startswith(name + "/"):
                 self.teller = f"{name}/{teller}"
         self.id = self._life = 0
-        self.joined = self._is_of_the_first = False
+        self.joined = False
+        self._forget_greetings()
         self.in_doubt, self._waits = False, waits
-        self._heard = self._greeted = self._pinged = -1e9
+        self._heard = self._pinged = -1e9
         self._listened = time.monotonic()
         self._declared: Dict[str, Any] = {}
         self.feeds: Dict[int, Feed] = {}
@@ -149,8 +150,8 @@ class Session:
             self._refused()
         others = self.addresses.has_others
         if self.joined and self._heard + (self.SILENCE_AMONG_OTHERS if others else self.SILENCE) <= now:
-            self.joined = self._is_of_the_first = False
-            self._greeted = -1e9
+            self.joined = False
+            self._forget_greetings()
             self.addresses.lost(now)
         if not self.joined:
             self._greet(now)
@@ -166,12 +167,17 @@ class Session:
     def _greet(self, now: float) -> None:
         if self.addresses.is_time_for_the_next(now):
             self.addresses.go_on(now)
-            self._greeted, self._is_of_the_first = -1e9, False
+            self._forget_greetings()
             self.link.begin_again(self.addresses.current)
         more = [] if self._is_of_the_first else [self.PROTOCOL, Symbol("doubts")]
         hello = [Symbol("hello"), self.teller, self.id, *more]
         if self._greeted + self.GREET <= now and self.send(hello):
             self._greeted = now
+            self._newer_hellos += not self._is_of_the_first
+
+    def _forget_greetings(self) -> None:
+        self._greeted, self._is_of_the_first = -1e9, False
+        self._newer_hellos = 0  # of a later protocol than the first, sent and not refused
 
     def _refused(self) -> None:
         self.joined = False
@@ -192,12 +198,14 @@ class Session:
         elif kind == "welcome" and not self.joined:
             self._welcomed(*message[1:3])
         elif kind == "goodbye" or kind == "unknown-session" and message[1] == self.id:
-            self.joined = self._is_of_the_first = False
-            self._greeted = -1e9
+            self.joined = False
+            self._forget_greetings()
         elif kind == "refused":
             failure = failure_from(message[1])
-            if not self.joined and failure.symbol == "bad-frame" and not self._is_of_the_first:
-                self._is_of_the_first, self._greeted = True, -1e9
+            if not self.joined and failure.symbol == "bad-frame" and self._newer_hellos > 0:
+                self._newer_hellos -= 1  # of which two may be under way
+                if not self._is_of_the_first:
+                    self._is_of_the_first, self._greeted = True, -1e9
                 return
             # Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
             self.requests.fail(failure, lambda request: not self.joined or request.sent is not None)
