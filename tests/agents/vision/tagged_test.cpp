@@ -1,38 +1,18 @@
 // Objects that the eyes know by their tags from the beginning.
 
-#include <opencv2/imgproc.hpp>
-
-#include "agents/vision/marks/tag_detection.hpp"
-#include "tests/agents/vision/vision_life.hpp"
+#include "tests/agents/vision/printed_tags.hpp"
 
 namespace pizarra::vision {
 namespace {
 
-constexpr int wide_cell_px = 6;
-constexpr double whole_tag_px = 8 * wide_cell_px;  // of 36h11, with its border
-constexpr double apart_px = 60;
-
-class Tagged : public Vision {
+class Tagged : public PrintedTags {
  protected:
-  Tagged() { camera.scene.faces = {}; }
-  double depth_mm() const { return camera.model().focal_px * camera.model().base_line_mm / apart_px; }
   TaggedObject object(const std::string& name, int number) const {
-    return {name, {"apriltag-36h11", number}, whole_tag_px * depth_mm() / camera.model().focal_px};
+    return {name, {"apriltag-36h11", number}, side_mm()};
   }
   void live_with(std::vector<TaggedObject> objects) {
-    life.reset();
-    life.emplace(executor, board, camera, &streams,
-                 VisionOptions{.objects_directory = "", .tagged = std::move(objects)});
+    PrintedTags::live_with({.objects_directory = "", .tagged = std::move(objects)});
     run_for(1s);
-  }
-  void show(int number, cv::Point at) {
-    cv::Mat1b print;
-    cv::resize(print_of(*family_called("apriltag-36h11"), number), print, {}, wide_cell_px, wide_cell_px,
-               cv::INTER_NEAREST);
-    const int around = 2 * wide_cell_px;
-    cv::copyMakeBorder(print, print, around, around, around, around, cv::BORDER_CONSTANT, 255);
-    print = 30 + print * (200.0 / 255);
-    camera.pictures.push_back({print, at - cv::Point(around, around), static_cast<int>(apart_px)});
   }
 };
 

@@ -1,39 +1,15 @@
 // The fact tags-seen: all tags in view, told although nobody has asked, clicked or connected.
 
-#include <opencv2/imgproc.hpp>
-
 #include "agents/vision/agent/reply_text.hpp"
-#include "agents/vision/marks/tag_detection.hpp"
 #include "lisp/forms/cell_file.hpp"
-#include "tests/agents/vision/vision_life.hpp"
+#include "tests/agents/vision/printed_tags.hpp"
 
 namespace pizarra::vision {
 namespace {
 
-constexpr int cell_px = 6;
-constexpr double tag_px = 8 * cell_px;  // of 36h11, with its border
-constexpr double disparity_px = 60;
-
-class TagsSeen : public Vision {
+class TagsSeen : public PrintedTags {
  protected:
-  TagsSeen() { camera.scene.faces = {}; }
-  double depth_mm() const { return camera.model().focal_px * camera.model().base_line_mm / disparity_px; }
-  void live_with_tags() {
-    const double side_mm = tag_px * depth_mm() / camera.model().focal_px;
-    life.reset();
-    life.emplace(executor, board, camera, &streams,
-                 VisionOptions{.objects_directory = "", .tags = {{"apriltag-36h11", side_mm}}});
-  }
-  // Shows a tag on light ground, its upper left cell at that pixel.
-  void show(int number, cv::Point at, std::string_view family = "apriltag-36h11") {
-    cv::Mat1b print;
-    cv::resize(print_of(*family_called(family), number), print, {}, cell_px, cell_px, cv::INTER_NEAREST);
-    cv::Mat1b on_ground;
-    const int around = 2 * cell_px;
-    cv::copyMakeBorder(print, on_ground, around, around, around, around, cv::BORDER_CONSTANT, 255);
-    on_ground = 30 + on_ground * (200.0 / 255);
-    camera.pictures.push_back({on_ground, at - cv::Point(around, around), static_cast<int>(disparity_px)});
-  }
+  void live_with_tags() { live_with({.objects_directory = "", .tags = {{"apriltag-36h11", side_mm()}}}); }
   static cv::Point2d middle(cv::Point at) { return cv::Point2d(at) + cv::Point2d((tag_px - 1) / 2, (tag_px - 1) / 2); }
 
   // None as well where the eyes have not said yet that they tell any.
