@@ -32,7 +32,7 @@ class Arm {
   Task<Result<void>> cut_short();
   // The grip centre in a straight line to a point of the base frame, carried on by a track where the links end.
   Task<Result<void>> move_to(Eigen::Vector3d point_mm);
-  // What the speed of its motions is set to, 1 to 100.
+  // The speed that somebody set for its motions, 1 to 100; 100 where nobody did.
   Task<double> speed_percent();
   // Where the grip centre is, base frame, mm.
   Task<Result<Eigen::Vector3d>> grip_centre();

@@ -27,8 +27,8 @@ class Pushes {
   Task<Result<void>> make_room(std::string object);
   // A cube at the side of the images is swept instead, to where all of it shows.
   Task<Result<void>> push_over(std::string object);
-  // Over the table beside the images, where the missing object may lie; the likeliest first. Before these, pushes of
-  // what may stand before it, cut off by the images' lower border.
+  // First pushes of others that the images cut off, since they may hide it; then sweeps of the table beside the images,
+  // where it may lie, the likeliest first.
   std::vector<Push> sweeps_for(const std::string& missing) const;
   Task<Result<void>> sweep(Push push);
 

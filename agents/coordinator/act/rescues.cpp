@@ -54,7 +54,8 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
 Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {
   const std::vector<Push> sweeps = pushes_.sweeps_for(missing);
   if (nth >= sweeps.size()) co_return false;
-  const std::string sentence = fmt::format("sweeping the table beside the images, where {} may lie", missing);
+  const std::string sentence =
+      fmt::format("sweeping at the border of the images, where {} may lie or be hidden", missing);
   co_await story_.tell("servo", sentence, Datum::symbol(missing));
   const std::vector<Datum> up{list("raise"_sym)};
   Result<void> done = co_await runner_.improvise(up);
@@ -65,7 +66,7 @@ Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {
 }
 
 // Fingers that press on a neighbour cannot close, and are as wide open as they were. Nothing is between them higher up.
-Task<Result<bool>> Rescues::stay_at(double opened_mm) {
+Task<Result<bool>> Rescues::fingers_stay_at(double opened_mm) {
   const std::vector<Datum> up{list("raise"_sym)};
   const Result<void> raised = co_await runner_.improvise(up);
   if (!raised) co_return fail(raised);
@@ -92,7 +93,7 @@ Task<Result<void>> Rescues::loosen(Datum operation) {
     // Fingers that jam across a cube's edges let it go first. Others stay closed: beside them there may be no room.
     const Result<double> opened = co_await arm_.grip(widest_mm_);
     if (!opened) co_return fail(opened);
-    const Result<bool> stuck = co_await stay_at(*opened);
+    const Result<bool> stuck = co_await fingers_stay_at(*opened);
     if (!stuck) co_return fail(stuck);
     if (*stuck) {
       const std::string sentence = fmt::format("the gripper says {:.0f} mm, closed or open", *opened);

@@ -39,7 +39,7 @@ class Rescues {
  private:
   Task<Result<void>> lay_down_at(Datum spot, std::string object);
   // Whether the raised fingers stay as open as they were although they are to close.
-  Task<Result<bool>> stay_at(double opened_mm);
+  Task<Result<bool>> fingers_stay_at(double opened_mm);
   // Whether fingers that closed so far have something as wide as a cube between them. Where they meet on an edge they
   // close further; across a cube's edges they jam wider.
   bool is_held(double closed_mm) const;

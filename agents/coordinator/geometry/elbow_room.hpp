@@ -26,6 +26,7 @@ struct ElbowRoom {
   // Whether both images show the face with the mark of a cube whose centre is there; none: that is not asked.
   std::function<bool(const Eigen::Vector3d& centre)> shown = {};
   double reach_low_mm = 310;  // radius from the arm's axis
+  // Further out than a cube is put down: a push that the arm cannot reach is refused before it moves.
   double reach_high_mm = 600;
 };
 
