@@ -15,7 +15,7 @@ namespace pizarra::vision {
 
 class TrackingTurn {
  public:
-  // Both outlive whoever waits.
+  // The executor outlives it, and it outlives whoever waits.
   explicit TrackingTurn(Executor& executor) : changed_(executor) {}
 
   // Frames that were captured before are not the tracking's from here on.

@@ -80,7 +80,7 @@ Task<Result<void>> VisionAgent::State::run() {
   co_return served;
 }
 
-// What cannot be known so is told as if LEARN had failed.
+// A tag that cannot be learned is told of as if LEARN had failed.
 Task<void> VisionAgent::State::know_tagged() {
   for (const TaggedObject& object : options.tagged) {
     const Result<void> known_now = co_await known.know(object);

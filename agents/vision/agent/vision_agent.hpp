@@ -32,7 +32,7 @@ struct VisionOptions {
   std::string objects_directory;
   // Tags that are told as they come into view, although nobody asked. The camera is open all the time then.
   std::vector<SizedFamily> tags = {};
-  // Objects that are known by their tags from the beginning. What is known under such a name already stays as it is.
+  // Objects that are known by their tags from the beginning. An object that is known already stays as it is.
   std::vector<TaggedObject> tagged = {};
 };
 
