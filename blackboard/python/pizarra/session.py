@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import os
 import time
+from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Union
 
 import zmq
@@ -30,6 +31,14 @@ from pizarra.link import Link
 from pizarra.reader import read_all
 from pizarra.requests import Request, Requests
 from pizarra.writer import check_teller, write
+
+
+@dataclass
+class Greetings:
+    """The hellos to one board until it welcomes the client."""
+    sent: float = -1e9  # when, the last
+    is_of_the_first: bool = False  # whether the board seems to speak the first protocol
+    newer: int = 0  # hellos of a later protocol, sent and not refused
 
 
 class Session:
@@ -53,7 +62,7 @@ class Session:
                 self.teller = f"{name}/{teller}"
         self.id = self._life = 0
         self.joined = False
-        self._forget_greetings()
+        self._greetings = Greetings()
         self.in_doubt, self._waits = False, waits
         self._heard = self._pinged = -1e9
         self._listened = time.monotonic()
@@ -151,7 +160,7 @@ class Session:
         others = self.addresses.has_others
         if self.joined and self._heard + (self.SILENCE_AMONG_OTHERS if others else self.SILENCE) <= now:
             self.joined = False
-            self._forget_greetings()
+            self._greetings = Greetings()
             self.addresses.lost(now)
         if not self.joined:
             self._greet(now)
@@ -167,17 +176,13 @@ class Session:
     def _greet(self, now: float) -> None:
         if self.addresses.is_time_for_the_next(now):
             self.addresses.go_on(now)
-            self._forget_greetings()
+            self._greetings = Greetings()
             self.link.begin_again(self.addresses.current)
-        more = [] if self._is_of_the_first else [self.PROTOCOL, Symbol("doubts")]
+        more = [] if self._greetings.is_of_the_first else [self.PROTOCOL, Symbol("doubts")]
         hello = [Symbol("hello"), self.teller, self.id, *more]
-        if self._greeted + self.GREET <= now and self.send(hello):
-            self._greeted = now
-            self._newer_hellos += not self._is_of_the_first
-
-    def _forget_greetings(self) -> None:
-        self._greeted, self._is_of_the_first = -1e9, False
-        self._newer_hellos = 0  # of a later protocol than the first, sent and not refused
+        if self._greetings.sent + self.GREET <= now and self.send(hello):
+            self._greetings.sent = now
+            self._greetings.newer += not self._greetings.is_of_the_first
 
     def _refused(self) -> None:
         self.joined = False
@@ -199,13 +204,13 @@ class Session:
             self._welcomed(*message[1:3])
         elif kind == "goodbye" or kind == "unknown-session" and message[1] == self.id:
             self.joined = False
-            self._forget_greetings()
+            self._greetings = Greetings()
         elif kind == "refused":
             failure = failure_from(message[1])
-            if not self.joined and failure.symbol == "bad-frame" and self._newer_hellos > 0:
-                self._newer_hellos -= 1  # of which two may be under way
-                if not self._is_of_the_first:
-                    self._is_of_the_first, self._greeted = True, -1e9
+            if not self.joined and failure.symbol == "bad-frame" and self._greetings.newer > 0:
+                self._greetings.newer -= 1  # of which two may be under way
+                if not self._greetings.is_of_the_first:
+                    self._greetings.is_of_the_first, self._greetings.sent = True, -1e9
                 return
             # Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
             self.requests.fail(failure, lambda request: not self.joined or request.sent is not None)
