@@ -44,7 +44,7 @@ Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOpti
       story_(story),
       scene_(options, domain),
       beliefs_(options.belief_looks),
-      mirror_(context, options, domain, service, beliefs_),
+      belief_teller_(context, options, domain, service, beliefs_),
       camera_pose_news_(context, options.camera.pose, story),
       looked_(context.executor) {}
 
@@ -60,7 +60,7 @@ Task<void> Surroundings::resume() {
 
 void Surroundings::start() {
   if (options_.head) head_ = followed(pattern_of("head"_sym, "?"_sym, 3), &Surroundings::take_head);
-  mirror_.start();
+  belief_teller_.start();
 }
 
 // Other eyes may have another camera.
@@ -157,7 +157,7 @@ Task<void> Surroundings::take_look(Change change) {
   }
   // Waiters act on the look before the board has what follows from it.
   looked_.wake_all();
-  if (placed) co_await mirror_.tell(scene_.sightings(), std::move(changed), look.id);
+  if (placed) co_await belief_teller_.tell(scene_.sightings(), std::move(changed), look.id);
   if (!perceived->facts) co_await tell_failure(perceived->facts.error());
   co_await camera_pose_news_.tell(scene_.camera(), news);
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 // The coordinator's perception of its cell: it watches the agents' facts, makes of every look of the eyes where things
-// stand (Scene) and which of the domain's predicates hold (Beliefs), and has those told (Mirror). Nothing here acts.
+// stand (Scene) and which of the domain's predicates hold (Beliefs), and has the latter told (BeliefTeller). Nothing
+// here acts.
 //
 // Lifecycle: start() and follow_...() spawn the watches, which go on until it is destroyed or others are followed.
 //
@@ -14,9 +15,9 @@
 #include <string>
 
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/belief_teller.hpp"
 #include "agents/coordinator/perceive/camera_pose_news.hpp"
 #include "agents/coordinator/perceive/capture_clock.hpp"
-#include "agents/coordinator/perceive/mirror.hpp"
 #include "agents/coordinator/perceive/scene.hpp"
 #include "blackboard/time/latch.hpp"
 
@@ -79,7 +80,7 @@ class Surroundings {
 
   Scene scene_;
   Beliefs beliefs_;
-  Mirror mirror_;
+  BeliefTeller belief_teller_;
   CameraPoseNews camera_pose_news_;
   std::set<std::string> tracked_;
   CaptureClock capture_clock_;

@@ -1,4 +1,4 @@
-#include "agents/coordinator/perceive/mirror.hpp"
+#include "agents/coordinator/perceive/belief_teller.hpp"
 
 #include "agents/coordinator/retried_commit.hpp"
 #include "agents/runtime/follow.hpp"
@@ -18,7 +18,7 @@ const Datum& belief_in(const Datum& fact) { return fact.is_form("believed") ? fa
 
 }  // namespace
 
-void Mirror::start() {
+void BeliefTeller::start() {
   const Datum any = "?"_sym;
   std::vector<Datum> patterns{list("believed"_sym, any)};
   for (const forms::Predicate& predicate : domain_.domain().predicates) {
@@ -32,7 +32,7 @@ void Mirror::start() {
   }
 }
 
-Task<void> Mirror::tell(const Sightings& sightings, Beliefs::Change change, FactId look) {
+Task<void> BeliefTeller::tell(const Sightings& sightings, Beliefs::Change change, FactId look) {
   if (service_.presence() != told_under_) {
     // A board that began anew knows nothing of what was told before.
     told_under_ = service_.presence();
@@ -50,7 +50,7 @@ Task<void> Mirror::tell(const Sightings& sightings, Beliefs::Change change, Fact
   if (!told) told_places_.clear();
 }
 
-void Mirror::add_places(Transaction& transaction, const Sightings& sightings, FactId look) {
+void BeliefTeller::add_places(Transaction& transaction, const Sightings& sightings, FactId look) {
   const Datum any = "?"_sym;
   for (const auto& [name, sighting] : sightings.all()) {
     const auto told = told_places_.find(name);
@@ -71,7 +71,7 @@ void Mirror::add_places(Transaction& transaction, const Sightings& sightings, Fa
   }
 }
 
-void Mirror::add_beliefs(Transaction& transaction, const Beliefs::Change& change) const {
+void BeliefTeller::add_beliefs(Transaction& transaction, const Beliefs::Change& change) const {
   for (const Datum& fact : change.gone) {
     transaction.retract(list("believed"_sym, fact));
     transaction.retract(fact);
@@ -82,13 +82,13 @@ void Mirror::add_beliefs(Transaction& transaction, const Beliefs::Change& change
   }
 }
 
-void Mirror::add_fact(Transaction& transaction, const Datum& fact) const {
+void BeliefTeller::add_fact(Transaction& transaction, const Datum& fact) const {
   transaction.tell(fact, {beliefs_.changed_in(belief_in(fact)).look}, service_.presence());
 }
 
-bool Mirror::is_to_be_told(const Datum& fact) const { return beliefs_.facts().contains(belief_in(fact)); }
+bool BeliefTeller::is_to_be_told(const Datum& fact) const { return beliefs_.facts().contains(belief_in(fact)); }
 
-Facts Mirror::to_be_told(const Datum& pattern) const {
+Facts BeliefTeller::to_be_told(const Datum& pattern) const {
   Facts facts;
   for (const Datum& belief : beliefs_.facts()) {
     if (pattern.is_form("believed")) facts.insert(list("believed"_sym, belief));
@@ -98,7 +98,7 @@ Facts Mirror::to_be_told(const Datum& pattern) const {
 }
 
 // What is told here shows as a change too; by then it is believed, or no longer.
-Task<void> Mirror::put_right(Datum pattern, Change change) {
+Task<void> BeliefTeller::put_right(Datum pattern, Change change) {
   Facts standing;
   Facts lost;
   for (const Answer& answer : change.added) standing.insert(answer.facts.front().datum);

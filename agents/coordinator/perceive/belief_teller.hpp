@@ -1,11 +1,10 @@
 #pragma once
 
 // The beliefs on the board: each as itself and as (believed BELIEF), and the places of the objects seen, all under the
-// coordinator's presence and because of the look that showed it. The mirror undoes changes that others make to the
-// beliefs.
+// coordinator's presence and because of the look that showed it. It undoes changes that others make to the beliefs.
 //
-//   mirror.start();
-//   co_await mirror.tell(sightings, change, look.id);      // once a look
+//   teller.start();
+//   co_await teller.tell(sightings, change, look.id);      // once a look
 
 #include <map>
 
@@ -17,11 +16,11 @@
 
 namespace pizarra::coordinator {
 
-class Mirror {
+class BeliefTeller {
  public:
   // Everything outlives it.
-  Mirror(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-         const runtime::Service& service, const Beliefs& beliefs)
+  BeliefTeller(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+               const runtime::Service& service, const Beliefs& beliefs)
       : context_(context), options_(options), domain_(domain), service_(service), beliefs_(beliefs) {}
 
   void start();
