@@ -55,7 +55,7 @@ struct Life {
   TaskRunner runner;
   Rescues rescues;
   CameraSurvey survey;
-  GoalInHand goal;
+  GoalFacts goal;
   PlanInHand plan;
   Differences differences;
   ObjectSearch search;

@@ -15,7 +15,7 @@ namespace pizarra::coordinator {
 class GoalLoop {
  public:
   GoalLoop(runtime::AgentContext& context, Surroundings& surroundings, Eyes& eyes, Planning& planning, PlanInHand& plan,
-           Differences& differences, GoalInHand& goal, Pursuit& pursuit, Vigil& vigil)
+           Differences& differences, GoalFacts& goal, Pursuit& pursuit, Vigil& vigil)
       : context_(context),
         surroundings_(surroundings),
         eyes_(eyes),
@@ -46,7 +46,7 @@ class GoalLoop {
   Planning& planning_;
   PlanInHand& plan_;
   Differences& differences_;
-  GoalInHand& goal_;
+  GoalFacts& goal_;
   Pursuit& pursuit_;
   Vigil& vigil_;
 };

@@ -2,7 +2,7 @@
 
 // The goal that is wanted, as durable facts: given, replaced, cancelled, ended, and taken up again after a restart.
 //
-//   GoalInHand goal(context, story, vigil);
+//   GoalFacts goal(context, story, vigil);
 //   co_await goal.resume();                                  // what stands on the board
 //   Result<std::int64_t> number = co_await goal.submit(facts);
 //   const Goal wanted = co_await goal.next();                // as soon as anything is wanted
@@ -29,9 +29,9 @@ struct Goal {
   std::size_t stage = 0;     // of its wish, to begin with
 };
 
-class GoalInHand {
+class GoalFacts {
  public:
-  GoalInHand(runtime::AgentContext& context, Story& story, Vigil& vigil)
+  GoalFacts(runtime::AgentContext& context, Story& story, Vigil& vigil)
       : context_(context), story_(story), vigil_(vigil), turns_(context.executor), wanted_(context.executor) {}
 
   // Takes up the goal that stands on the board, before anything else.
