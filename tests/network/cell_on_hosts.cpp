@@ -35,11 +35,12 @@ std::string quoted(const std::vector<std::string>& words) {
 
 const std::vector<std::string> CellOnHosts::hosts = {"arm-pc", "eyes-pc", "board-pc"};
 
-CellOnHosts::CellOnHosts(Boards boards)
+CellOnHosts::CellOnHosts(Boards boards, const std::string& objects)
     : boards_(boards),
       network_("cell", boards == Boards::one ? hosts : with_the_world(hosts), Network::Wires::forwarded) {
   make_keys();
-  write_cell();
+  write_cell(!objects.empty());
+  if (!objects.empty()) give_objects(objects);
 }
 
 // Each host has its own secret and the board's public key; a board has everybody's public one, and its own secret.
@@ -86,19 +87,28 @@ std::string CellOnHosts::leading_host() const {
   return "";
 }
 
-void CellOnHosts::write_cell() const {
+void CellOnHosts::write_cell(bool with_objects) const {
   const bool one = boards_ == Boards::one;
   const std::string text = fmt::format(
-      "(cell three (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain \"{}/domains/blocks.scm\")\n"
+      "(cell three (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain "
+      "\"{}/domains/blocks.scm\"){}\n"
       " (board \"{}\" \"{}\" (keys \"keys\"))\n"
       " (host \"arm-pc\" (agents robot{}) (key \"keys/arm-pc.secret\"))\n"
       " (host \"eyes-pc\" (agents vision) (key \"keys/eyes-pc.secret\"))\n"
       " (host \"board-pc\" (agents planner coordinator){}))\n",
-      source_dir(), one ? "board-pc" : world_host, boards(), one ? " person" : "",
+      source_dir(), with_objects ? " (objects \"objects\")" : "", one ? "board-pc" : world_host, boards(),
+      one ? " person" : "",
       one ? ""
           : " (key \"keys/board-pc.secret\"))\n (host \"world-pc\" (agents person) (key \"keys/world-pc.secret\")");
   for (const std::string& host : one ? hosts : with_the_world(hosts)) {
     std::ofstream(network_.folder(host) + "cell.scm") << text;
+  }
+}
+
+// To every host: the eyes may move to another one.
+void CellOnHosts::give_objects(const std::string& folder) const {
+  for (const std::string& host : hosts) {
+    std::filesystem::copy(folder, network_.folder(host) + "objects", std::filesystem::copy_options::recursive);
   }
 }
 

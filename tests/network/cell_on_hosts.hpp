@@ -29,7 +29,8 @@ class CellOnHosts {
   static constexpr int board_port = 7943;
   enum class Boards { one, that_take_over };
 
-  explicit CellOnHosts(Boards boards = Boards::one);
+  // Its eyes know the objects of this folder from the start, or nothing.
+  explicit CellOnHosts(Boards boards = Boards::one, const std::string& objects = "");
   Network& network() { return network_; }
   void up(const std::string& host);
   // What `pizarra WORDS` says there, with that host's key.
@@ -47,7 +48,8 @@ class CellOnHosts {
 
  private:
   void make_keys() const;
-  void write_cell() const;
+  void write_cell(bool with_objects) const;
+  void give_objects(const std::string& folder) const;
   std::string log() const;
 
   const Boards boards_;

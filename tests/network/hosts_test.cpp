@@ -6,6 +6,7 @@
 
 #include "tests/campaign.hpp"
 #include "tests/network/cell_on_hosts.hpp"
+#include "tests/programs/taught_cell.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra::network {
@@ -17,8 +18,10 @@ class Hosts : public testing::Test {
  protected:
   void SetUp() override {
     if (const std::string why = Network::unavailable(); !why.empty()) GTEST_SKIP() << why;
-    cell_ = std::make_unique<CellOnHosts>();
+    cell_ = std::make_unique<CellOnHosts>(CellOnHosts::Boards::one, objects());
   }
+  // What the eyes know from the start.
+  virtual std::string objects() const { return programs::taught_cell(PIZARRA_CELL) + "objects"; }
   void up_all(const std::vector<std::string>& order) {
     for (const std::string& host : order) cell_->up(host);
     ASSERT_TRUE(cell_->all_are_there()) << cell_->said();
@@ -35,7 +38,12 @@ class Hosts : public testing::Test {
   std::unique_ptr<CellOnHosts> cell_;
 };
 
-TEST_F(Hosts, BuildAGoalTogetherAndSeeEachOthersImagesInWhateverOrderTheyCome) {
+class UntaughtHosts : public Hosts {
+ protected:
+  std::string objects() const override { return ""; }
+};
+
+TEST_F(UntaughtHosts, TeachAndBuildAGoalTogetherAndSeeEachOthersImagesInWhateverOrderTheyCome) {
   up_all({"eyes-pc", "arm-pc", "board-pc"});
   // An image of eyes-pc's that comes over the network.
   const programs::Said looked = cell_->run("arm-pc", "look colour --frames 3 --png /run/eyes.png");

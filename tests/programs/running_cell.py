@@ -36,7 +36,8 @@ class CellTest(unittest.TestCase):
 
     def start_cell(self):
         """Its board's address, once everything is taught."""
-        cell = self.start([program, "up", os.path.join(source, "examples/01-blocks/cell.scm")], stdout=subprocess.PIPE,
+        subprocess.run([os.path.join(source, "tests/taught_cell"), program, self.folder], check=True)
+        cell = self.start([program, "up", os.path.join(self.folder, "cell.scm")], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT)
         self.addCleanup(cell.stdout.close)
         said, address = [], None

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tests/programs/running.hpp"
+#include "tests/programs/taught_cell.hpp"
 #include "tests/scratch.hpp"
-#include "tests/source_dir.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -25,6 +25,7 @@ using std::chrono::seconds;
 // Much longer than anything here takes on a machine that does nothing else.
 constexpr seconds patience{90};
 constexpr seconds stop_time{10};
+constexpr std::size_t processes = 8;  // up, the board, the world and five agents
 
 struct Shown {
   pid_t pid = 0;  // 0: not running
@@ -35,10 +36,7 @@ class UpKilled : public testing::Test {
  protected:
   void SetUp() override { start(); }
 
-  void start() {
-    const std::string cell = source_dir() + "/examples/01-blocks/cell.scm";
-    up_.emplace(std::vector<std::string>{PIZARRA_CELL, "up", cell}, folder_ + "up.log");
-  }
+  void start() { up_.emplace(std::vector<std::string>{PIZARRA_CELL, "up", cell_file_}, folder_ + "up.log"); }
   std::string say(std::vector<std::string> words) {
     words.insert(words.begin(), PIZARRA_CELL);
     Running running(std::move(words), folder_ + "said.log");
@@ -99,7 +97,7 @@ class UpKilled : public testing::Test {
     }
   }
   void stop_cleanly() {
-    EXPECT_EQ(cell_processes().size(), 7U);
+    EXPECT_EQ(cell_processes().size(), processes);
     up_->signal(SIGINT);
     EXPECT_EQ(up_->end(stop_time), 0) << up_->said();
     EXPECT_EQ(cell_processes(), std::vector<std::string>());
@@ -108,6 +106,7 @@ class UpKilled : public testing::Test {
   }
 
   const std::string folder_ = scratch_folder();
+  const std::string cell_file_ = taught_cell(PIZARRA_CELL) + "cell.scm";
   std::optional<Running> up_;
   std::chrono::steady_clock::time_point killed_;
 };
@@ -149,7 +148,7 @@ TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheG
 }
 
 TEST_F(UpKilled, NoProcessOutlivesAKilledUpAndTheNextOneStartsInItsPlace) {
-  ASSERT_TRUE(wait_until([this] { return shown("vision").pid > 0 && cell_processes().size() == 7; }, patience))
+  ASSERT_TRUE(wait_until([this] { return shown("vision").pid > 0 && cell_processes().size() == processes; }, patience))
       << up_->said();
   up_->signal(SIGKILL);
   EXPECT_EQ(up_->end(stop_time), -SIGKILL);

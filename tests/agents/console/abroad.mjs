@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { request } from 'node:https';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
-import { expect, expectAccessible, launch, openPage, ownFolder, skip, source, start, taught, text } from './browser.mjs';
+import { expect, expectAccessible, launch, openPage, ownFolder, skip, start, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, keys, scratch] = process.argv.slice(2);
 if (spawnSync('openssl', ['version']).status !== 0) skip('there is no openssl to make a certificate with');
@@ -34,11 +34,10 @@ const free = await new Promise((resolve) => {
   });
 });
 const board = `tcp://127.0.0.1:${free}`;
-const described = readFileSync(join(source, 'examples/01-blocks/cell.scm'), 'utf8')
-  .replace('../../domains', join(source, 'domains'))
-  .replace('(host "localhost"', `(board "localhost" "${board}" (keys "${inFolder('keys')}"))\n  (host "localhost"`);
-writeFileSync(inFolder('cell.scm'), described);
-const up = start([cell, 'up', inFolder('cell.scm')], folder);
+const cellFile = taughtCell(cell);
+const described = readFileSync(cellFile, 'utf8').replace('(host "localhost"', `(board "localhost" "${board}" (keys "${inFolder('keys')}"))\n  (host "localhost"`);
+writeFileSync(cellFile, described);
+const up = start([cell, 'up', cellFile], folder);
 await up.line;
 const untilTold = async (fact, words) => {
   const ask = ['ask', '--board', board, '--key', inFolder('keys/console.secret'), fact];
@@ -50,7 +49,7 @@ const untilTold = async (fact, words) => {
 };
 await untilTold('(agent ?n ?k ?h)', 'coordinator');
 const listening = [
-  cell, 'console', inFolder('cell.scm'), '--board', board, '--key', inFolder('keys/console.secret'),
+  cell, 'console', cellFile, '--board', board, '--key', inFolder('keys/console.secret'),
   '--listen', '127.0.0.1', '--host', 'localhost', '--keys', inFolder('keys'),
   '--certificate', inFolder('tls.pem'), '--certificate-key', inFolder('tls.key'),
 ];

@@ -1,9 +1,9 @@
 // node accessible.mjs PIZARRA-CELL SCRATCH: axe-core finds nothing serious in any view of the page.
 
-import { begin, expectAccessible } from './browser.mjs';
+import { begin, expectAccessible, taughtCell } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console']);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(cell)]);
 await page.waitForFunction(() => /mm/.test(document.getElementById('readings').textContent));
 const look = (view) => expectAccessible(page, scratch, view);
 for (const tab of await page.locator('[role=tab]:visible').allInnerTexts()) {

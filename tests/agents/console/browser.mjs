@@ -2,7 +2,7 @@
 // and the test is skipped (status 77).
 
 import { spawn, spawnSync } from 'node:child_process';
-import { copyFileSync, cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
@@ -81,24 +81,11 @@ export function ownFolder() {
   return folder;
 }
 
-// The file of the cell of examples/01-blocks, written into `folder`, whose eyes keep their objects in `objects`.
-export function cellWithObjects(folder, objects) {
-  const described = readFileSync(join(source, 'examples/01-blocks/cell.scm'), 'utf8')
-    .replace('../../domains', join(source, 'domains'))
-    .replace('(host "localhost"', `(objects "${objects}")\n  (host "localhost"`);
-  const file = join(folder, 'cell.scm');
-  writeFileSync(file, described);
-  return file;
-}
-
-// Where objects.mjs has them taught, in the scratch folder.
-export const taughtObjects = 'taught-objects';
-// That cell, with copies of these objects: its eyes know them from the start.
-export function taughtCell(scratch) {
+// The file of the cell of examples/01-blocks, whose eyes know its objects from the start.
+export function taughtCell(cell) {
   const folder = ownFolder();
-  const objects = join(folder, 'objects');
-  cpSync(join(scratch, taughtObjects), objects, { recursive: true });
-  return cellWithObjects(folder, objects);
+  say([join(source, 'tests/taught_cell'), cell, folder], folder);
+  return join(folder, 'cell.scm');
 }
 
 // Whole lines of what a program says.

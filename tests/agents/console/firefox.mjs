@@ -12,7 +12,7 @@ mkdirSync(pictures, { recursive: true });
 const firefox = await openFirefox(scratch, { width: 1280, height: 800 });
 const { page } = firefox;
 console.log(`firefox ${firefox.version}`);
-const served = start([cell, 'console', taughtCell(scratch)], ownFolder());
+const served = start([cell, 'console', taughtCell(cell)], ownFolder());
 await firefox.go(await served.line);
 const textOf = (id) => `document.getElementById('${id}').textContent`;
 await page.until("document.body.dataset.state === 'live'");

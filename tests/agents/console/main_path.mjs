@@ -2,7 +2,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, keepPicture, launch, openPage, ownFolder, start, tall, taught, text } from './browser.mjs';
+import { ask, expect, keepPicture, launch, openPage, ownFolder, start, tall, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -10,7 +10,7 @@ const folder = ownFolder();
 const pictures = join(scratch, 'console-screenshots');
 mkdirSync(pictures, { recursive: true });
 const picture = (page, name, size) => keepPicture(page, join(pictures, `${name}.png`), size);
-const served = start([cell, 'console'], folder);
+const served = start([cell, 'console', taughtCell(cell)], folder);
 const address = await served.line;
 
 const stranger = await openPage(browser, address.replace(/#.*/, `#${'0'.repeat(64)}`));

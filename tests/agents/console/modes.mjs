@@ -4,7 +4,7 @@
 import { begin, expect, openPage, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { browser, served, page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
+const { browser, served, page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(cell)]);
 const other = await browser.newContext();
 const second = await openPage(other, await served.next(1));
 await second.waitForSelector('body[data-state=live]');

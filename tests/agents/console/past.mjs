@@ -2,12 +2,10 @@
 // was known and seen then is shown in the same views, and now again; what commands is off then; an entry of the story shows
 // what was seen; a board without a journal says so.
 
-import { join } from 'node:path';
-import { begin, expect, openPage, ownFolder, source, start, tall, taught, text } from './browser.mjs';
+import { begin, expect, openPage, ownFolder, start, tall, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const blocks = join(source, 'examples/01-blocks/cell.scm');
-const { browser, page, picture, end } = await begin(scratch, [cell, 'up', blocks, '--console']);
+const { browser, page, picture, end } = await begin(scratch, [cell, 'up', taughtCell(cell), '--console']);
 await taught(page);
 await page.click('#tab-eyes');
 const known = (count) =>

@@ -3,7 +3,7 @@
 import { begin, expect, taught, taughtCell } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(cell)]);
 await taught(page);
 await page.click('#sketch-toggle');
 await page.waitForFunction(() => document.querySelectorAll('[data-block]').length >= 4);

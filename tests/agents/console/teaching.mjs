@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { begin, expect, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(cell)]);
 await taught(page);
 await page.click('#tab-eyes');
 const objects = () => page.locator('.objects li strong').allInnerTexts();

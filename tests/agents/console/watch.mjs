@@ -4,7 +4,7 @@
 import { ask, begin, expect, expectAccessible, pixelsLike, taught, taughtCell, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(scratch)]);
+const { page, picture, end } = await begin(scratch, [cell, 'console', taughtCell(cell)]);
 const shows = (kind, wanted) =>
   page.waitForFunction(([of, like]) => new RegExp(like).test(document.getElementById('scene').dataset[of] ?? ''), [kind, wanted]);
 const canvas = '#scene-card';
