@@ -2,10 +2,12 @@
 // look where the image is clicked.
 
 import { join } from 'node:path';
-import { begin, expect, source, tall, text } from './browser.mjs';
+import { begin, expect, here, tall, text } from './browser.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
-const { page, picture, end } = await begin(scratch, [cell, 'console', join(source, 'examples/03-moving-head/cell.scm')]);
+const { page, picture, end } = await begin(scratch, [cell, 'console', join(here, 'head_alone.scm')]);
+await page.click('#tab-eyes');
+await page.click('#eyes button:text-is("Connect")');
 await page.click('#tab-head');
 await page.waitForFunction(() => document.getElementById('head-light').textContent === 'ready');
 expect(true, 'the light says that the head is ready');
