@@ -1,6 +1,7 @@
 #pragma once
 
-// The options of a coordinator that a cell configures. Lengths mm. They are set before it runs.
+// The options of a coordinator that a cell configures, and the constants beside them. Lengths mm. The options are set
+// before it runs.
 //
 //   CoordinatorOptions options;
 //   options.domain_file = "domains/blocks.scm";
@@ -10,7 +11,6 @@
 #include <string>
 
 #include "agents/coordinator/geometry/camera_view.hpp"
-#include "agents/coordinator/geometry/servo.hpp"
 #include "blackboard/time/clock.hpp"
 #include "lisp/forms/cell_file.hpp"
 
@@ -19,9 +19,9 @@ namespace pizarra::coordinator {
 // The gripper as the camera sees it, around the point where the mark of a held object would stand. A mark behind it is
 // not lost: nothing is known of it until the gripper has moved on (lisp/modules/pizarra/looks.scm decides it).
 struct GripperOutline {
-  double half_width_mm = 62;  // of the palm
-  double below_mm = 32;       // fingertips, or what is held
-  double mark_half_mm = 24;   // an object's mark that is partly covered is not recognised either
+  static constexpr double half_width_mm = 62;  // of the palm
+  static constexpr double below_mm = 32;       // fingertips, or what is held
+  static constexpr double mark_half_mm = 24;   // an object's mark that is partly covered is not recognised either
 };
 
 // The gripper and its mark, as they are built.
@@ -29,8 +29,9 @@ struct GripperGeometry {
   std::string mark = "end-effector";  // the name it was learned under
   double mark_above_grip_mm = 66;
   double mark_before_grip_mm = 30;  // towards the camera
-  double finger_mm = 8;
-  double finger_below_mm = 22;  // the lowest that the grip centre may go for the fingertips to clear the table
+  static constexpr double finger_mm = 8;
+  // The lowest that the grip centre may go for the fingertips to clear the table.
+  static constexpr double finger_below_mm = 22;
   forms::GripperOpenings openings;
   GripperOutline outline;
 };
@@ -40,21 +41,20 @@ struct CoordinatorOptions {
   forms::BelievedCamera camera;
   bool head = false;  // whether the camera stands on a pan-tilt unit, whose (head ...) fact says how it is turned
   GripperGeometry gripper;
-  ServoLimits servo;
-  forms::CubeRow row;             // where cubes are put down
-  std::optional<double> cube_mm;  // of the largest; none: those that the domain was written for
-  forms::EdgesMm edges_mm;        // of cubes by their names; the others are as large as the largest
-  double travel_height_mm = 300;  // of the grip: clears a tower of four
-  double release_mm = 1.5;        // above the support, where a held cube is let go
+  forms::CubeRow row;                        // where cubes are put down
+  std::optional<double> cube_mm;             // of the largest; none: those that the domain was written for
+  forms::EdgesMm edges_mm;                   // of cubes by their names; the others are as large as the largest
+  double travel_height_mm = 300;             // of the grip: clears a tower of four
+  static constexpr double release_mm = 1.5;  // above the support, where a held cube is let go
   // The first plan is carried out blindly: nothing is checked or planned again. To compare with; never of use.
   bool open_loop = false;
 
-  int belief_looks = 3;             // in a row, before a difference counts
-  int grace_looks = 10;             // unseen for as long, an object's facts go
-  Duration settle = 2s;             // the goal must hold for as long before it counts as reached,
-  int settle_looks = 5;             // and in so many looks: while none come, nobody sees whether it does
-  Duration missing_patience = 6s;   // how long a needed object is looked for
-  Duration absence_patience = 20s;  // how long an agent that died is waited for
+  static constexpr int belief_looks = 3;  // in a row, before a difference counts
+  static constexpr int grace_looks = 10;  // unseen for as long, an object's facts go
+  static constexpr Duration settle = 2s;  // the goal must hold for as long before it counts as reached,
+  static constexpr int settle_looks = 5;  // and in so many looks: while none come, nobody sees whether it does
+  static constexpr Duration missing_patience = 6s;   // how long a needed object is looked for
+  static constexpr Duration absence_patience = 20s;  // how long an agent that died is waited for
 };
 
 }  // namespace pizarra::coordinator

@@ -78,7 +78,7 @@ Task<void> ServoLoop::cut_short(Datum target, Eigen::Vector3d wanted_mm, Cut& cu
     const Time soon = context_.executor.now() + watch_patience;
     co_await surroundings_.look_after(surroundings_.looks(), soon);
     const Result<Aim> aim = aims_.at(target);
-    const bool is_moved = aim && (aim->wanted_mm - wanted_mm).norm() > options_.servo.follow_mm;
+    const bool is_moved = aim && (aim->wanted_mm - wanted_mm).norm() > ServoLimits::follow_mm;
     cut.begun = is_moved && arm_.is_asked();
   }
   // A motion that was not stopped goes on to its end.
@@ -129,7 +129,7 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
     unseen = 0;
     const ServoErrors errors = servo_errors(*aim, *surroundings_.scene().view(), options_.gripper.mark_before_grip_mm,
                                             options_.travel_height_mm);
-    const ServoCommand command = servo_command(errors, options_.servo, descend);
+    const ServoCommand command = servo_command(errors, descend);
     const ServoPixels told = servo_pixels(*aim, *surroundings_.scene().view());
     co_await tell(command.state, target, told);
     if (command.state < 3 && before.state >= 3) {

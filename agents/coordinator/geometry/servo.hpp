@@ -34,15 +34,15 @@ struct ServoPixels {
 };
 
 struct ServoLimits {
-  double coarse_mm = 4;      // beyond it, across and along are corrected before going down
-  double follow_mm = 14;     // beyond it, the gripper goes up first
-  double fine_zone_mm = 75;  // the last part of the way down; above it the fingers touch nothing
-  double step_mm = 90;       // the longest step of the approach
-  double fine_step_mm = 40;
-  double turn_mm = 3;    // state 4: beyond it TURN, else MOVE_H
-  double fine_mm = 0.8;  // state 4: good enough across and along
-  double done_mm = 0.7;  // state 4: good enough in height
-  double fine_gain = 0.8;
+  static constexpr double coarse_mm = 4;      // beyond it, across and along are corrected before going down
+  static constexpr double follow_mm = 14;     // beyond it, the gripper goes up first
+  static constexpr double fine_zone_mm = 75;  // the last part of the way down; above it the fingers touch nothing
+  static constexpr double step_mm = 90;       // the longest step of the approach
+  static constexpr double fine_step_mm = 40;
+  static constexpr double turn_mm = 3;    // state 4: beyond it TURN, else MOVE_H
+  static constexpr double fine_mm = 0.8;  // state 4: good enough across and along
+  static constexpr double done_mm = 0.7;  // state 4: good enough in height
+  static constexpr double fine_gain = 0.8;
 };
 
 struct ServoCommand {
@@ -54,7 +54,7 @@ struct ServoCommand {
 };
 
 // `descend` false: states 0-2 only, to align without going down.
-ServoCommand servo_command(const ServoErrors& errors, const ServoLimits& limits, bool descend);
+ServoCommand servo_command(const ServoErrors& errors, bool descend);
 
 // Whether the way sideways that the command before was to go is still to go: the arm's own limits ended it.
 bool has_stalled(const ServoCommand& command, const ServoCommand& before);

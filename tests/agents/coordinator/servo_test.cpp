@@ -10,7 +10,6 @@ namespace pizarra::coordinator {
 namespace {
 
 using Motion = ServoCommand::Motion;
-constexpr ServoLimits limits;
 constexpr double radius_mm = 480;
 
 // An arm that does what it is told, up to a share of the amount and some noise, and a target.
@@ -49,19 +48,19 @@ struct Plant {
         break;
     }
     const bool sideways = command.motion == Motion::turn || command.motion == Motion::extend;
-    if (sideways && std::abs(amount) > limits.follow_mm) {
+    if (sideways && std::abs(amount) > ServoLimits::follow_mm) {
       lowest_while_sideways_mm = std::min(lowest_while_sideways_mm, height_mm);
     }
   }
 };
 
 TEST(Servo, GoesUpFirstWhenItIsLowAndFarOff) {
-  EXPECT_EQ(servo_command({50, 6, 0, 40, 200}, limits, true), (ServoCommand{0, Motion::up, 200}));
+  EXPECT_EQ(servo_command({50, 6, 0, 40, 200}, true), (ServoCommand{0, Motion::up, 200}));
 }
 
 TEST(Servo, AlignsAcrossBeforeAlong) {
-  EXPECT_EQ(servo_command({50, 6, 30, 270, 0}, limits, true), (ServoCommand{1, Motion::turn, 6}));
-  EXPECT_EQ(servo_command({1, 0.1, -30, 270, 0}, limits, true), (ServoCommand{2, Motion::extend, -30}));
+  EXPECT_EQ(servo_command({50, 6, 30, 270, 0}, true), (ServoCommand{1, Motion::turn, 6}));
+  EXPECT_EQ(servo_command({1, 0.1, -30, 270, 0}, true), (ServoCommand{2, Motion::extend, -30}));
 }
 
 TEST(Servo, HasStalledWhereTheWayOfTheLastMotionIsStillToGo) {
@@ -74,24 +73,24 @@ TEST(Servo, HasStalledWhereTheWayOfTheLastMotionIsStillToGo) {
 }
 
 TEST(Servo, ApproachesInStepsThatAreBounded) {
-  const ServoCommand command = servo_command({1, 0.1, 1, 270, 0}, limits, true);
+  const ServoCommand command = servo_command({1, 0.1, 1, 270, 0}, true);
   EXPECT_EQ(command.state, 3);
   EXPECT_EQ(command.motion, Motion::down);
-  EXPECT_LE(command.amount, limits.step_mm);
+  EXPECT_LE(command.amount, ServoLimits::step_mm);
 }
 
 TEST(Servo, ChoosesTurnForCoarseAndMoveHForFineErrorsInStateFour) {
-  const ServoCommand coarse = servo_command({limits.turn_mm + 2, 1, 0, 20, 250}, limits, true);
+  const ServoCommand coarse = servo_command({ServoLimits::turn_mm + 2, 1, 0, 20, 250}, true);
   EXPECT_EQ(coarse.state, 4);
   EXPECT_EQ(coarse.motion, Motion::turn);
-  const ServoCommand fine = servo_command({limits.turn_mm - 1, 1, 0, 20, 250}, limits, true);
+  const ServoCommand fine = servo_command({ServoLimits::turn_mm - 1, 1, 0, 20, 250}, true);
   EXPECT_EQ(fine.state, 4);
   EXPECT_EQ(fine.motion, Motion::move_h);
-  EXPECT_LT(std::abs(fine.amount), limits.turn_mm - 1);
+  EXPECT_LT(std::abs(fine.amount), ServoLimits::turn_mm - 1);
 }
 
 TEST(Servo, StaysUpWhenItOnlyAligns) {
-  const ServoCommand command = servo_command({1, 0.1, 1, 270, 0}, limits, false);
+  const ServoCommand command = servo_command({1, 0.1, 1, 270, 0}, false);
   EXPECT_EQ(command.motion, Motion::done);
 }
 
@@ -104,7 +103,7 @@ TEST(Servo, ComesToTheTargetFromAnywhereAndMovesFarSidewaysOnlyUpHigh) {
     int looks = 0;
     ServoCommand command{0, Motion::up, 0};
     while (command.motion != Motion::done && ++looks < 60) {
-      command = servo_command(plant.errors(random, 0.1), limits, true);
+      command = servo_command(plant.errors(random, 0.1), true);
       plant.perform(command, share);
     }
     EXPECT_LT(looks, 60);
@@ -125,7 +124,7 @@ TEST(Servo, FollowsATargetThatIsMovedDuringTheApproach) {
     bool went_up = false;
     ServoCommand command{0, Motion::up, 0};
     while (command.motion != Motion::done && ++looks < 80) {
-      command = servo_command(plant.errors(random, 0.1), limits, true);
+      command = servo_command(plant.errors(random, 0.1), true);
       plant.perform(command, 1);
       went_up = went_up || (moved && command.state == 0);
       if (command.state == 3 && !moved) {
