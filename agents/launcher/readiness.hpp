@@ -9,6 +9,9 @@
 
 namespace pizarra::launcher {
 
+// To wait until the program ends.
+inline constexpr Duration for_ever = 86400s;
+
 // As await_answer(), also when the relations are yet to be declared.
 Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query query, Time deadline);
 

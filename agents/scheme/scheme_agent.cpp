@@ -9,8 +9,6 @@ namespace pizarra::scheme {
 namespace {
 
 constexpr Duration look_pause = 200ms;
-constexpr Duration lease_length = 2s;
-constexpr Duration renewal_pause = 500ms;
 constexpr Duration patience_when_leaving = 1s;
 
 }  // namespace
@@ -85,7 +83,7 @@ Task<Result<void>> SchemeAgent::say_state(LeaseId lease) {
 // Under a lease of its own, so that what the program before told goes when nobody renews its lease.
 Task<Result<void>> SchemeAgent::begin(Life& life, const Loaded& loaded) {
   life.running.reset();
-  const Result<LeaseId> lease = co_await context_.board.lease(lease_length);
+  const Result<LeaseId> lease = co_await context_.board.lease(runtime::Presence::lease_length);
   if (!lease) co_return fail(lease);
   life.lease = *lease;
   life.renewed = context_.executor.now();
@@ -104,7 +102,7 @@ Task<Result<void>> SchemeAgent::begin(Life& life, const Loaded& loaded) {
 
 // A board that has forgotten the lease is told everything again.
 Task<Result<void>> SchemeAgent::keep_lease(Life& life, const Loaded& loaded) {
-  const bool due = context_.executor.now() >= life.renewed + renewal_pause;
+  const bool due = context_.executor.now() >= life.renewed + runtime::Presence::renewal;
   if (!due) co_return {};
   const Result<void> renewed = co_await context_.board.renew(life.lease);
   life.renewed = context_.executor.now();

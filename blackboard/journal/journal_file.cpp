@@ -16,6 +16,7 @@ namespace pizarra::journal {
 namespace {
 
 constexpr std::uintmax_t longest_line = 64 << 20;
+constexpr std::int64_t page = 4096;  // bytes, of SQLite's files
 constexpr const char* bytes_of_log =
     "SELECT coalesce(sum(length(CAST(lines AS BLOB)) + length(CAST(replies AS BLOB))), 0) FROM log";
 
@@ -199,7 +200,6 @@ Result<void> JournalFile::write(const JournalGroup& group) {
 
 // SQLite copies its log to where it belongs when that has so many bytes: the file grows then, by as much at most.
 void JournalFile::copy_log_at(std::int64_t bytes) {
-  constexpr std::int64_t page = 4096;
   constexpr std::int64_t most_pages = 1000;
   const std::int64_t pages = std::clamp<std::int64_t>(bytes / page, 1, most_pages);
   if (pages == log_pages_) return;
@@ -228,7 +228,6 @@ JournalRoom JournalFile::room() {
   copy_log_at(set_aside / 8);
   const Result<std::int64_t> free_pages =
       is_ample(set_aside) ? Result<std::int64_t>(0) : database_.ask("PRAGMA freelist_count");
-  constexpr std::int64_t page = 4096;
   room_ = room_with(set_aside, page * free_pages.value_or(0));
   room_.past_goes = room_.is_scarce || past_bytes_ > history_.bytes;
   return room_;

@@ -14,7 +14,6 @@ namespace {
 using Kind = Query::Clause::Kind;
 
 Weight weigh_answer(const std::vector<Fact>& facts) {
-  constexpr std::size_t answer_bytes = 3;
   Weight weight{.bytes = answer_bytes, .elements = 1};
   for (const Fact& fact : facts) weight += weigh(fact);
   return weight;

@@ -23,6 +23,9 @@
 
 namespace pizarra::watch {
 
+// Of the list around the facts of an answer, as it is written.
+inline constexpr std::size_t answer_bytes = 3;
+
 class JoinedAnswers {
  public:
   // The query has been checked on the tables, which outlive this.

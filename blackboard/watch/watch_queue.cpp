@@ -43,8 +43,6 @@ void add(Delta::Side& side, const Fact& fact) {
   ++side.answers;
 }
 
-constexpr std::size_t answer_bytes = 3;
-
 Weight weigh_as_answer(const Fact& fact) {
   Weight weight = pizarra::weigh(fact);
   weight.bytes += answer_bytes;

@@ -23,6 +23,8 @@ struct ImageSize {
 // larger is refused by its header.
 inline constexpr ImageSize largest_image{8192, 8192};
 inline constexpr ImageSize largest_pair{16384, 8192};
+// The least that the eyes find a mark in.
+inline constexpr int least_side_px = 64;
 inline constexpr std::string_view cut_short = "is cut short: its end is missing";
 inline constexpr std::string_view no_image = "is no image that can be read";
 

@@ -6,7 +6,6 @@ namespace pizarra::chaos {
 
 namespace {
 
-constexpr Duration settle = 1500ms;
 constexpr Duration hand_was_there = 4s;
 
 }  // namespace
@@ -18,7 +17,7 @@ Verdict::Verdict(Executor& time, const story::Judge& judge, simulation::WorldCon
 Task<bool> Verdict::stands(std::vector<Datum> goal) const {
   const bool showed = observers_.showed_lately(goal);
   const bool disturbed = player_.hand_is_busy() || time_.now() - player_.hand_moved() < hand_was_there;
-  co_await sleep(time_, settle);
+  co_await sleep(time_, story::settling_time);
   const bool stands = showed && (disturbed || observers_.showed_lately(goal));
   co_return stands;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "drivers/camera/image_faults.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
@@ -12,7 +13,6 @@ namespace pizarra::programs {
 namespace {
 
 constexpr std::size_t most_stills = 100'000;
-constexpr int least_side_px = 64;
 
 Result<std::vector<std::string>> still_files(const std::vector<std::string>& words) {
   std::vector<std::string> out;
@@ -77,9 +77,9 @@ Result<StillImage> StillCamera::see(const std::string& file) const {
   const Result<cv::Mat> grey = camera::read_image_file(file, true);
   if (!grey) return fail(grey);
   const std::string name = text_of_bytes(file);
-  if (std::min(grey->cols, grey->rows) < least_side_px) {
+  if (std::min(grey->cols, grey->rows) < camera::least_side_px) {
     return fail("wrong-size", fmt::format("{} is {}x{} px, and at least {} px each way are needed", name, grey->cols,
-                                          grey->rows, least_side_px));
+                                          grey->rows, camera::least_side_px));
   }
   Result<camera::StereoGeometry> geometry = camera::StereoGeometry::make(setup_, calibration_, grey->size());
   if (!geometry) return fail(geometry);

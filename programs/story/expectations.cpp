@@ -7,13 +7,6 @@
 
 namespace pizarra::story {
 
-namespace {
-
-// Longer than any story.
-constexpr Duration for_ever = 86400s;
-
-}  // namespace
-
 Expectations::Expectations(const forms::Scenario& scenario, Board& board, Executor& executor)
     : scenario_(scenario), board_(board), executor_(executor) {
   for (const Datum& pattern : scenario.expect_seen) expected_.push_back({pattern, true});
@@ -26,7 +19,7 @@ void Expectations::begin() {
 
 Task<void> Expectations::watch_for(Expected& expected) {
   Query query = query_from_datum(expected.pattern).value();
-  const Time never = executor_.now() + for_ever;
+  const Time never = executor_.now() + launcher::for_ever;
   const Result<Answer> come = co_await launcher::await_when_declared(board_, executor_, std::move(query), never);
   if (come) expected.came = true;
 }

@@ -19,6 +19,9 @@
 
 namespace pizarra::story {
 
+// What was put down or fell stands still after it.
+inline constexpr Duration settling_time = 1500ms;
+
 class Judge {
  public:
   // Of a cell with cubes of that size, but for those that have an edge of their own. Failures: those of the domain's

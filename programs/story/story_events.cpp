@@ -14,8 +14,6 @@ namespace {
 constexpr Duration hand_timeout = 20s;
 constexpr Duration busy_pause = 200ms;
 constexpr Duration end_pause = 100ms;
-// Longer than any story.
-constexpr Duration for_ever = 86400s;
 
 }  // namespace
 
@@ -94,7 +92,7 @@ Task<Result<void>> StoryEvents::act(Datum action) {
 
 Task<void> StoryEvents::happen_once(forms::ScenarioEvent event) {
   Query query = query_from_datum(event.condition).value();
-  const Time never = cell_.executor().now() + for_ever;
+  const Time never = cell_.executor().now() + launcher::for_ever;
   const Result<Answer> come = co_await launcher::await_when_declared(board_, cell_.executor(), std::move(query), never);
   if (!come) {
     troubles_.push_back(describe(come.error()));

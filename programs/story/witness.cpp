@@ -9,7 +9,6 @@ namespace {
 constexpr Duration look_pause = 250ms;
 constexpr Duration blind_after = 2s;
 constexpr double visible_enough = 0.5;
-constexpr Duration settle = 1500ms;
 
 void collect_symbols(const Datum& datum, std::vector<std::string>& out) {
   if (datum.is_symbol()) out.emplace_back(datum.text());
@@ -48,7 +47,7 @@ bool Witness::blind_to(const std::vector<Datum>& goal) const {
 }
 
 Task<Result<Verdict>> Witness::judge(std::vector<Datum> goal) {
-  co_await sleep(cell_.executor(), settle);
+  co_await sleep(cell_.executor(), settling_time);
   const Result<WorldState> truth = co_await read_world_state(cell_.link());
   if (!truth) co_return fail(truth);
   const Result<bool> shows = judge_.shows(goal, *truth);

@@ -19,7 +19,6 @@ bool fits(const camera::StereoModel& model, const std::shared_ptr<const Image>& 
          image->pixels.size() == static_cast<std::size_t>(image->width * image->height * image->channels);
 }
 
-constexpr int least_side_px = 64;
 constexpr int most_side_px = camera::largest_image.width;
 
 std::size_t bytes_of(const camera::StereoFrame& frame) {
@@ -28,10 +27,10 @@ std::size_t bytes_of(const camera::StereoFrame& frame) {
 
 // Why the camera cannot be used; empty where it can.
 std::string trouble_with(const camera::StereoModel& model) {
-  const auto fits = [](int side) { return side >= least_side_px && side <= most_side_px; };
+  const auto fits = [](int side) { return side >= camera::least_side_px && side <= most_side_px; };
   if (!fits(model.width) || !fits(model.height)) {
     return fmt::format("the camera's images are {0}x{1}, and what works is {2}x{2} to {3}x{3}", model.width,
-                       model.height, least_side_px, most_side_px);
+                       model.height, camera::least_side_px, most_side_px);
   }
   const bool has_depth = model.base_line_mm > 0 || (model.is_single() && model.learned_at_mm > 0);
   return model.focal_px > 0 && has_depth ? "" : "the camera's model makes no sense";

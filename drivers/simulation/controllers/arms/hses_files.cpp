@@ -6,6 +6,7 @@ namespace pizarra::simulation {
 
 namespace {
 
+constexpr std::uint8_t file_control = 2;
 constexpr std::uint8_t request_kind = 0;
 constexpr std::uint8_t answer_kind = 1;
 constexpr std::uint32_t last_block_bit = 0x8000'0000;
@@ -20,7 +21,6 @@ constexpr std::uint16_t no_such_file = 0xe2b3;
 
 std::string file_reply(std::uint8_t id, std::uint8_t service, std::uint32_t block, std::uint16_t refusal,
                        std::string_view data = {}) {
-  constexpr std::uint8_t file_control = 2;
   constexpr std::uint8_t not_done = 0x1f;
   line::OctetWriter octets(line::ByteOrder::little);
   octets.text("YERC").u16(32).u16(static_cast<std::uint16_t>(data.size())).u8(3).u8(file_control).u8(answer_kind);
@@ -45,7 +45,6 @@ std::string HsesFiles::answer(std::string_view datagram) {
   if (read.text(begin.size()) != begin) return {};
   const std::size_t size = read.u16();
   read.u8();
-  constexpr std::uint8_t file_control = 2;
   if (read.u8() != file_control) return {};
   Message message;
   message.kind = read.u8();

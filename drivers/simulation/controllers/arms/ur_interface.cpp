@@ -15,6 +15,7 @@ constexpr std::uint8_t message_type = 20;
 constexpr std::uint8_t robot_control_loop = 0xfe;  // who says a message: the controller itself
 constexpr std::int32_t ur5 = 1;                    // robot types; an e-Series is told by its version
 constexpr std::size_t joint_count = 6;
+constexpr std::size_t electrical = 16;  // current, voltage and two temperatures
 
 Octets big_endian() { return Octets(line::ByteOrder::big); }
 
@@ -59,7 +60,6 @@ std::string mode_package(const UrState& state) {
 
 std::string joint_package(const UrState& state) {
   Octets says = big_endian();
-  constexpr std::size_t electrical = 16;  // current, voltage and two temperatures
   for (std::size_t joint = 0; joint < joint_count; ++joint) {
     says.f64(state.joints_rad[joint]).f64(state.joints_rad[joint]).f64(state.joints_rad_s[joint]).zeros(electrical);
     says.u8(static_cast<std::uint8_t>(state.joint_mode));
@@ -76,7 +76,6 @@ std::string tool_package() {
 
 std::string masterboard_package(const UrState& state) {
   constexpr std::size_t analog = 2 + 16 + 2 + 16;
-  constexpr std::size_t electrical = 16;
   Octets says = big_endian();
   says.u32(0).u32(static_cast<std::uint32_t>(told(state, "actual_digital_output_bits"))).zeros(analog + electrical);
   says.u8(static_cast<std::uint8_t>(told(state, "safety_mode"))).u8(0).u8(0).u32(0).u8(0).u8(1).u8(0);
