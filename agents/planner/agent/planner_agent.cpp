@@ -72,6 +72,9 @@ std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search
   };
 }
 
+Datum plan_pattern() { return list("plan"_sym, "?"_sym, "?"_sym); }
+Datum needs_pattern() { return list("plan-needs"_sym, "?"_sym, "?"_sym); }
+
 }  // namespace
 
 struct PlannerAgent::State {
@@ -129,11 +132,8 @@ Task<Result<void>> PlannerAgent::State::run() {
 
 // Goes on with the plan that stands on the board.
 Task<void> PlannerAgent::State::resume() {
-  const Datum any = "?"_sym;
-  const Datum plan_pattern = list("plan"_sym, any, any);
-  const Datum needs_pattern = list("plan-needs"_sym, any, any);
-  const Result<std::vector<Fact>> plans = co_await context.board.facts(plan_pattern);
-  const Result<std::vector<Fact>> needs = co_await context.board.facts(needs_pattern);
+  const Result<std::vector<Fact>> plans = co_await context.board.facts(plan_pattern());
+  const Result<std::vector<Fact>> needs = co_await context.board.facts(needs_pattern());
   if (!plans || !needs || plans->empty() || needs->empty()) co_return;
   Result<RunningPlan> standing = RunningPlan::from_facts(plans->front().datum, needs->front().datum);
   if (!standing) co_return;
@@ -224,6 +224,9 @@ Task<Result<Datum>> PlannerAgent::State::plan_for(std::int64_t number) {
   search.reset();
   if (!mine->result) {
     const Failure failure = as_asked(mine->result.error());
+    Transaction forgetting;
+    forgetting.retract(plan_pattern()).retract(needs_pattern());
+    co_await tell(std::move(forgetting));
     co_await tell_state("no-plan", failure_to_datum(failure));
     co_return fail(failure);
   }

@@ -144,6 +144,20 @@ TEST(PlannerAgent, GoesOnWithItsPlanAfterItWasKilled) {
   EXPECT_TRUE(cell.call(fmt::format("(next-operation 3 {})", put_down)).starts_with("(ok 2 ((PICK-UP circle) "));
 }
 
+TEST(PlannerAgent, TakesNoEarlierPlanUpAgainOnceNoneCouldBeFound) {
+  Cell cell;
+  cell.call(make_plan());
+  const Datum given = form(facts_form("(on square square)"));
+  const Datum impossible = list("make-plan"_sym, 3, form(operators)[1], given[1], given[2], given[3]);
+  EXPECT_TRUE(cell.refusal(write(impossible)).starts_with("no-plan "));
+  EXPECT_FALSE(cell.find("(plan 3 ?operations)"));
+  cell.kill();
+  cell.executor.run_for(3s);
+  cell.begin();
+  cell.executor.run_for(1s);
+  EXPECT_EQ(cell.refusal(fmt::format("(next-operation 3 {})", begun)), "not-ready 3");
+}
+
 TEST(PlannerAgent, PlansAndHandsOutOneOperationAtATime) {
   Cell cell;
   EXPECT_EQ(cell.call(operators), "(ok)");
