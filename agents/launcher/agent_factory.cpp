@@ -109,10 +109,10 @@ coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription
   return options;
 }
 
-std::optional<robot::Room> room_from(const std::optional<forms::CellRoom>& given) {
+std::optional<robot::WorkVolume> room_from(const std::optional<forms::CellRoom>& given) {
   if (!given) return {};
   const auto& [low, high] = *given;
-  return robot::Room{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  return robot::WorkVolume{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 // The second arm's robot agent, or the one that has it follow the first.

@@ -25,7 +25,7 @@ std::unexpected<Failure> refused(Failure why) {
 
 }  // namespace
 
-ArmControl::ArmControl(runtime::AgentContext& context, ArmConnection& arm, const std::optional<Room>& room,
+ArmControl::ArmControl(runtime::AgentContext& context, ArmConnection& arm, const std::optional<WorkVolume>& room,
                        double told_per_s, ArmFacts& facts)
     : context_(context),
       arm_(arm),

@@ -46,8 +46,8 @@ class ArmControl {
   static constexpr Duration reconnect_pause = 500ms;
   static constexpr Duration patience = 2s;  // with a controller that does not answer during a move or a grip
 
-  ArmControl(runtime::AgentContext& context, ArmConnection& arm, const std::optional<Room>& room, double told_per_s,
-             ArmFacts& facts);
+  ArmControl(runtime::AgentContext& context, ArmConnection& arm, const std::optional<WorkVolume>& room,
+             double told_per_s, ArmFacts& facts);
 
   Task<void> keep_watch();
   const std::optional<Datum>& running() const { return running_; }

@@ -21,7 +21,7 @@ class Guard {
   static constexpr double speed_slack = 1.5;
   static constexpr Duration speed_window = 100ms;
 
-  explicit Guard(const arm::ArmModel& model, const std::optional<Room>& room = {}) : model_(model), room_(room) {}
+  explicit Guard(const arm::ArmModel& model, const std::optional<WorkVolume>& room = {}) : model_(model), room_(room) {}
 
   // A motion begins: an arm that stands out of its room may come back.
   void begin() { was_in_room_ = false; }
@@ -33,7 +33,7 @@ class Guard {
   std::optional<Failure> look_at_speed(Time at, const arm::Joints& joints);
 
   const arm::ArmModel& model_;
-  const std::optional<Room> room_;
+  const std::optional<WorkVolume> room_;
   Time measured_at_{};
   arm::Joints measured_;
   bool was_in_room_ = false;

@@ -73,7 +73,7 @@ std::vector<arm::Joints> in_small_steps(const arm::Joints& from, const std::vect
 }
 
 // Up to where it would leave the room, once it is in it.
-void keep_in_room(const arm::ArmModel& model, const Room& room, const arm::Joints& from,
+void keep_in_room(const arm::ArmModel& model, const WorkVolume& room, const arm::Joints& from,
                   std::vector<arm::Joints>& waypoints) {
   bool inside = room.holds(arm::forward(model, from).translation());
   std::size_t kept = 0;
@@ -88,7 +88,7 @@ void keep_in_room(const arm::ArmModel& model, const Room& room, const arm::Joint
 
 }  // namespace
 
-Result<Motion> plan_jog(const arm::ArmModel& model, const std::optional<Room>& room, std::string_view direction,
+Result<Motion> plan_jog(const arm::ArmModel& model, const std::optional<WorkVolume>& room, std::string_view direction,
                         const arm::Joints& from) {
   const auto* way = std::ranges::find(jog_ways, direction, &JogWay::name);
   if (way == std::end(jog_ways)) {

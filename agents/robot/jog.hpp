@@ -23,7 +23,7 @@ inline constexpr double jog_overrun_deg = 10;
 // The time to notice the silence, to stop and to brake.
 inline constexpr Duration jog_stopping = 100ms;
 
-Result<Motion> plan_jog(const arm::ArmModel& model, const std::optional<Room>& room, std::string_view direction,
+Result<Motion> plan_jog(const arm::ArmModel& model, const std::optional<WorkVolume>& room, std::string_view direction,
                         const arm::Joints& from);
 
 // The part of the axes' speeds, above 0 and at most 1, at which an arm that is stopped `deadline` after the last sign

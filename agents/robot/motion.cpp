@@ -189,7 +189,7 @@ Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, c
   return directed(model, operation, from);
 }
 
-Result<void> check_room(const arm::ArmModel& model, const std::optional<Room>& room, const arm::Joints& from,
+Result<void> check_room(const arm::ArmModel& model, const std::optional<WorkVolume>& room, const arm::Joints& from,
                         const std::vector<arm::Joints>& waypoints) {
   if (!room) return {};
   bool inside = room->holds(arm::forward(model, from).translation());

@@ -39,7 +39,7 @@ Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, c
                            const ArmVariables& variables);
 
 // Whether the waypoints stay in the arm's room once they are in it. Failure `out-of-room`: the subject is where not.
-Result<void> check_room(const arm::ArmModel& model, const std::optional<Room>& room, const arm::Joints& from,
+Result<void> check_room(const arm::ArmModel& model, const std::optional<WorkVolume>& room, const arm::Joints& from,
                         const std::vector<arm::Joints>& waypoints);
 
 // After which a motion through the waypoints has gone wrong: three times what the axes need, for their acceleration,

@@ -29,9 +29,9 @@
 namespace pizarra::robot {
 
 struct RobotOptions {
-  std::optional<Room> room = {};  // where its grip centre stays
-  double told_per_s = 10;         // how often pose and joints are told while they change
-  std::string context = "arms";   // in which its name is bound: of those that can take its place
+  std::optional<WorkVolume> room = {};  // where its grip centre stays
+  double told_per_s = 10;               // how often pose and joints are told while they change
+  std::string context = "arms";         // in which its name is bound: of those that can take its place
 };
 
 class RobotAgent : public runtime::Agent {

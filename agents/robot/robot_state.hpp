@@ -24,7 +24,7 @@ struct RobotAgent::State {
   runtime::AgentContext context;
   const Datum name;  // the first argument of all that it tells
   const arm::ArmModel model;
-  const std::optional<Room> room;
+  const std::optional<WorkVolume> room;
   ArmFacts facts;
   ArmConnection connection;
   ArmControl control;

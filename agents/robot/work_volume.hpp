@@ -6,7 +6,7 @@
 
 namespace pizarra::robot {
 
-struct Room {
+struct WorkVolume {
   Eigen::Vector3d low_mm;
   Eigen::Vector3d high_mm;
   bool holds(const Eigen::Vector3d& point_mm) const {

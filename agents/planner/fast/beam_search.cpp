@@ -7,8 +7,9 @@
 
 namespace pizarra::planner {
 
-BeamSearch::BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort, std::uint64_t seed)
-    : problem_(problem), estimate_(estimate), effort_(effort), seed_(seed) {
+BeamSearch::BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, SearchBudget& spent,
+                       std::uint64_t seed)
+    : problem_(problem), estimate_(estimate), spent_(spent), seed_(seed) {
   Random random(seed);
   for (std::size_t fact = 0; fact < problem.facts(); ++fact) keys_.push_back(random.bits());
 }
@@ -32,7 +33,7 @@ SearchEnd BeamSearch::run(std::size_t width, std::size_t most_actions) {
     candidates_.clear();
     for (std::uint32_t parent = 0; parent < layer_.size(); ++parent) {
       expand(parent);
-      if (const auto stopped = effort_.stopped()) return *stopped;
+      if (const auto stopped = spent_.stopped()) return *stopped;
     }
     keep_nearest(width);
   }
@@ -44,7 +45,7 @@ void BeamSearch::expand(std::uint32_t parent) {
   problem_.for_each_applicable(kept.state, [&](ActionIndex action) {
     const std::uint64_t hash = hash_after(kept, action);
     if (seen_.contains(hash)) return;
-    effort_.count();
+    spent_.count();
     const std::optional<Distance> distance = estimate_.beyond(action);
     if (distance) candidates_.push_back({*distance, hash * 0x9e3779b97f4a7c15, hash, parent, action});
   });

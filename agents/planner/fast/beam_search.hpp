@@ -3,7 +3,7 @@
 // A plan of fewer actions than a given number, one action after another. After each action it keeps a bounded number of
 // states: those that seem nearest to the goals.
 //
-//   BeamSearch search(problem, estimate, effort, seed);
+//   BeamSearch search(problem, estimate, spent, seed);
 //   if (search.run(64, 30) == SearchEnd::found) use(search.plan());      // 64 states at a time, at most 30 actions
 //
 // `exhausted` proves nothing unless `complete()`: then no state had to be left out, and there is no such plan.
@@ -18,7 +18,7 @@ namespace pizarra::planner {
 class BeamSearch {
  public:
   // The arguments outlive the search. The seed decides among states that seem equally near.
-  BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort, std::uint64_t seed);
+  BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, SearchBudget& spent, std::uint64_t seed);
 
   SearchEnd run(std::size_t width, std::size_t most_actions);
   const std::vector<ActionIndex>& plan() const { return plan_; }
@@ -48,7 +48,7 @@ class BeamSearch {
 
   const CompactProblem& problem_;
   LandmarkEstimate& estimate_;
-  Effort& effort_;
+  SearchBudget& spent_;
   const std::uint64_t seed_;
   std::vector<std::uint64_t> keys_;  // of every fact; a state's hash is the xor of its facts' keys
   std::vector<Kept> layer_, next_layer_;

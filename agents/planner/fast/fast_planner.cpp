@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t greedy_patience = 200;
 
 // Of reordering. The first cost a tenth of the proof that is tried next and may take longer than there is time, and at
-// most a quarter of the effort; the others come before a beam has its turn, and the longer the plan, the more ways
+// most a quarter of the budget; the others come before a beam has its turn, and the longer the plan, the more ways
 // there are.
 constexpr std::size_t first_attempts_an_action = 5;
 constexpr std::size_t vain_attempts = 1000;
@@ -52,10 +52,10 @@ std::vector<std::vector<std::size_t>> in_parallel(const Problem& problem, const 
 
 Outcome ended(Outcome::Kind kind, std::size_t nodes) { return {.kind = kind, .nodes = nodes, .engine = "fast"}; }
 
-Outcome without_plan(SearchEnd end, const Problem& problem, const Effort& effort) {
-  if (end == SearchEnd::cancelled) return ended(Outcome::Kind::cancelled, effort.nodes());
-  Outcome outcome = ended(end == SearchEnd::spent ? Outcome::Kind::gave_up : Outcome::Kind::none, effort.nodes());
-  if (end == SearchEnd::spent) outcome.spent = fmt::format("{} states", effort.nodes());
+Outcome without_plan(SearchEnd end, const Problem& problem, const SearchBudget& spent) {
+  if (end == SearchEnd::cancelled) return ended(Outcome::Kind::cancelled, spent.nodes());
+  Outcome outcome = ended(end == SearchEnd::spent ? Outcome::Kind::gave_up : Outcome::Kind::none, spent.nodes());
+  if (end == SearchEnd::spent) outcome.spent = fmt::format("{} states", spent.nodes());
   if (end == SearchEnd::exhausted) outcome.culprits = problem.goals.members();
   return outcome;
 }
@@ -72,11 +72,11 @@ std::vector<ActionIndex> lean(const Problem& problem, const std::vector<ActionIn
 
 // The greedy search asks cheaply and knows blocks best; where it goes astray, the climb asks more, and may give up; the
 // greedy search then goes on, and is the one to prove that there is no plan.
-SearchEnd find_plan(Nearness& nearness, Effort& effort, std::vector<ActionIndex>& plan) {
-  GreedySearch greedy(nearness.compact, nearness.estimate, effort);
+SearchEnd find_plan(Nearness& nearness, SearchBudget& spent, std::vector<ActionIndex>& plan) {
+  GreedySearch greedy(nearness.compact, nearness.estimate, spent);
   std::optional<SearchEnd> end = greedy.run(greedy_patience);
   if (!end) {
-    HillClimbing climbing(nearness.compact, effort);
+    HillClimbing climbing(nearness.compact, spent);
     end = climbing.run();
     plan = climbing.plan();
     if (end != SearchEnd::exhausted) return *end;
@@ -89,11 +89,11 @@ SearchEnd find_plan(Nearness& nearness, Effort& effort, std::vector<ActionIndex>
 // The best plan so far, and the ways to a better one.
 class Improvement {
  public:
-  Improvement(const Problem& problem, Nearness& nearness, Effort& effort, const FastPlannerOptions& options)
+  Improvement(const Problem& problem, Nearness& nearness, SearchBudget& spent, const FastPlannerOptions& options)
       : problem_(problem),
         nearness_(nearness),
         compact_(nearness.compact),
-        effort_(effort),
+        spent_(spent),
         options_(options),
         random_(options.seed) {}
 
@@ -105,21 +105,21 @@ class Improvement {
     if (options_.better) options_.better(best_);
   }
 
-  // Until the effort is spent, or many attempts were in vain.
+  // Until the budget is spent, or many attempts were in vain.
   void reorder_only() {
     while (reorder(vain_attempts)) {
     }
   }
 
-  // Until the effort is spent, or nothing is left to look at.
+  // Until the budget is spent, or nothing is left to look at.
   void run() {
     reorder(first_attempts());
-    if (effort_.stopped() || is_shortest() || effort_.stopped()) return;
-    BeamSearch beam(compact_, nearness_.estimate, effort_, options_.seed);
+    if (spent_.stopped() || is_shortest() || spent_.stopped()) return;
+    BeamSearch beam(compact_, nearness_.estimate, spent_, options_.seed);
     for (std::size_t width = 2; width <= widest() && !plan_.empty(); width *= 2) {
       while (reorder(vain_attempts + vain_attempts_an_action * plan_.size())) {
       }
-      if (effort_.stopped()) return;
+      if (spent_.stopped()) return;
       const SearchEnd end = beam.run(width, plan_.size() - 1);
       if (end == SearchEnd::found) keep(beam.plan());
       if (end == SearchEnd::cancelled || end == SearchEnd::spent) return;
@@ -130,13 +130,13 @@ class Improvement {
   void note_out_of_memory() { best_.out_of_memory = true; }
 
   Outcome best() {
-    best_.nodes = effort_.nodes();
+    best_.nodes = spent_.nodes();
     return best_;
   }
 
  private:
   bool is_shortest() {
-    ProvedShortest shortest(problem_, nearness_, effort_);
+    ProvedShortest shortest(problem_, nearness_, spent_);
     const std::optional<Outcome> shorter = shortest.shorter_than(plan_.size());
     if (shorter) {
       std::vector<ActionIndex> plan;
@@ -150,15 +150,15 @@ class Improvement {
 
   std::size_t first_attempts() const {
     const std::size_t actions = std::max<std::size_t>(1, plan_.size());
-    return std::min(first_attempts_an_action * actions, effort_.nodes_left() / 4 / actions);
+    return std::min(first_attempts_an_action * actions, spent_.nodes_left() / 4 / actions);
   }
 
   // Whether the plan became shorter.
   bool reorder(std::size_t attempts) {
     const std::size_t before = plan_.size();
     PlanReordering reordering(compact_, plan_, random_);
-    for (std::size_t i = 0; i < attempts && !plan_.empty() && !effort_.stopped(); ++i) {
-      effort_.count(plan_.size());
+    for (std::size_t i = 0; i < attempts && !plan_.empty() && !spent_.stopped(); ++i) {
+      spent_.count(plan_.size());
       if (!reordering.try_once()) continue;
       keep(reordering.plan());
       reordering.go_on_from(plan_);
@@ -169,13 +169,13 @@ class Improvement {
   // How wide a beam the memory allows.
   std::size_t widest() const {
     const std::size_t bytes_a_state = 2 * compact_.initials().words().size() * 8 + 4096;
-    return std::max<std::size_t>(1, effort_.bytes() / 2 / bytes_a_state);
+    return std::max<std::size_t>(1, spent_.bytes() / 2 / bytes_a_state);
   }
 
   const Problem& problem_;
   Nearness& nearness_;
   const CompactProblem& compact_;
-  Effort& effort_;
+  SearchBudget& spent_;
   const FastPlannerOptions& options_;
   Random random_;
   std::vector<ActionIndex> plan_;
@@ -195,8 +195,8 @@ Outcome FastPlanner::solve(const Problem& problem, const Budget& budget,
 
 Outcome FastPlanner::shorten(const Problem& problem, Nearness& nearness, const std::vector<ActionIndex>& plan,
                              const Budget& budget, const std::function<bool()>& cancelled) {
-  Effort effort(budget, cancelled);
-  Improvement improvement(problem, nearness, effort, options_);
+  SearchBudget spent(budget, cancelled);
+  Improvement improvement(problem, nearness, spent, options_);
   improvement.keep(plan);
   improvement.reorder_only();
   return improvement.best();
@@ -209,11 +209,11 @@ Outcome FastPlanner::solve(const Problem& problem, Nearness& nearness, const Bud
     none.culprits = std::move(never);
     return none;
   }
-  Effort effort(budget, cancelled);
-  Improvement improvement(problem, nearness, effort, options_);
+  SearchBudget spent(budget, cancelled);
+  Improvement improvement(problem, nearness, spent, options_);
   std::vector<ActionIndex> plan;
-  const SearchEnd end = find_plan(nearness, effort, plan);
-  if (end != SearchEnd::found) return without_plan(end, problem, effort);
+  const SearchEnd end = find_plan(nearness, spent, plan);
+  if (end != SearchEnd::found) return without_plan(end, problem, spent);
   improvement.keep(plan);
   if (options_.first_only) return improvement.best();
   try {

@@ -15,8 +15,8 @@ std::optional<SearchEnd> GreedySearch::run(std::size_t patience) {
       return SearchEnd::found;
     }
     expand(newest);
-    if (const auto stopped = effort_.stopped()) return *stopped;
-    if (reached_.size() * bytes_a_state + candidates_.size() * sizeof(Candidate) > effort_.bytes()) {
+    if (const auto stopped = spent_.stopped()) return *stopped;
+    if (reached_.size() * bytes_a_state + candidates_.size() * sizeof(Candidate) > spent_.bytes()) {
       return SearchEnd::spent;
     }
     const Distance before = nearest_;
@@ -30,7 +30,7 @@ void GreedySearch::expand(std::uint32_t index) {
   const Bits& state = *reached_[index].state;
   estimate_.look_at(state);
   problem_.for_each_applicable(state, [&](ActionIndex action) {
-    effort_.count();
+    spent_.count();
     const std::optional<Distance> distance = estimate_.beyond(action);
     if (distance) candidates_.push({*distance, serial_++, index, action});
   });

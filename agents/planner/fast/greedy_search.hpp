@@ -3,7 +3,7 @@
 // Some plan, soon: always goes on from the state that seems nearest to the goals, of equals from the one found first.
 //
 //   LandmarkEstimate estimate(problem, invariants);
-//   GreedySearch search(problem, estimate, effort);
+//   GreedySearch search(problem, estimate, spent);
 //   std::optional<SearchEnd> end = search.run(200);            // none: 200 states in a row were no nearer than any
 //   before if (!end) end = search.run();                              // goes on from there if (end ==
 //   SearchEnd::found) use(search.plan());
@@ -22,8 +22,8 @@ namespace pizarra::planner {
 class GreedySearch {
  public:
   // The arguments outlive the search.
-  GreedySearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort)
-      : problem_(problem), estimate_(estimate), effort_(effort) {}
+  GreedySearch(const CompactProblem& problem, LandmarkEstimate& estimate, SearchBudget& spent)
+      : problem_(problem), estimate_(estimate), spent_(spent) {}
 
   // `exhausted`: there is no plan. Without patience for states in vain it is always one of the four ends.
   std::optional<SearchEnd> run(std::size_t patience);
@@ -51,7 +51,7 @@ class GreedySearch {
 
   const CompactProblem& problem_;
   LandmarkEstimate& estimate_;
-  Effort& effort_;
+  SearchBudget& spent_;
   std::vector<Reached> reached_;
   std::unordered_set<Bits, HashBits> states_;  // looked up only
   std::priority_queue<Candidate> candidates_;

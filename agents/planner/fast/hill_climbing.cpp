@@ -12,7 +12,7 @@ constexpr std::size_t most_states_around = 2000;
 }  // namespace
 
 SearchEnd HillClimbing::run() {
-  effort_.count();
+  spent_.count();
   if (!relaxed_.look_at(problem_.initials())) return SearchEnd::exhausted;
   distance_ = relaxed_.length();
   queue_.push_back({problem_.initials(), 0, 0, relaxed_.helpful()});
@@ -27,7 +27,7 @@ SearchEnd HillClimbing::run() {
 SearchEnd HillClimbing::climb() {
   states_ = {queue_.front().state};
   for (std::uint32_t from = 0; from < queue_.size() && states_.size() <= most_states_around; ++from) {
-    if (const auto stopped = effort_.stopped()) return *stopped;
+    if (const auto stopped = spent_.stopped()) return *stopped;
     for (std::size_t i = 0; i < queue_[from].helpful.size(); ++i) {
       if (visit(from, queue_[from].helpful[i])) return SearchEnd::found;
     }
@@ -39,7 +39,7 @@ bool HillClimbing::visit(std::uint32_t from, ActionIndex action) {
   Bits state = queue_[from].state;
   problem_.apply(action, state);
   if (!states_.insert(state).second) return false;
-  effort_.count();
+  spent_.count();
   if (!relaxed_.look_at(state)) return false;
   queue_.push_back({std::move(state), from, action, relaxed_.helpful()});
   if (relaxed_.length() >= distance_) return false;

@@ -3,7 +3,7 @@
 // Some plan, soon, where goals can be worked off one by one: from every state to one that is nearer to the goals, by as
 // few helpful actions as can be, with no way back.
 //
-//   HillClimbing climbing(problem, effort);
+//   HillClimbing climbing(problem, spent);
 //   if (climbing.run() == SearchEnd::found) use(climbing.plan());
 //
 // `exhausted` proves nothing: no nearer state was found among the next ones, or helpful actions lead nowhere
@@ -19,7 +19,8 @@ namespace pizarra::planner {
 class HillClimbing {
  public:
   // The arguments outlive the search.
-  HillClimbing(const CompactProblem& problem, Effort& effort) : problem_(problem), effort_(effort), relaxed_(problem) {}
+  HillClimbing(const CompactProblem& problem, SearchBudget& spent)
+      : problem_(problem), spent_(spent), relaxed_(problem) {}
 
   SearchEnd run();
   const std::vector<ActionIndex>& plan() const { return plan_; }
@@ -35,7 +36,7 @@ class HillClimbing {
   bool visit(std::uint32_t from, ActionIndex action);
 
   const CompactProblem& problem_;
-  Effort& effort_;
+  SearchBudget& spent_;
   RelaxedPlan relaxed_;
   std::size_t distance_ = 0;
   std::vector<Seen> queue_;                    // the first is where the climb begins

@@ -2,9 +2,9 @@
 
 // How far the searches of one call may go together: states looked at, memory, and the caller's patience.
 //
-//   Effort effort(budget, cancelled);
-//   effort.count();
-//   if (const auto stopped = effort.stopped()) return *stopped;
+//   SearchBudget spent(budget, cancelled);
+//   spent.count();
+//   if (const auto stopped = spent.stopped()) return *stopped;
 
 #include <algorithm>
 #include <optional>
@@ -15,9 +15,9 @@ namespace pizarra::planner {
 
 enum class SearchEnd : std::uint8_t { found, exhausted, spent, cancelled };
 
-class Effort {
+class SearchBudget {
  public:
-  Effort(const Budget& budget, const std::function<bool()>& cancelled) : budget_(budget), cancelled_(cancelled) {}
+  SearchBudget(const Budget& budget, const std::function<bool()>& cancelled) : budget_(budget), cancelled_(cancelled) {}
 
   void count(std::size_t nodes = 1) { nodes_ += nodes; }
   std::size_t nodes() const { return nodes_; }

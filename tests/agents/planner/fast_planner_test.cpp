@@ -212,7 +212,7 @@ TEST(HillClimbing, FindsPlansThatWorkForMostProblemsThatHaveOne) {
     const Problem problem = ground(random_task(seed)).value();
     const CompactProblem compact(problem);
     const Budget budget = effort(100'000);
-    Effort spent(budget, never);
+    SearchBudget spent(budget, never);
     HillClimbing climbing(compact, spent);
     if (climbing.run() == SearchEnd::found) {
       ASSERT_TRUE(works(compact, climbing.plan())) << seed;

@@ -121,7 +121,7 @@ TEST_F(HeldJog, EndsAtTheWallsOfItsRoom) {
   executor.run_for(3s);
   const Eigen::Vector3d at = point();
   const Eigen::Vector3d margin(200, 40, 200);
-  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.room = Room{at - margin, at + margin}});
+  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.room = WorkVolume{at - margin, at + margin}});
   executor.run_for(3s);
   const std::string id = begin_jog("right", 250);
   hold_for(5s);

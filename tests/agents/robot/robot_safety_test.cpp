@@ -371,7 +371,7 @@ TEST(Guard, AxisBeyondItsLimitsIsNamed) {
 
 TEST(Guard, RoomIsLeftByNobodyAndComeBackToByAll) {
   const arm::ArmModel& arm = arm::crs_f3();
-  Guard guard(arm, Room{{200, -300, 30}, {380, 300, 700}});
+  Guard guard(arm, WorkVolume{{200, -300, 30}, {380, 300, 700}});
   guard.begin();
   EXPECT_FALSE(guard.look(Time{}, reading_of(arm.ready)));
   arm::Joints out = arm.ready;
@@ -386,7 +386,7 @@ TEST(Guard, RoomIsLeftByNobodyAndComeBackToByAll) {
 TEST_F(RobotSafety, MotionOutOfTheRoomIsRefusedBeforeAnythingMoves) {
   life.reset();
   executor.run_for(3s);
-  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.room = Room{{200, -300, 30}, {380, 300, 700}}});
+  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.room = WorkVolume{{200, -300, 30}, {380, 300, 700}}});
   executor.run_for(1s);
   EXPECT_EQ(refusal("(extend keep-height 60)"), "out-of-room");
   EXPECT_EQ(refusal("(turn right 90)"), "out-of-room");
