@@ -26,14 +26,14 @@ using Names = std::set<std::string>;
 const Names of_every_agent = {"agent", "bound", "context", "contract", "request", "reply", "relation-stats"};
 
 // The relations that an agent reads or posts only where something goes wrong, or where somebody asks for it, which
-// nobody does in these cells. The robot agent declares what others tell it (`commander`, `hold`, `stop`) as its own.
+// nobody does in these cells.
 using Occasions = std::map<std::string, Names>;
 const Occasions read_on_occasion = {
     {"coordinator", {"robot-speed"}}, {"person", {"vision-failed"}}, {"pan-tilt", {"place"}}};
 const Occasions told_on_occasion = {
     {"coordinator", {"camera-pose", "leans"}},
     {"pan-tilt", {"head-speed", "looking-at"}},
-    {"robot", {"commander", "gripped", "hold", "robot-released", "robot-speed", "robot-variable", "stop"}},
+    {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},
     {"vision", {"camera-drops", "found", "look-alike", "objects-damaged", "tags-seen", "vision-failed"}}};
 
 Names with(Names names, const Occasions& occasions, const std::string& agent) {
