@@ -8,6 +8,7 @@
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
 #include "agents/follower/follower_agent.hpp"
 #include "agents/launcher/cell_arm.hpp"
+#include "agents/launcher/cell_pictures.hpp"
 #include "agents/pan_tilt/pan_tilt_agent.hpp"
 #include "agents/person/person_agent.hpp"
 #include "agents/planner/agent/planner_agent.hpp"
@@ -233,6 +234,8 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   if (description.second_lamp) {
     config.second_lamp = simulation::LampConfig{description.second_lamp->at_mm, description.second_lamp->part};
   }
+  const Result<void> pictured = put_pictures(config, description);
+  if (!pictured) return fail(pictured);
   for (const forms::CubePlacement& cube : description.cubes) {
     const std::optional<simulation::FaceMark> mark = simulation::face_mark_from_name(cube.mark);
     if (!mark)

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "drivers/camera/stereo_camera.hpp"
 #include "drivers/ptu/head_axes.hpp"
 #include "drivers/simulation/face_mark.hpp"
+#include "drivers/simulation/photograph.hpp"
 #include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
@@ -70,6 +72,8 @@ struct WorldConfig {
   TableConfig table;
   CameraConfig camera;
   std::optional<LampConfig> second_lamp = {};
+  std::shared_ptr<const Photograph> background = nullptr;     // upright behind the table; none: a plain wall
+  std::shared_ptr<const Photograph> table_picture = nullptr;  // over the table; none: plain, with lines
   double cube_mm = 60;  // the edge of a cube of which nothing else is said; its marks grow with it
   std::vector<CubeConfig> cubes;
   double edge_mm(const CubeConfig& cube) const { return cube.edge_mm.value_or(cube_mm); }

@@ -155,6 +155,13 @@ std::optional<CellLamp> lamp_from_datum(const Datum& lamp) {
   return CellLamp{{lamp[0].number(), lamp[1].number(), lamp[2].number()}, lamp[3].number()};
 }
 
+std::optional<CellPicture> picture_from_datum(const Datum& picture, const Source& source) {
+  if (picture.size() == 0) return std::nullopt;
+  std::vector<std::size_t> path;
+  for (const Datum& index : picture[1].items()) path.push_back(static_cast<std::size_t>(index.integer()));
+  return CellPicture{beside(source.file(), std::string(picture[0].text())), source.failure_at(path, "", "").place};
+}
+
 std::optional<CellDoor> door_from_datum(const Datum& datum, const std::string& file) {
   if (datum.size() == 0) return std::nullopt;
   CellDoor door;
@@ -250,6 +257,8 @@ Result<CellDescription> interpret_cell(const Result<Source>& source) {
   const Result<BelievedCamera> camera = believed_camera((*cell)[24], source->file());
   if (!camera) return fail(camera);
   described.camera = *camera;
+  described.background = picture_from_datum((*cell)[27], *source);
+  described.table_picture = picture_from_datum((*cell)[28], *source);
   described.camera_pose_file = beside(source->file(), std::string((*cell)[24][3].text()));
   return described;
 }

@@ -13,6 +13,7 @@
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
 //       (cube box (mark apriltag-36h11 17) (at 450 150))       ; a tag in place of a shape
 //       (lamp (at 900 -600 1200) (part 0.4))                   ; a second one, with hard shadows: part of the light
+//       (background "wall.jpg") (table-picture "cloth.png") ; photographs behind the table and on it
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
@@ -90,6 +91,12 @@ struct CellNoise {
 struct CellLamp {
   std::array<double, 3> at_mm{};
   double part = 0;
+};
+
+// A photograph in the world.
+struct CellPicture {
+  std::string file;      // a path that can be opened
+  std::string named_at;  // the place of the cell file, for who cannot read it
 };
 
 // How far the gripper opens around a cube: at least, as a rule, and where there is room.
@@ -190,7 +197,9 @@ struct CellDescription {
   int frames_per_s = 10;         // of the simulated camera
   CellNoise noise;
   std::optional<CellLamp> second_lamp;
-  double cube_mm = 60;  // no cube is larger
+  std::optional<CellPicture> background;     // behind the table
+  std::optional<CellPicture> table_picture;  // over it
+  double cube_mm = 60;                       // no cube is larger
   GripperOpenings openings;
   CubeRow row;
   std::vector<CubePlacement> cubes;

@@ -100,6 +100,17 @@ void paint_cells(Canvas& canvas, const SeenCells& cells, const Outline& square, 
 }
 
 template <int channels>
+void paint_photograph(Canvas& canvas, const SeenPhotograph& photograph, const Outline& border, const Rect& within) {
+  for (int y = within.top; y < within.bottom; ++y) {
+    const Span span = clipped(border.span(y, -0.5), within);
+    for (int x = span.first; x <= span.last; ++x) {
+      if (!photograph.is_ahead(x, y)) continue;
+      blend<channels>(canvas.at(x, y), tone_of<channels>(photograph.at(x, y)), border.coverage(x, y));
+    }
+  }
+}
+
+template <int channels>
 void paint_solid(Canvas& canvas, const SeenSolid& solid, const Rect& within) {
   const Rect area = solid.rect.intersected(within);
   for (int y = area.top; y < area.bottom; ++y) {
@@ -107,6 +118,7 @@ void paint_solid(Canvas& canvas, const SeenSolid& solid, const Rect& within) {
     if (!outer.empty()) paint_row<channels>(canvas, solid, y, outer, area);
   }
   for (const SeenFace& face : solid.faces) {
+    if (face.photograph) paint_photograph<channels>(canvas, *face.photograph, face.outline, area);
     for (const SeenDecal& decal : face.decals) {
       for (const Outline& part : decal.parts) paint_outline<channels>(canvas, part, decal.colour, area);
       if (decal.cells) paint_cells<channels>(canvas, *decal.cells, decal.parts.front(), face.colour, area);
@@ -124,6 +136,14 @@ void paint(Canvas& canvas, const SeenSolid& solid, const Rect& within) {
     paint_solid<1>(canvas, solid, within);
   } else {
     paint_solid<3>(canvas, solid, within);
+  }
+}
+
+void paint(Canvas& canvas, const SeenPhotograph& photograph, const Outline& border, const Rect& within) {
+  if (canvas.channels == 1) {
+    paint_photograph<1>(canvas, photograph, border, within);
+  } else {
+    paint_photograph<3>(canvas, photograph, border, within);
   }
 }
 

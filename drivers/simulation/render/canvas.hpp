@@ -32,6 +32,8 @@ struct Canvas {
 float grey_of(const Colour& colour);
 
 void paint(Canvas& canvas, const SeenSolid& solid, const Rect& within);
+// What of the photograph lies inside the outline.
+void paint(Canvas& canvas, const SeenPhotograph& photograph, const Outline& border, const Rect& within);
 // One flat convex polygon.
 void paint(Canvas& canvas, const Outline& outline, const Colour& colour, const Rect& within);
 // Takes away `dark` (0..1) of the light inside, fading over `softness_px` around the edge.

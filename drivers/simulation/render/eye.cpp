@@ -11,6 +11,17 @@ Eigen::Vector3d Eye::project(const Eigen::Vector3d& point_mm) const {
   return {centre_x_px + focal_px * seen.x() / seen.z(), centre_y_px + focal_px * seen.y() / seen.z(), seen.z()};
 }
 
+Eigen::Matrix3d Eye::plane_to_pixels(const Eigen::Vector3d& corner_mm, const Eigen::Vector3d& right_mm,
+                                     const Eigen::Vector3d& down_mm) const {
+  Eigen::Matrix3d plane;
+  plane << right_mm, down_mm, corner_mm - position_mm;
+  Eigen::Matrix3d pinhole = Eigen::Matrix3d::Identity();
+  pinhole(0, 0) = pinhole(1, 1) = focal_px;
+  pinhole(0, 2) = centre_x_px;
+  pinhole(1, 2) = centre_y_px;
+  return pinhole * axes * plane;
+}
+
 Eye make_eye(const CameraConfig& camera, Side side) {
   const double pan = radians(camera.pose.pan_deg);
   const double tilt = radians(camera.pose.tilt_deg);

@@ -24,6 +24,10 @@ struct Eye {
   Eigen::Matrix3d axes;
 
   Eigen::Vector3d project(const Eigen::Vector3d& point_mm) const;
+  // From a plane's own coordinates, counted from a corner in steps of two vectors, to pixels, both homogeneous; the
+  // third pixel coordinate has the sign of the depth.
+  Eigen::Matrix3d plane_to_pixels(const Eigen::Vector3d& corner_mm, const Eigen::Vector3d& right_mm,
+                                  const Eigen::Vector3d& down_mm) const;
 };
 
 // The left camera is the one at the left of the image: half a base line away from the centre, against image right.

@@ -112,6 +112,7 @@ SeenSolid see(const Eye& eye, const Solid& solid) {
     }
     SeenFace& out = seen.faces.emplace_back(
         SeenFace{Outline(std::move(edges)), Outline(std::move(seams)), face->colour, {}, {}, face->shadow_dark});
+    if (face->photograph) out.photograph.emplace(eye, *face->photograph);
     for (const Points& shadow : face->shadows) out.shadows.emplace_back(see(eye, shadow));
     for (const Decal& decal : face->decals) {
       SeenDecal& seen_decal = out.decals.emplace_back(SeenDecal{{}, decal.colour, decal.id, {}});

@@ -12,6 +12,7 @@
 #include "drivers/simulation/render/eye.hpp"
 #include "drivers/simulation/render/outline.hpp"
 #include "drivers/simulation/render/seen_cells.hpp"
+#include "drivers/simulation/render/seen_photograph.hpp"
 #include "drivers/simulation/render/solid.hpp"
 
 namespace pizarra::simulation {
@@ -30,6 +31,7 @@ struct SeenFace {
   std::vector<SeenDecal> decals;
   std::vector<Outline> shadows;
   float shadow_dark;
+  std::optional<SeenPhotograph> photograph = {};
 };
 
 struct SeenSolid {

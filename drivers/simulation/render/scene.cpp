@@ -8,6 +8,7 @@
 #include "drivers/simulation/gripper_shape.hpp"
 #include "drivers/simulation/render/convex.hpp"
 #include "drivers/simulation/render/second_lamp.hpp"
+#include "drivers/simulation/render/seen_photograph.hpp"
 
 namespace pizarra::simulation {
 
@@ -96,11 +97,17 @@ void add_arm(std::vector<Solid>& solids, const arm::ArmModel& arm, const arm::Jo
   }
 }
 
-Solid table_solid(const TableConfig& table) {
+Solid table_solid(const WorldConfig& config) {
+  const TableConfig& table = config.table;
   const Vector3d low(table.x_low_mm, table.y_low_mm, -table.thickness_mm);
   const Vector3d high(table.x_high_mm, table.y_high_mm, 0);
   Solid solid = make_box(Eigen::Isometry3d::Identity(), (low + high) / 2, (high - low) / 2, table_top);
   Face& top = solid.faces[4];
+  if (config.table_picture) {
+    top.photograph = over_the_table(config);
+    top.photograph->light = lit(Colour::Ones(), top.normal).x();
+    return solid;
+  }
   Decal lines{{}, lit(table_line, top.normal), 0};
   const auto line = [&](double x0, double y0, double x1, double y1) {
     lines.parts.push_back({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}});
@@ -190,7 +197,7 @@ void light_by(const LampConfig& lamp, const TableConfig& table, std::size_t cube
 
 std::vector<Solid> still_solids(const WorldConfig& config) {
   std::vector<Solid> solids;
-  solids.push_back(table_solid(config.table));
+  solids.push_back(table_solid(config));
   if (!config.arm.axis_of(arm::Role::track)) add_pedestal(solids, config.arm, Vector3d::Zero());
   if (config.second_lamp) add_light(*config.second_lamp, solids);
   return solids;

@@ -102,6 +102,7 @@ void add_light(const LampConfig& lamp, std::vector<Solid>& solids) {
       const double now = light_of_rest(lamp, face.normal) + light_of_lamp(lamp, middle, face.normal);
       const auto brighter = static_cast<float>(now / before);
       face.colour *= brighter;
+      if (face.photograph) face.photograph->light *= brighter;
       for (Decal& decal : face.decals) decal.colour *= brighter;
     }
   }

@@ -10,21 +10,10 @@ namespace {
 // A pixel is looked at in so many places each way.
 constexpr int places = 4;
 
-Eigen::Matrix3d lens(const Eye& eye) {
-  Eigen::Matrix3d out = Eigen::Matrix3d::Identity();
-  out(0, 0) = out(1, 1) = eye.focal_px;
-  out(0, 2) = eye.centre_x_px;
-  out(1, 2) = eye.centre_y_px;
-  return out;
-}
-
 }  // namespace
 
-SeenCells::SeenCells(const Eye& eye, const TagCells& cells) : print_(cells.print) {
-  Eigen::Matrix3d plane;
-  plane << cells.right_mm, cells.down_mm, cells.corner_mm - eye.position_mm;
-  to_cells_ = (lens(eye) * eye.axes * plane).inverse();
-}
+SeenCells::SeenCells(const Eye& eye, const TagCells& cells)
+    : print_(cells.print), to_cells_(eye.plane_to_pixels(cells.corner_mm, cells.right_mm, cells.down_mm).inverse()) {}
 
 bool SeenCells::is_light(double x, double y) const {
   const Eigen::Vector3d at = to_cells_ * Eigen::Vector3d(x, y, 1);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "drivers/simulation/photograph.hpp"
 #include "drivers/simulation/render/mark_shape.hpp"
 
 namespace pizarra::simulation {
@@ -41,6 +42,7 @@ struct Face {
   // Hard, convex, within the face; each takes this part of its light, and several no more than one.
   std::vector<Points> shadows = {};
   float shadow_dark = 0;
+  std::optional<LaidPhotograph> photograph = {};  // over all of it, under decals and shadows
 };
 
 struct Solid {

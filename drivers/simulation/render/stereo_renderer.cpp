@@ -21,6 +21,14 @@ Canvas paint_background(const Eye& eye, const WorldConfig& config, int channels)
       for (int c = 0; c < channels; ++c) canvas.at(x, y)[c] = channels == 1 ? grey_of(colour) : colour[c];
     }
   }
+  if (config.background) {
+    const double beyond = 1;  // the borders' own pixels are covered wholly
+    const Outline all(Corners{{-beyond, -beyond},
+                              {eye.width + beyond, -beyond},
+                              {eye.width + beyond, eye.height + beyond},
+                              {-beyond, eye.height + beyond}});
+    paint(canvas, SeenPhotograph(eye, behind_the_table(config)), all, canvas.rect());
+  }
   for (const Solid& solid : still_solids(config)) paint(canvas, see(eye, solid), canvas.rect());
   return canvas;
 }

@@ -2,7 +2,7 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 0 "" 10 ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) () ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) () () () ())))
 (check "a blur up to what the renderer can make is accepted" (car (complaint '(world (noise (blur 2))))) 'ok)
 (check "a wider blur is refused" (complaint '(world (noise (blur 2.1)))) '(1 out-of-range (0 2 1 1 1)))
 (define (agents-of . sections)
@@ -14,6 +14,13 @@
        (list (complaint '(world (lamp (part 0.4)))) (complaint '(world (lamp (at 900 -600 100))))
              (complaint '(world (lamp (at 900 -600 900) (part 0.8)))))
        '((1 malformed (0 2 1 2)) (1 out-of-range (0 2 1 1 3)) (1 out-of-range (0 2 1 2 1))))
+(check "a picture is a file, and where the text names it"
+       (list (cell-part 27 '(world (background "wall.jpg"))) (cell-part 28 '(world (table-picture "cloth.png"))))
+       '(("wall.jpg" (0 2 1 1)) ("cloth.png" (0 2 1 1))))
+(check "a picture without a file, with an empty one or with two is refused"
+       (list (complaint '(world (background))) (complaint '(world (background "")))
+             (complaint '(world (table-picture "a.png" "b.png"))))
+       '((1 malformed (0 2 1)) (1 malformed (0 2 1 1)) (1 malformed (0 2 1 2))))
 (check "cameras on a pan-tilt unit bring the agent that turns it"
        (list (list-ref (cell-part 1 '(world (camera (head ptu46-70)))) 6) (agents-of '(world (camera (head ptu46-70)))))
        '(ptu46-70 (robot vision pan-tilt planner coordinator person)))

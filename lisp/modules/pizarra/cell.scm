@@ -4,7 +4,7 @@
 ;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
 ;;        BOARD-HOST BOARD-ADDRESS (HOST ...) CUBE-SIZE OPENINGS ROW BOARD-KEYS PAN-TILT ROOM DRIVER OBJECTS CAMERA
 ;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP
-;;        ((NAME FAMILY NUMBER SIDE) ...)))
+;;        ((NAME FAMILY NUMBER SIDE) ...) BACKGROUND TABLE-PICTURE))
 ;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take; ROOM
 ;; is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
 ;; simulated arm; OBJECTS the folder of the object database, or empty; SLAVE the second arm,
@@ -12,7 +12,8 @@
 ;; The modules used below say the rest: cubes, CUBE-SIZE, OPENINGS, ROW; hosts, BOARD-..., agents that are Scheme files;
 ;; PAN-TILT, DOOR, and the tags that the eyes look for; CAMERA, the agent's own, or () for the simulated ones; GRIPPER,
 ;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,
-;; (X Y Z PART), or ().
+;; (X Y Z PART), or (); BACKGROUND and TABLE-PICTURE are photographs in it, (FILE PATH), PATH leading to where the
+;; text names the file, or ().
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -86,6 +87,14 @@
           ((not (section-in parts 'at)) (complain-missing! lamp '(at) "the lamp has no place: (at X Y Z)") '())
           (else (append (numbers-in parts 'at lamp-places-mm '(0 0 1000))
                         (numbers-in parts 'part '((0 0.7)) '(0.4)))))))
+
+(define (picture-of found name)
+  (let* ((picture (section-in found name))
+         (file (and picture (string-at picture 1 "the picture's file"))))
+    (cond ((not file) '())
+          ((string-null? file) (complain! (node-ref picture 1) 'malformed "the picture's file has a name") '())
+          ((> (length (node-items picture)) 2) (complain! (node-ref picture 2) 'malformed "(~a ...) takes one file" name) '())
+          (else (list file (path-to (node-ref picture 1)))))))
 
 ;; ---- arms
 
@@ -162,7 +171,7 @@
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
-                               '(camera cube cube-size lamp noise openings row) '(cube))
+                               '(background camera cube cube-size lamp noise openings row table-picture) '(cube))
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
@@ -217,7 +226,9 @@
           (door-of found (third board))
           (believed-camera-of found camera)
           (lamp-of things)
-          (tagged-of found))))
+          (tagged-of found)
+          (picture-of things 'background)
+          (picture-of things 'table-picture))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))
