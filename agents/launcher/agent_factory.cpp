@@ -231,6 +231,7 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   camera.noise_sigma = description.noise.sensor_grey;
   camera.blur_sigma_px = description.noise.blur_px;
   camera.light_gradient = description.noise.gradient;
+  camera.lens = description.lens;
   if (description.second_lamp) {
     config.second_lamp = simulation::LampConfig{description.second_lamp->at_mm, description.second_lamp->part};
   }

@@ -2,11 +2,47 @@
 
 #include <algorithm>
 
+#include "drivers/simulation/camera_lens.hpp"
+
 namespace pizarra::simulation {
 
 namespace {
 
 constexpr Duration image_time = 2s;
+constexpr std::size_t plain_model = 6;  // numbers, before those of a lens
+constexpr std::size_t bent_model = plain_model + LensDistortion().size();
+
+bool is_model(const Datum& head) {
+  const bool whole = head.size() == plain_model || head.size() == bent_model;
+  return whole && std::ranges::all_of(head.items(), &Datum::is_number);
+}
+
+camera::StereoModel model_in(const Datum& head) {
+  return {static_cast<int>(head[0].number()),
+          static_cast<int>(head[1].number()),
+          head[2].number(),
+          head[3].number(),
+          head[4].number(),
+          head[5].number()};
+}
+
+camera::StereoCalibration calibration_in(const Datum& head) {
+  CameraConfig camera;
+  camera.model = model_in(head);
+  for (std::size_t i = 0; i < camera.lens.size(); ++i) camera.lens[i] = head[plain_model + i].number();
+  return calibration_of(camera);
+}
+
+// One image without its distortion.
+std::shared_ptr<const Image> straightened(const Image& image, const camera::StereoGeometry& geometry,
+                                          camera::StereoGeometry::Side side) {
+  // Only read.
+  const cv::Mat bent(image.height, image.width, CV_MAKETYPE(CV_8U, image.channels),
+                     const_cast<std::uint8_t*>(image.pixels.data()));
+  const cv::Mat straight = geometry.rectified(bent, side);
+  return std::make_shared<const Image>(
+      Image{straight.cols, straight.rows, straight.channels(), {straight.datastart, straight.dataend}});
+}
 
 bool fits(const std::shared_ptr<const Image>& image, bool colour) {
   if (!image || image->channels != (colour ? 3 : 1)) return false;
@@ -21,13 +57,11 @@ Task<Result<camera::StereoModel>> SimulatedCamera::open() {
   const Result<Message> answer = co_await link_.call(request, image_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;
-  if (head.size() != 6) co_return fail("disconnected", "the camera answered nonsense", head);
-  co_return camera::StereoModel{static_cast<int>(head[0].integer()),
-                                static_cast<int>(head[1].integer()),
-                                head[2].number(),
-                                head[3].number(),
-                                head[4].number(),
-                                head[5].number()};
+  if (!is_model(head)) co_return fail("disconnected", "the camera answered nonsense", head);
+  geometry_.reset();
+  if (head.size() > plain_model) geometry_.emplace(calibration_in(head));
+  if (geometry_) co_return geometry_->model();
+  co_return model_in(head);
 }
 
 Task<Result<camera::StereoFrame>> SimulatedCamera::next(Time after, bool colour) {
@@ -45,6 +79,11 @@ Task<Result<camera::StereoFrame>> SimulatedCamera::next(Time after, bool colour)
   frame.captured = std::clamp(Time(Duration(answer->head[1].integer())), asked, executor_.now());
   frame.left = answer->images[0];
   frame.right = answer->images[1];
+  if (geometry_) {
+    using enum camera::StereoGeometry::Side;
+    frame.left = straightened(*frame.left, *geometry_, left);
+    frame.right = straightened(*frame.right, *geometry_, right);
+  }
   co_return frame;
 }
 

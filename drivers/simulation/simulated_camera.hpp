@@ -1,13 +1,17 @@
 #pragma once
 
-// The simulated cell's stereo pair as a StereoCamera: 10 frames a second, taken only when asked for.
+// The simulated cell's stereo pair as a StereoCamera. Frames are taken only when asked for; those of lenses that bend
+// are straightened by what the cameras say of themselves, as a calibrated pair's are.
 //
 //   SimulatedCamera eyes(executor, link);
 //   Result<StereoModel> model = co_await eyes.open();
 //   Result<StereoFrame> frame = co_await eyes.next(executor.now(), false);
 
+#include <optional>
+
 #include "blackboard/time/executor.hpp"
 #include "drivers/camera/stereo_camera.hpp"
+#include "drivers/camera/stereo_geometry.hpp"
 #include "drivers/simulation/link.hpp"
 
 namespace pizarra::simulation {
@@ -22,6 +26,7 @@ class SimulatedCamera : public camera::StereoCamera {
  private:
   Executor& executor_;
   Link& link_;
+  std::optional<camera::StereoGeometry> geometry_;  // of lenses that bend
 };
 
 }  // namespace pizarra::simulation

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "drivers/camera/stereo_geometry.hpp"
 #include "drivers/simulation/arm_requests.hpp"
+#include "drivers/simulation/camera_lens.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/frame_clock.hpp"
 #include "drivers/simulation/hand_request.hpp"
@@ -55,6 +57,8 @@ struct World::Inside {
       : executor(the_executor),
         config(the_config),
         camera_pose(config.camera.pose),
+        seen_as(config.camera.bends() ? camera::StereoGeometry(calibration_of(config.camera)).model()
+                                      : config.camera.model),
         clock(the_executor.now(), config.camera.frames_per_s),
         cell(config),
         arm(cell, config.arm.type),
@@ -81,8 +85,9 @@ struct World::Inside {
 
   Executor& executor;
   const WorldConfig config;
-  forms::CameraPose camera_pose;  // where it was bumped to
-  ptu::HeadTurn nudged;           // beyond what the unit counts
+  forms::CameraPose camera_pose;      // where it was bumped to
+  ptu::HeadTurn nudged;               // beyond what the unit counts
+  const camera::StereoModel seen_as;  // of the images when their users have straightened them
   const FrameClock clock;
   Cell cell;
   PhysicalArm arm;
@@ -159,9 +164,11 @@ CameraConfig World::Inside::camera_now() {
 }
 
 Result<Message> World::Inside::tell_truth(const Datum& request) {
-  const Eye left = make_eye(camera_now(), Side::left);
+  CameraConfig eyes = camera_now();
+  eyes.model = seen_as;
+  const Eye left = make_eye(eyes, Side::left);
   if (request.is_form("truth")) {
-    return Message{truth_of(cell, left, make_eye(camera_now(), Side::right))};
+    return Message{truth_of(cell, left, make_eye(eyes, Side::right))};
   }
   if (request.is_form("scene")) return Message{describe_scene(cell, config, camera_pose)};
   if (!request.is_form("where-seen") || request.size() != 2) return bad_request(request);
@@ -206,7 +213,12 @@ Task<Result<Message>> World::Inside::camera(Datum request) {
 
 Message World::Inside::camera_model() const {
   const camera::StereoModel& model = config.camera.model;
-  return {list(model.width, model.height, model.focal_px, model.centre_x_px, model.centre_y_px, model.base_line_mm)};
+  const auto& [k1, k2, p1, p2, k3] = config.camera.lens;
+  const auto numbers = [&](auto... of_lens) {
+    return Message{list(model.width, model.height, model.focal_px, model.centre_x_px, model.centre_y_px,
+                        model.base_line_mm, of_lens...)};
+  };
+  return config.camera.bends() ? numbers(k1, k2, p1, p2, k3) : numbers();
 }
 
 Message World::Inside::frame_message(std::uint64_t frame, bool colour) const {

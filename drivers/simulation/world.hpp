@@ -17,7 +17,7 @@
 //   (arm move SPEED (J1 ... JN) ...)  (arm stop)
 //   (arm gripper MM)                  (arm read) -> ((J1 ... JN) MOVING STOPPED OPENING GRIPPER-MOVING)
 // A second arm, where there is one, answers the same to (second-arm ...). It stands aside, at a table without cubes.
-//   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)
+//   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE), and (... K1 K2 P1 P2 K3) of lenses that bend the images
 //   (camera next AFTER grey|colour) -> (NUMBER MICROSECONDS), left and right image; waits for the frame
 //   (camera bump DX DY DZ DPAN DTILT DROLL)    somebody knocks against it: for stories, and no driver asks it
 //   (head send "bytes")               to the pan-tilt unit under the cameras, as over its line
@@ -39,7 +39,8 @@
 //   (fingers slips CHANCE DRAWS S)    from the next grasp on: each of DRAWS draws a carry has this chance, at a uniform
 //                                     instant of the S seconds after the grasp
 //   (fingers misplace PART)           what is put down comes to lie off by up to PART of the cube's edge, uniformly
-// Truth, for the judge, the hand, the scripted person and pages of the console alone:
+// Truth, for the judge, the hand, the scripted person and pages of the console alone; pixels are those of images that
+// were straightened:
 //   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT ROLL) (cube NAME "mark") ...)
 //   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)
 //              (arm-empty)))   STATE: table, (on B), held, carried (by the hand), loose, gone; VISIBLE: the part of its

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "drivers/arm/kinematics.hpp"
+#include "drivers/simulation/camera_lens.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
 #include "drivers/simulation/frame_clock.hpp"
 #include "lisp/plain_name.hpp"
@@ -36,8 +37,11 @@ Result<void> check_camera(const CameraConfig& camera) {
   if (!FrameClock::keeps(camera.frames_per_s)) {
     return bad(fmt::format("no frame is taken {} times a second", camera.frames_per_s), "camera");
   }
-  if (size && lens && place && sensor) return {};
-  return bad("the camera's figures are out of range", "camera");
+  if (!size || !lens || !place || !sensor) return bad("the camera's figures are out of range", "camera");
+  if (camera.bends() && !shows_all_once(camera)) {
+    return bad("such a lens shows a point twice, or bends the images too far", "camera");
+  }
+  return {};
 }
 
 bool is_sound(const LampConfig& lamp) {

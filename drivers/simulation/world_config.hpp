@@ -50,6 +50,9 @@ struct TableConfig {
   double thickness_mm = 25;
 };
 
+// As OpenCV has it: k1, k2, p1, p2, k3.
+using LensDistortion = std::array<double, 5>;
+
 struct CameraConfig {
   camera::StereoModel model;
   forms::CameraPose pose;
@@ -57,8 +60,10 @@ struct CameraConfig {
   std::string head = "";   // the pan-tilt unit that it stands on, as find_ptu_model() knows it; empty: it stands still
   int frames_per_s = 10;   // each takes a whole number of the world's steps
   double noise_sigma = 3;  // grey levels, each pixel and frame on its own
-  double blur_sigma_px = 0.7;    // the lens
+  double blur_sigma_px = 0.7;    // the lens's
+  LensDistortion lens{};         // of both; their images are bent by it
   double light_gradient = 0.12;  // how much brighter one edge of the image is than the other; direction by the seed
+  bool bends() const { return lens != LensDistortion{}; }
 };
 
 // A lamp beside the one high above the cell, with hard shadows.
@@ -83,7 +88,7 @@ struct WorldConfig {
 };
 
 // Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, figures
-// of camera, lamp or cubes out of range, too many cubes.
+// of camera, lens, lamp or cubes out of range, too many cubes.
 Result<void> check(const WorldConfig& config);
 
 }  // namespace pizarra::simulation

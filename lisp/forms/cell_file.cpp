@@ -258,6 +258,7 @@ Result<CellDescription> interpret_cell(const Result<Source>& source) {
   if (!camera) return fail(camera);
   described.camera = *camera;
   described.background = picture_from_datum((*cell)[27], *source);
+  for (std::size_t i = 0; i < described.lens.size(); ++i) described.lens[i] = (*cell)[29][i].number();
   described.table_picture = picture_from_datum((*cell)[28], *source);
   described.camera_pose_file = beside(source->file(), std::string((*cell)[24][3].text()));
   return described;

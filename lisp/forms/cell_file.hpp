@@ -5,6 +5,7 @@
 //   (cell blocks
 //     (world
 //       (camera (at 1330 0 200) (pan 0) (tilt 0) (roll 0))     ; base-line centre mm, degrees; looks along -x
+//                                                              ; with (lens -0.3 0.1) it distorts
 //       (cube-size 60)                                         ; of every cube that does not say otherwise
 //       (openings 76 84 96)                                    ; of the gripper: narrow, normal, wide
 //       (row (x 450) (y -200 200))                             ; where cubes are put down
@@ -195,6 +196,7 @@ struct CellDescription {
   std::string camera_pose_file;  // where a measured pose of the camera is kept, empty: nowhere
   std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
   int frames_per_s = 10;         // of the simulated camera
+  std::array<double, 5> lens{};  // its distortion, as OpenCV has it: k1, k2, p1, p2, k3
   CellNoise noise;
   std::optional<CellLamp> second_lamp;
   std::optional<CellPicture> background;     // behind the table

@@ -61,24 +61,39 @@ std::vector<Corners> see_hard_shadows(const Eye& eye, const Scene& scene) {
   return out;
 }
 
+// What is painted before the lens bends it.
+Eye eye_before(const CameraConfig& camera, const std::optional<BentImage>& lens, Side side) {
+  CameraConfig pinhole = camera;
+  if (lens) pinhole.model = lens->straight();
+  return make_eye(pinhole, side);
+}
+
 }  // namespace
 
 struct StereoRenderer::View {
-  View(const WorldConfig& config, const CameraConfig& camera, Side which, bool colour)
+  View(const WorldConfig& config, const CameraConfig& camera, const std::optional<BentImage>& lens, Side which,
+       bool colour)
       : side(which),
         pose(camera.pose),
         turn(camera.turn),
-        eye(make_eye(camera, which)),
+        eye(eye_before(camera, lens, which)),
         background(paint_background(eye, config, colour ? 3 : 1)),
         canvas(background),
-        exposure(canvas) {}
+        exposure(canvas) {
+    if (!lens) return;
+    bent.emplace(camera.model.width, camera.model.height, canvas.channels);
+    exposure = Exposure(*bent);
+  }
+
+  const Canvas& picture() const { return bent ? *bent : canvas; }
 
   Side side;
   forms::CameraPose pose;
   ptu::HeadTurn turn;
   Eye eye;
   Canvas background;
-  Canvas canvas;
+  Canvas canvas;               // as a pinhole camera sees
+  std::optional<Canvas> bent;  // by the lens
   Exposure exposure;
   bool exposed = false;
   std::vector<Corners> solids;  // as last painted
@@ -122,21 +137,30 @@ std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene
     std::vector<SeenSolid> seen;
     for (const Solid& solid : scene.solids) seen.push_back(see(view.eye, solid));
     for (const std::size_t index : paint_order(view.eye, scene.solids, seen)) paint(view.canvas, seen[index], area);
-    sensor_->expose(view.canvas, changed, view.exposure);
+    Rect shown = changed;
+    if (view.bent) {
+      shown = lens_->showing(area);
+      lens_->bend(view.canvas, shown, *view.bent);
+      shown = sensor_->needed(shown);
+    }
+    sensor_->expose(view.picture(), shown, view.exposure);
   }
-  return std::make_shared<const Image>(sensor_->develop(view.exposure, view.canvas, frame, view.side));
+  return std::make_shared<const Image>(sensor_->develop(view.exposure, view.picture(), frame, view.side));
 }
 
 StereoPair StereoRenderer::render(const Snapshot& snapshot, const CameraConfig& camera, std::uint64_t frame,
                                   bool colour) {
-  if (!sensor_) sensor_ = std::make_unique<ImageSensor>(config_.camera, random_);
+  if (!sensor_) {
+    sensor_ = std::make_unique<ImageSensor>(config_.camera, random_);
+    if (config_.camera.bends()) lens_.emplace(config_.camera);
+  }
   const Scene scene = moving_scene(config_, snapshot);
   const std::size_t first = colour ? 2 : 0;
   for (const Side side : {Side::left, Side::right}) {
     auto& view = views_[first + static_cast<std::size_t>(side)];
     // A camera that has turned sees all anew.
     if (!view || view->pose != camera.pose || view->turn != camera.turn)
-      view = std::make_unique<View>(config_, camera, side, colour);
+      view = std::make_unique<View>(config_, camera, lens_, side, colour);
   }
   return {take(*views_[first], scene, frame), take(*views_[first + 1], scene, frame)};
 }

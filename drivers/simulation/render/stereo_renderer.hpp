@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 
+#include "drivers/simulation/render/bent_image.hpp"
 #include "drivers/simulation/render/image_sensor.hpp"
 #include "drivers/simulation/render/scene.hpp"
 
@@ -33,7 +34,8 @@ class StereoRenderer {
 
   const WorldConfig& config_;
   Random random_;
-  std::unique_ptr<ImageSensor> sensor_;  // made with the first picture
+  std::unique_ptr<ImageSensor> sensor_;  // made with the first picture, as is the next
+  std::optional<BentImage> lens_;        // where there is one that bends
   std::array<std::unique_ptr<View>, 4> views_;
 };
 

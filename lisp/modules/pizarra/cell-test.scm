@@ -2,7 +2,7 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 0 "" 10 ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) () () () ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) () () () () (0 0 0 0 0))))
 (check "a blur up to what the renderer can make is accepted" (car (complaint '(world (noise (blur 2))))) 'ok)
 (check "a wider blur is refused" (complaint '(world (noise (blur 2.1)))) '(1 out-of-range (0 2 1 1 1)))
 (define (agents-of . sections)
@@ -21,6 +21,13 @@
        (list (complaint '(world (background))) (complaint '(world (background "")))
              (complaint '(world (table-picture "a.png" "b.png"))))
        '((1 malformed (0 2 1)) (1 malformed (0 2 1 1)) (1 malformed (0 2 1 2))))
+(check "a lens has the numbers of OpenCV, and those left out are none"
+       (list (cell-part 29 '(world (camera (lens -0.3)))) (cell-part 29 '(world (camera (lens -0.3 0.1 0.001 0 0.02)))))
+       '((-0.3 0 0 0 0) (-0.3 0.1 0.001 0 0.02)))
+(check "a lens without a number, with six or out of range is refused"
+       (list (complaint '(world (camera (lens)))) (complaint '(world (camera (lens 0 0 0 0 0 0))))
+             (complaint '(world (camera (lens -0.3 2)))))
+       '((1 malformed (0 2 1 1)) (1 malformed (0 2 1 1)) (1 out-of-range (0 2 1 1 2))))
 (check "cameras on a pan-tilt unit bring the agent that turns it"
        (list (list-ref (cell-part 1 '(world (camera (head ptu46-70)))) 6) (agents-of '(world (camera (head ptu46-70)))))
        '(ptu46-70 (robot vision pan-tilt planner coordinator person)))

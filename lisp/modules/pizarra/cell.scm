@@ -4,7 +4,7 @@
 ;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
 ;;        BOARD-HOST BOARD-ADDRESS (HOST ...) CUBE-SIZE OPENINGS ROW BOARD-KEYS PAN-TILT ROOM DRIVER OBJECTS CAMERA
 ;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP
-;;        ((NAME FAMILY NUMBER SIDE) ...) BACKGROUND TABLE-PICTURE))
+;;        ((NAME FAMILY NUMBER SIDE) ...) BACKGROUND TABLE-PICTURE LENS))
 ;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take; ROOM
 ;; is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
 ;; simulated arm; OBJECTS the folder of the object database, or empty; SLAVE the second arm,
@@ -13,7 +13,7 @@
 ;; PAN-TILT, DOOR, and the tags that the eyes look for; CAMERA, the agent's own, or () for the simulated ones; GRIPPER,
 ;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,
 ;; (X Y Z PART), or (); BACKGROUND and TABLE-PICTURE are photographs in it, (FILE PATH), PATH leading to where the
-;; text names the file, or ().
+;; text names the file, or (). LENS is the distortion of the simulated cameras, (K1 K2 P1 P2 K3).
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -43,13 +43,27 @@
 (define (camera-of found)
   (let* ((camera (section-in found 'camera))
          (parts (if camera
-                    (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head rate))
+                    (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head lens rate))
                     '()))
          (head (section-in parts 'head)))
     (append (pose-of parts)
             (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")
                   (frame-rate-of parts)
                   (if (and head (> (length (node-items head)) 2)) (axes-of head (drop (node-items head) 2)) '())))))
+
+(define lens-numbers 5)
+(define distortion-range '(-1 1))
+
+;; (lens K1 K2 P1 P2 K3), of which the last ones may be left out.
+(define (lens-of found)
+  (let* ((camera (section-in found 'camera))
+         (lens (and camera (find (lambda (item) (eq? (node-head item) 'lens)) (node-rest camera))))
+         (given (if lens (length (node-rest lens)) 0))
+         (numbers (cond ((not lens) '())
+                        ((<= 1 given lens-numbers) (or (numbers-of lens (make-list given distortion-range)) '()))
+                        (else (complain! lens 'malformed "(lens K1 K2 P1 P2 K3) takes one number to ~a" lens-numbers)
+                              '()))))
+    (append numbers (make-list (- lens-numbers (length numbers)) 0))))
 
 (define (frame-rate-of parts)
   (let ((rate (first (numbers-in parts 'rate '((10 60)) '(10)))))
@@ -228,7 +242,8 @@
           (lamp-of things)
           (tagged-of found)
           (picture-of things 'background)
-          (picture-of things 'table-picture))))
+          (picture-of things 'table-picture)
+          (lens-of things))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -194,6 +194,13 @@ TEST(Picture, DrawingOnlyWhatChangedGivesTheWholePictureOfTagsAndHardShadows) {
   expect_the_same_pictures(config, {Mark::circle, tag, Mark::star, other_tag});
 }
 
+TEST(Picture, DrawingOnlyWhatChangedGivesTheWholePictureThroughALens) {
+  WorldConfig config = four_cubes();
+  config.camera.lens = {-0.3, 0.08, 0.001, -0.002, 0.01};
+  config.table_picture = std::make_shared<const Photograph>(Image{2, 1, 3, {20, 40, 60, 220, 200, 180}});
+  expect_the_same_pictures(config, {Mark::circle, Mark::square, Mark::cross, Mark::triangle});
+}
+
 TEST(Picture, APairCostsLittle) {
   Bench bench(four_cubes());
   bench.frame();
