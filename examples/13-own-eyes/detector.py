@@ -10,6 +10,7 @@ import time
 
 from marks import NAMES, find_marks
 from pizarra import Agent, Failure, Symbol
+from pizarra.look import RELATION, Sighting, found, known, look
 
 CAMERA = "vision"  # whose images are looked at
 SIDES = ("left", "right")
@@ -17,7 +18,7 @@ LATE_S = 0.5  # without images this long, nothing is seen any more
 OFF_PX = 0.2  # by how much a disparity may be off
 
 agent = Agent("detector", kind="vision", context="eyes",
-              posts=["(relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))",
+              posts=[RELATION,
                      "(relation camera-model ((eyes symbol) (width integer) (height integer) (focal number) (cx number)"
                      " (cy number) (base-line number)) (key eyes))"],
               reads=["stream"])
@@ -45,8 +46,7 @@ async def connect():
 
 @agent.operation("(get-objects)")
 def get_objects():
-    quoted = ", ".join(f'"{name}"' for name in NAMES)
-    return f"(GET {len(NAMES)} ({quoted}))"
+    return known(NAMES)
 
 
 @agent.operation("(track (name string))")
@@ -59,8 +59,7 @@ def track(name):
 
 @agent.operation("(find (name string))")
 def find(name):
-    at = sightings().get(name)
-    return f'(FIND "{name}" OK ({at[0]:.2f}, {at[1]:.2f}))' if at else f'(FIND "{name}" FAIL)'
+    return found(name, sightings().get(name))
 
 
 @agent.operation("(end-track)")
@@ -70,7 +69,7 @@ async def end_track():
 
 
 @agent.every(0.02)
-async def look():
+async def look_on():
     """Where there is a new pair, or has been none for too long."""
     global looked
     new = False
@@ -101,7 +100,6 @@ async def connect_again():
 
 
 def sightings():
-    """By name: x and y in the left image, x in the right one, the distance, how far that may be off, the confidence."""
     if len(frames) < 2 or not camera:
         return {}
     left, right = (find_marks(frames[side].pixels, frames[side].width, frames[side].height) for side in SIDES)
@@ -112,25 +110,13 @@ def sightings():
         disparity = one.x - other.x
         if disparity > 1 and abs(one.y - other.y) < 2:
             mm = focal * base / disparity
-            seen[name] = (one.x, one.y, other.x, other.y, mm, mm * OFF_PX / disparity,
-                          min(one.confidence, other.confidence))
+            seen[name] = Sighting((one.x, one.y), mm, min(one.confidence, other.confidence), (other.x, other.y),
+                                  mm * OFF_PX / disparity)
     return seen
 
 
 async def tell_look(seen):
-    texts, parts = [], []
-    for name in tracked:
-        if name not in seen:
-            texts.append(f'("{name}" FAIL)')
-            parts.append([name, Symbol("lost")])
-            continue
-        x, y, right_x, right_y, mm, off, confidence = seen[name]
-        texts.append(f'("{name}" OK ({x:.2f}, {y:.2f}, {mm:.2f}))')
-        parts.append([name, Symbol("seen"), round(confidence, 3), [Symbol("left"), round(x, 2), round(y, 2)],
-                      [Symbol("right"), round(right_x, 2), round(right_y, 2)],
-                      [Symbol("range"), round(mm, 2), round(off, 2)]])
-    text = f"(TRACK {' '.join([str(len(tracked)), *texts])})"
-    await agent.tell([Symbol("look"), Symbol(agent.name), frames["left"].number, text, parts])
+    await agent.tell(look(agent.name, frames["left"].number, tracked, seen))
 
 
 if __name__ == "__main__":

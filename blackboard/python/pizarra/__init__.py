@@ -10,6 +10,7 @@ One module is one idea:
     presence, contract, agent       an agent: who is there, what it offers, and the loop around it
     patterns                        how agents meet: QUERY, SEND, pull, EVENT, WIRING
     replica, stream                 facts that are held here; images
+    look                            what a detector of one's own tells
     session, requests, leases, feed, link, addresses, keys, calls, flow, service, loop      what these stand on
 
 It needs Debian's python3-zmq; images as arrays need python3-numpy.
