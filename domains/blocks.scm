@@ -82,6 +82,7 @@
       (/= ?a ?b)
       (not (holding ?b))
       (< 12 (- ?az ?bz))
+      (< (- ?az ?bz) (* (if (was (leans ?a ?b)) 1.7 1.6) cube))   ; what is higher up is not held by this one
       (< (abs (- ?ay ?by)) (+ cube 6))
       (< (abs (- ?ax ?bx)) (+ cube 6)))
 

@@ -99,6 +99,11 @@ TEST(BlocksDomain, SeesNothingSupportedInMidAir) {
             facts("((bare a) (clear a) (arm-empty))"));
 }
 
+TEST(BlocksDomain, SeesWhatSomebodyHoldsHighAboveACubeLeanOnNothing) {
+  EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 440 20 213) (seen b 475 50 30))"),
+            facts("((on-table b) (bare a) (clear a) (bare b) (clear b) (arm-empty))"));
+}
+
 TEST(BlocksDomain, GoesOnHoldingWhatIsLostFromSightForAMoment) {
   const TaskDomain task = domain("blocks.scm");
   constexpr std::string_view measured = "((gripper 60.0) (grip 450 100 300) (seen a 452 2 198) (unseen a))";
