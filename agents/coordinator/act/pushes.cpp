@@ -24,6 +24,8 @@ constexpr double careful_percent = 30;
 ElbowRoom Pushes::elbow_room() const {
   ElbowRoom room;
   room.cube_mm = domain_.cube_mm();
+  room.push_height_mm = grip_height * domain_.cube_mm();
+  room.palm_half_mm = options_.gripper.outline.half_width_mm;
   room.finger_mm = options_.gripper.finger_mm;
   room.narrow_mm = options_.gripper.openings.narrow_mm;
   if (!surroundings_.scene().view()) return room;
@@ -56,7 +58,7 @@ Task<Result<void>> Pushes::make_room(std::string object) {
   if (!push) co_return Result<void>();
   const std::string sentence = fmt::format("{} stands too close to its neighbour: pushing it out of the row", object);
   co_await story_.tell("servo", sentence, Datum::symbol(object));
-  const Result<void> pushed = co_await push_along(*push, grip_height * domain_.cube_mm());
+  const Result<void> pushed = co_await sweep(*push);
   co_return pushed;
 }
 

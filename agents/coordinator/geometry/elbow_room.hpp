@@ -1,7 +1,8 @@
 #pragma once
 
-// Room for the fingers between cubes that stand side by side: where they leave none, the one that is wanted is pushed
-// out of the row, towards the camera or away from it, by the fingers held a hand's breadth apart.
+// Room for the fingers between cubes that stand side by side, and for the palm beside high piles: where there is none,
+// the cube that is wanted is pushed out of the row, towards the camera or away from it, by the fingers held a hand's
+// breadth apart.
 //
 //   if (is_crowded(room, centre, others)) push = push_for_room(room, centre, others);
 
@@ -18,6 +19,10 @@ struct ElbowRoom {
   double finger_half_mm = 12;  // half its width, towards the camera
   double narrow_mm = 76;       // the smallest opening that goes around a cube
   double pusher_mm = 36;       // the opening to push with: both fingers touch the cube's face
+  double push_height_mm = 42;  // of the grip centre, while it pushes
+  double palm_half_mm = 62;    // half its width, as wide as the fingers can stand apart
+  double palm_deep_mm = 20;    // half its depth, across that
+  double palm_above_mm = 84;   // from the grip centre up to where it begins
   double margin_mm = 3;
   double fingers_deg = 0;    // how they are turned to grasp, as Arm::face() has it; at 0 they stand apart along y
   double mark_half_mm = 22;  // from a mark's middle to its edge
@@ -41,12 +46,13 @@ struct Push {
 std::vector<Eigen::Vector3d> seen_from_fingers(double fingers_deg, const Eigen::Vector3d& centre,
                                                std::vector<Eigen::Vector3d> others);
 
-// Whether a neighbour at its height stands where a finger must go.
+// Whether a neighbour stands where a finger must go at the cube's height, or is high enough to meet the palm.
 bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others);
 
 // The push that gives a crowded cube its room, if possible one that leaves all marks in sight; none where the way, or
-// the place to push from, is taken or out of reach, or where it would leave the images. A cube on another goes with it,
-// but only away from the camera, since the plate with the gripper's mark would touch it. All points are cubes' centres.
+// the place to push from, is taken or out of reach, or where it would leave the images. Beside a high pile the gripper
+// is turned, so that the palm passes. A cube on another goes with it, but only away from the camera, since the plate
+// with the gripper's mark would touch it. All points are cubes' centres.
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others);
 

@@ -240,7 +240,8 @@ TEST(ElbowRoom, EveryPushEndsTheCrowdingAndTouchesNothingElse) {
     ++pushes;
     // The fingers' front meets the face, then the cube goes with it.
     const double sign = push->to_mm.x() > push->from_mm.x() ? 1 : -1;
-    const double contact = room.cube_mm / 2 + room.finger_half_mm;
+    const double reach = push->face_deg == 0 ? room.finger_half_mm : room.pusher_mm / 2 + room.finger_mm;
+    const double contact = room.cube_mm / 2 + reach;
     const Eigen::Vector3d after(push->to_mm.x() + sign * contact, centre.y(), 30);
     EXPECT_GT(sign * (centre.x() - push->from_mm.x()), contact);
     EXPECT_FALSE(is_crowded(room, after, others));
@@ -250,6 +251,28 @@ TEST(ElbowRoom, EveryPushEndsTheCrowdingAndTouchesNothingElse) {
     }
   }
   EXPECT_GT(pushes, 100);
+}
+
+// Cubes that stand so far apart leave room for the fingers; the palm is wider, and passes over a low neighbour alone.
+TEST(ElbowRoom, IsAskedForWhereThePalmWouldTouchAHighPile) {
+  const Eigen::Vector3d centre(450, 0, 30);
+  EXPECT_FALSE(is_crowded({}, centre, {{450, 90, 30}}));
+  EXPECT_TRUE(is_crowded({}, centre, {{450, 90, 30}, {450, 90, 90}, {450, 90, 150}}));
+  EXPECT_FALSE(is_crowded({}, centre, {{450, 100, 30}, {450, 100, 90}, {450, 100, 150}}));
+  EXPECT_FALSE(is_crowded({}, centre, {{510, 90, 30}, {510, 90, 90}, {510, 90, 150}})) << "the palm passes behind it";
+  EXPECT_FALSE(is_crowded({}, {450, 0, 150}, {{450, 90, 30}, {450, 90, 90}, {450, 90, 150}})) << "it is as high";
+}
+
+TEST(ElbowRoom, APushBesideAHighPileIsMadeWithTheGripperTurned) {
+  const Eigen::Vector3d centre(450, 0, 30);
+  const std::optional<Push> beside_low = push_for_room({}, centre, {{450, 68, 30}});
+  ASSERT_TRUE(beside_low);
+  EXPECT_EQ(beside_low->face_deg, 0);
+  const std::vector<Eigen::Vector3d> high{{450, 68, 30}, {450, 68, 90}, {450, 68, 150}};
+  const std::optional<Push> beside_high = push_for_room({}, centre, high);
+  ASSERT_TRUE(beside_high);
+  EXPECT_EQ(beside_high->face_deg, 90);
+  EXPECT_FALSE(push_for_room({}, centre, {{450, 45, 30}, {450, 45, 90}, {450, 45, 150}})) << "not even the turned palm";
 }
 
 TEST(ElbowRoom, NoPushTakesACubeOutOfTheImages) {
