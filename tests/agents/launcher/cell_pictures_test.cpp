@@ -50,7 +50,7 @@ TEST(CellPictures, AreMadeSmallerWhereNoCameraShowsAllOfThem) {
 
 TEST(CellPictures, ThatCannotBeReadAreOneErrorWithItsPlace) {
   std::ofstream(scratch_folder() + "words.png") << "no image";
-  std::ofstream(scratch_folder() + "nothing.png");
+  std::ofstream(scratch_folder() + "nothing.png") << "";
   std::ofstream(scratch_folder() + "moving.gif") << "GIF89a";
   for (const char* name : {"missing.jpg", "words.png", "nothing.png", "moving.gif", "."}) {
     const Result<simulation::WorldConfig> world = world_with(fmt::format("(table-picture \"{}\")", name));
