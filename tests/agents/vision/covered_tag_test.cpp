@@ -161,7 +161,7 @@ class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
 
 TEST_P(CoveredTag, IsToldWhereItIsOrNotAtAll) {
   look_on(4);
-  for (int n = 0; n < 4; ++n) {
+  for (int n = 0; n < campaign(2, 4); ++n) {
     const TagHand hand = random_hand();
     SCOPED_TRACE(testing::Message() << side_px() << " px wide, turned by " << mark().turn_deg << ", a hand from "
                                     << hand.from_deg << " degrees at " << hand.speed_px << " px a frame, level "

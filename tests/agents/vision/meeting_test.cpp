@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/campaign.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -21,7 +23,7 @@ TEST_P(Meetings, AreToldForSureOnlyWhereTheMarkIs) {
   const auto& [name, way] = GetParam();
   // What is left of these looks like these.
   const bool deceives = name == "square" || name == "triangle";
-  const int meetings = deceives ? 8 : 2;
+  const int meetings = deceives ? campaign(4, 8) : 2;
   ToldOfMeeting by_pair;
   ToldOfMeeting by_one;
   for (int seed = 1; seed <= meetings; ++seed) {

@@ -6,6 +6,7 @@
 
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -132,7 +133,7 @@ class Passing : public testing::TestWithParam<std::tuple<std::string, Eyes>> {
 };
 
 TEST_P(Passing, BehindSomethingIsToldWhereItIsOrNotAtAll) {
-  constexpr int passes = 20;
+  const int passes = campaign(8, 20);
   for (int seed = 1; seed <= passes; ++seed) {
     begin(seed);
     pass_behind_something();
@@ -144,7 +145,7 @@ TEST_P(Passing, BehindSomethingIsToldWhereItIsOrNotAtAll) {
 }
 
 TEST_P(Passing, TurningAndMovingInFullViewGoesOnBeingTold) {
-  constexpr int paths = 8;
+  const int paths = campaign(3, 8);
   for (int seed = 1; seed <= paths; ++seed) {
     begin(seed);
     move_freely(random.uniform(5, 25), 0.1);
@@ -156,7 +157,7 @@ TEST_P(Passing, TurningAndMovingInFullViewGoesOnBeingTold) {
 // Of a triangle only one that one camera sees no smaller than it was learned, and than it has been since: what is left
 // of one that is covered along a side is a smaller triangle.
 TEST_P(Passing, MovingAndFacingTheCameraGoesOnBeingSure) {
-  constexpr int paths = 8;
+  const int paths = campaign(3, 8);
   for (int seed = 1; seed <= paths; ++seed) {
     begin(seed);
     if (is_triangle()) size_px = std::max(size_px, learned_px());
@@ -187,7 +188,7 @@ class PassingTriangle : public Passing {
 // A pair knows how far away it is. One camera is sure of it once it looks as large as it was learned, until it goes
 // away again, and when it is back.
 TEST_P(PassingTriangle, IsSureByOneCameraWhileItLooksAsLargeAsItWasLearnedAndAsItHasBeenSince) {
-  for (int seed = 1; seed <= 8; ++seed) {
+  for (int seed = 1; seed <= campaign(3, 8); ++seed) {
     SCOPED_TRACE(seed);
     begin(seed);
     scene.faces.front().yaw_deg = 0;

@@ -108,18 +108,19 @@ TEST(Spreads, AreThoseOfTheErrorsInLargeImages) {
 }
 
 TEST(Spread, IsThatOfATagsCornersToo) {
+  const int looks = campaign(60, 120);
   for (const double noise : {0.0, 4.0, 10.0}) {
     SCOPED_TRACE(noise);
     Random random = Random(2026).split("tags");
     Ranges ranges;
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < looks; ++i) {
       RangeView view = small_images().random_view({.least_mm = 350, .most_mm = 700, .most_tilt_deg = 15}, random);
       view.mark = "tag";
       view.noise = noise;
       const std::optional<RangeTold> told = small_images().look(view, random);
       if (told) ranges.count(view, *told);
     }
-    ASSERT_GT(ranges.told(), 80);
+    ASSERT_GT(ranges.told(), 2 * looks / 3);
     EXPECT_GE(ranges.percent_within_two(), 90);
     EXPECT_GT(ranges.rms_off(), 0.4);
   }
@@ -129,7 +130,8 @@ TEST(Spread, IsThatOfATagsCornersToo) {
 TEST(Spread, OfWhatMayBeCoveredIsThatOfItsParts) {
   Random random = Random(2026).split("covered");
   Ranges unsure;
-  for (int i = 0; i < 900; ++i) {
+  const int looks = campaign(300, 900);
+  for (int i = 0; i < looks; ++i) {
     RangeView view = small_images().random_view({.most_tilt_deg = 10}, random);
     const double from = random.uniform(0, 2 * CV_PI);
     const double px_per_mm = small_images().camera.focal_px / view.place.z;
@@ -144,7 +146,7 @@ TEST(Spread, OfWhatMayBeCoveredIsThatOfItsParts) {
     unsure.count(view, *told);
     EXPECT_GT(told->spread_mm, 1);
   }
-  ASSERT_GT(unsure.told(), 30);
+  ASSERT_GT(unsure.told(), looks / 30);
   EXPECT_GE(unsure.percent_within_two(), 90);
 }
 

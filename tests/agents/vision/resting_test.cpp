@@ -118,7 +118,7 @@ TEST_P(Resting, HandUnderWhichTheMarkWasTurnedAndPutElsewhereUncoversItThere) {
 // A nearer cover hides more of a mark from one camera than from the other, so that it looks larger than it is. The mark
 // is not held to that size when the cover has gone.
 TEST_P(Resting, HandThatCoversAPartFromTheFirstLookOnUncoversIt) {
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < campaign(3, 6); ++i) {
     CoveredMark one{std::get<0>(GetParam()), mark.random.bits()};
     one.most_off_px = 10;
     const Hand hand{mark.random.uniform(0, 360), 0, bright, one.disparity() + mark.random.uniform(1, 12)};

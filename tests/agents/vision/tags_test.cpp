@@ -8,6 +8,7 @@
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/scene.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -117,7 +118,7 @@ TEST_F(Tags, AreReadWhereverOneClicksInThem) {
     std::vector<int> numbers;
   };
   std::vector<Family> families = {
-      {"apriltag-36h11", cv::aruco::DICT_APRILTAG_36h11, std::vector<int>(100)},
+      {"apriltag-36h11", cv::aruco::DICT_APRILTAG_36h11, std::vector<int>(campaign(20, 100))},
       {"apriltag-36h10", cv::aruco::DICT_APRILTAG_36h10, {0, 99, 1000, 2319}},
       {"apriltag-25h9", cv::aruco::DICT_APRILTAG_25h9, {0, 9, 20, 34}},
       {"apriltag-16h5", cv::aruco::DICT_APRILTAG_16h5, {0, 1, 15, 29}},

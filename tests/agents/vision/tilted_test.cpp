@@ -7,6 +7,7 @@
 
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -35,8 +36,8 @@ TEST_P(WholeMarks, AreNotLostHoweverTheyTurnComeOrGo) {
   constexpr int frames = 40;
   int seen = 0;
   int seen_at_the_end = 0;
-  constexpr int runs = 6;
-  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+  const int runs = campaign(2, 6);
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(runs); ++seed) {
     Random random = Random(seed).split(name);
     const double rate = random.below(2) == 0 ? 10 : 30;
     Scene scene;

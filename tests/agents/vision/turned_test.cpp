@@ -5,6 +5,7 @@
 
 #include "agents/vision/sight/mark_learner.hpp"
 #include "tests/bench/vision/outline.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -58,7 +59,7 @@ class Turned : public testing::TestWithParam<int> {
  protected:
   cv::Mat1b draw(const bench::Shape& shape, double turn_deg, bool right) {
     cv::Mat1f image(model.height, model.width, 160.F);
-    const cv::Point2d middle((model.width + (right ? -disparity_px : disparity_px)) / 2, model.height / 2);
+    const cv::Point2d middle((model.width + (right ? -disparity_px : disparity_px)) / 2, model.height / 2.0);
     bench::paint(image, bench::placed(shape, middle + off_grid, GetParam(), turn_deg), 25);
     cv::GaussianBlur(image, image, {}, blur_px);
     cv::Mat1f grains(image.size());
@@ -93,7 +94,7 @@ class Turned : public testing::TestWithParam<int> {
       int mistaken = 0;
       double least = 1;
       double most = 0;
-      for (int turn_deg = 0; turn_deg < 360; ++turn_deg) {
+      for (int turn_deg = 0; turn_deg < 360; turn_deg += campaign(3, 1)) {
         StereoSight sight = look(shape.shape, turn_deg);
         for (const LearnedObject& object : objects.all()) {
           const std::optional<SeenPair> found = sight.find(objects, object);

@@ -19,6 +19,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "agents/vision/sight/tags_in_view.hpp"
 #include "tests/bench/vision/scene.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -121,7 +122,7 @@ TiltedTag tilted(const Tag& tag, double side_px, double most_tilt_deg, Random& r
 }
 
 TEST(WideTags, AreReadInPerspectiveAndTheirCornersAreRightToAFractionOfAPixel) {
-  constexpr int looks = 60;
+  const int looks = campaign(20, 60);
   for (const std::string& name : names) {
     Random random(11);
     const TagFamily* const one[] = {&family(name)};
@@ -176,7 +177,7 @@ TEST(WideTags, AreReadWhereverOneClicksInThem) {
 
 TEST(WideTags, OneThatIsPartlyHiddenIsNotToldElsewhere) {
   Random random(14);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < campaign(50, 150); ++i) {
     const Tag tag = random_tag(names[static_cast<std::size_t>(i) % names.size()], random);
     TiltedTag shown = tilted(tag, 60, 0, random);
     const cv::Point2f middle = (shown.corners[0] + shown.corners[2]) / 2;
@@ -275,7 +276,7 @@ INSTANTIATE_TEST_SUITE_P(Families, WideTagsOfAPair, testing::ValuesIn(names),
 
 TEST(WideTags, AreNotReadInSceneryOfShapesAndOtherTags) {
   Random random(15);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < campaign(20, 60); ++i) {
     bench::Scene scene = bench::random_scene(bench::hard_ranges, random);
     std::vector<cv::Mat1b> others;
     for (int k = 0; k < 5; ++k) {

@@ -9,6 +9,7 @@
 #include "lisp/reader.hpp"
 #include "tests/blackboard/child_program.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/campaign.hpp"
 #include "tests/run_task.hpp"
 
 namespace pizarra::cluster {
@@ -46,7 +47,8 @@ class BoardsWithLittleSpace : public testing::Test {
 
 TEST_F(BoardsWithLittleSpace, GoOnWithLargeFactsForManyTimesTheSpace) {
   int refused = 0;  // one after another
-  for (std::size_t told = 0; told < 5 * quota;) {
+  const auto spaces = campaign<std::size_t>(3, 5);
+  for (std::size_t told = 0; told < spaces * quota;) {
     const std::size_t bytes = 900'000;
     const Result<Revision> revision = tell(1, static_cast<char>('a' + told / bytes % 26), bytes);
     if (revision) {
