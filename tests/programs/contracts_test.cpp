@@ -30,11 +30,12 @@ const Names of_every_agent = {"agent", "bound", "context", "contract", "request"
 using Occasions = std::map<std::string, Names>;
 const Occasions read_on_occasion = {
     {"coordinator", {"robot-speed"}}, {"person", {"vision-failed"}}, {"pan-tilt", {"place"}}};
-const Occasions told_on_occasion = {
-    {"coordinator", {"camera-pose", "leans"}},
-    {"pan-tilt", {"head-speed", "looking-at"}},
-    {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},
-    {"vision", {"camera-drops", "found", "look-alike", "objects-damaged", "tags-seen", "vision-failed"}}};
+const Occasions told_on_occasion = {{"coordinator", {"camera-pose", "leans"}},
+                                    {"pan-tilt", {"head-speed", "looking-at"}},
+                                    {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},
+                                    {"vision",
+                                     {"camera-drops", "found", "look-alike", "looked-at-most", "objects-damaged",
+                                      "searched-in", "tags-seen", "vision-failed"}}};
 
 Names with(Names names, const Occasions& occasions, const std::string& agent) {
   const auto more = occasions.find(agent);

@@ -53,11 +53,13 @@ Task<void> VisionFacts::tell_objects(std::vector<Datum> facts) {
   retract_all(transaction, "to-accept"_sym, 2);
   retract_all(transaction, "look-alike"_sym, 4);
   retract_all(transaction, "objects-damaged"_sym, 3);
+  retract_all(transaction, "searched-in"_sym, 5);
+  retract_all(transaction, "looked-at-most"_sym, 2);
   add(transaction, facts);
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_look(std::uint64_t frame, Time captured, const std::vector<TrackSighting>& sightings) {
+Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings) {
   Transaction transaction;
   // What is followed no more is not seen either.
   std::erase_if(told_tracks_, [&](const auto& told) {
@@ -75,7 +77,7 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, Time captured, const std:
     facts.push_back(
         list("tracked"_sym, sighting.name, Datum::symbol(state), frame, rounded(sighting.confidence, 1000)));
   }
-  facts.push_back(look_fact(frame, captured, sightings));
+  facts.push_back(look_fact(frame, sightings));
   add(transaction, facts);
   co_await transact(std::move(transaction));
 }

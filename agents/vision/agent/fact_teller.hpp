@@ -7,7 +7,7 @@
 //   VisionFacts facts(context, service);
 //   facts.begin_anew();
 //   co_await facts.tell({...});
-//   co_await facts.tell_look(frame.number, frame.captured, sightings);
+//   co_await facts.tell_look(frame.number, sightings);
 //   if (facts.lost()) ...                             // tell all that lasts again
 
 #include <map>
@@ -34,10 +34,10 @@ class VisionFacts {
   Task<void> tell(std::vector<Datum> facts);
   // Who holds which mode: of the facts told last by this, those are retracted that are not among these.
   Task<void> tell_held(std::vector<Datum> facts);
-  // What is worth knowing of the learned objects: of `to-accept`, `look-alike` and `objects-damaged` no others stand.
+  // What is worth knowing of the learned objects: no others of these relations stand.
   Task<void> tell_objects(std::vector<Datum> facts);
-  // What tracking has seen in a frame, which was captured then; of each mark, since when it is seen or lost.
-  Task<void> tell_look(std::uint64_t frame, Time captured, const std::vector<TrackSighting>& sightings);
+  // What tracking has seen up to a frame; of each mark, since when it is seen or lost.
+  Task<void> tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings);
   // `found` facts get the new names of their two objects: the one found, and the one that it is most like otherwise. A
   // fact of which either object is forgotten is retracted.
   Task<void> follow_found(Renames renames, const LearnedObjects& objects);

@@ -143,6 +143,20 @@ Task<Result<Datum>> KnownObjects::rename(std::string client, std::string name, s
   co_return Datum();
 }
 
+Task<Result<Datum>> KnownObjects::limit(std::string client, std::string name,
+                                        std::function<void(SearchLimit&)> change) {
+  co_await follow_memory();
+  const LearnedObject* object = objects().find(name);
+  if (object == nullptr) co_return fail(not_known(name));
+  const Result<void> untracked = check_untracked(client, object->name);
+  if (!untracked) co_return fail(untracked);
+  SearchLimit limit = limits_.of(object->name);
+  change(limit);
+  limits_.set(object->name, limit);
+  co_await tell();
+  co_return Datum();
+}
+
 Task<Result<void>> KnownObjects::know(TaggedObject object) {
   if (objects().find(object.name) != nullptr) co_return {};
   Result<LearnedSample> sample = learn_print(object, objects());
@@ -203,6 +217,7 @@ Task<void> KnownObjects::follow_renames(Renames renames) {
   on_renamed_(renames);
   holders_.rename(renames);
   to_accept_.follow(renames, objects());
+  limits_.follow(renames, objects());
   co_await facts_.follow_found(std::move(renames), objects());
   co_await tell();
 }
@@ -210,6 +225,7 @@ Task<void> KnownObjects::follow_renames(Renames renames) {
 Task<void> KnownObjects::tell() {
   std::vector<Datum> known = look_alikes(objects());
   for (Datum& fact : to_accept_.facts()) known.push_back(std::move(fact));
+  for (Datum& fact : limits_.facts()) known.push_back(std::move(fact));
   for (const auto& [object, why] : memory_.troubles()) {
     known.push_back(list("objects-damaged"_sym, why.subject, Datum::symbol(why.symbol), why.sentence));
   }

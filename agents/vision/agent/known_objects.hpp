@@ -14,6 +14,7 @@
 #include "agents/vision/agent/printed_tag.hpp"
 #include "agents/vision/agent/samples_to_accept.hpp"
 #include "agents/vision/database/object_memory.hpp"
+#include "agents/vision/sight/search_limits.hpp"
 
 namespace pizarra::vision {
 
@@ -28,11 +29,13 @@ class KnownObjects {
 
   // It stays in its place.
   const LearnedObjects& objects() const { return memory_.objects(); }
+  // Where and how often they are looked for; it stays in its place too.
+  const SearchLimits& limits() const { return limits_; }
   // Reads everything anew. Failures: the board's.
   Task<Result<void>> recall() { return memory_.recall(); }
   // The same where another agent has changed it: renamed what is tracked or to be accepted, or forgotten it.
   Task<void> follow_memory();
-  // What is worth knowing of them: damage, those that look alike, those to be accepted.
+  // What is worth knowing of them: damage, those that look alike, those to be accepted, and limits.
   Task<void> tell();
   // Why there is no object of this name: it was never learned, or is damaged.
   Failure not_known(const std::string& name) const;
@@ -45,6 +48,9 @@ class KnownObjects {
   Task<Result<Datum>> reject(std::string client, std::string name);
   Task<Result<Datum>> forget(std::string client, std::string name);
   Task<Result<Datum>> rename(std::string client, std::string name, std::string new_name);
+  // Changes where and how often it is looked for. Failures: those of not_known(), and `busy` where another client
+  // tracks it.
+  Task<Result<Datum>> limit(std::string client, std::string name, std::function<void(SearchLimit&)> change);
   // Nobody is to accept it; nothing is done where something is known under its name. Failures: those of learn_print()
   // and of ObjectMemory.
   Task<Result<void>> know(TaggedObject object);
@@ -74,6 +80,7 @@ class KnownObjects {
   RenameHandler on_renamed_;
   ObjectMemory memory_;
   SamplesToAccept to_accept_;
+  SearchLimits limits_;
 };
 
 }  // namespace pizarra::vision

@@ -44,10 +44,13 @@ Task<Result<FoundMark>> MarkSearch::find(std::string name, Time asked) {
     const LearnedObject* object = known_.objects().find(name);
     if (object == nullptr) co_return fail(known_.not_known(name));
     StereoSight sight(*frame, *feed_.model());
-    Result<FoundMark> found = finder_.find(sight, *object, executor_.now());
+    ConfinedSights sights(sight);
+    const std::optional<cv::Rect> area = known_.limits().of(object->name).area;
+    Result<FoundMark> found = finder_.find(sights.of(area), *object, executor_.now());
     on_find_look_(*frame);
     if (found) co_return found;
     why = found.error();
+    if (area) why.sentence += "; it was looked for in its area alone";
   }
   co_return fail(why);
 }

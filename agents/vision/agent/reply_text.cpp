@@ -108,7 +108,7 @@ Datum tags_fact(std::uint64_t frame, Time captured, std::span<const FoundMark> s
   return list("tags-seen"_sym, frame, captured.time_since_epoch().count(), Datum::list(std::move(tags)));
 }
 
-Datum look_fact(std::uint64_t frame, Time captured, std::span<const TrackSighting> sightings) {
+Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
   std::vector<Datum> objects;
   for (const TrackSighting& s : sightings) {
     std::vector<Datum> one{to_datum(s.name), Datum::symbol(track_state(s))};
@@ -117,7 +117,7 @@ Datum look_fact(std::uint64_t frame, Time captured, std::span<const TrackSightin
     if (s.seen) {
       add(places_datum({s.centre, s.right_centre, s.range_mm, s.range_spread_mm}));
       if (s.yaw_deg) one.push_back(list("face"_sym, rounded(*s.yaw_deg, 10)));
-      one.push_back(list("captured"_sym, captured.time_since_epoch().count()));
+      one.push_back(list("captured"_sym, s.captured.time_since_epoch().count()));
       one.push_back(list("second"_sym, s.second, rounded(s.margin, 1000)));
       if (s.pose) add_pose(one, *s.pose);
     }

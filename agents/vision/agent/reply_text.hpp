@@ -42,10 +42,10 @@ Datum tags_fact(std::uint64_t frame, Time captured, std::span<const FoundMark> s
 
 // One look: (look FRAME TEXT (("a" seen CONFIDENCE PART ...) ("b" bridged CONFIDENCE PART ...) ("c" lost) ...)). TEXT
 // is track_reply(). Each PART begins with its name: those of places_datum(); (face DEGREES), how far its face looks to
-// the right of the camera; (captured US), the frame; (second NAME MARGIN), what it is most like otherwise and by how
-// much less; and pose_datum(), where it is known, with (flipped RX RY RZ SHARE) where the other tilt may be it. Of one
-// that was lost a moment ago the place is where it should be.
-Datum look_fact(std::uint64_t frame, Time captured, std::span<const TrackSighting> sightings);
+// the right of the camera; (captured US), the frame that says so; (second NAME MARGIN), what it is most like otherwise
+// and by how much less; and pose_datum(), where it is known, with (flipped RX RY RZ SHARE) where the other tilt may be
+// it. Of one that was lost a moment ago the place is where it should be.
+Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
 // seen, bridged or lost.
 std::string_view track_state(const TrackSighting& sighting);

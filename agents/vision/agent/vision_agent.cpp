@@ -1,5 +1,6 @@
 #include "agents/vision/agent/vision_agent.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
 
@@ -103,8 +104,9 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   // A frame that was taken for finds is shown by the find, with what it found.
   const bool is_shown_here = !holders.finding();
   // The arm waits for what is told; whoever looks on may wait for the picture.
-  const bool tells = tracks && holders.connected();
-  if (tells) co_await facts.tell_look(frame.number, frame.captured, sightings);
+  const auto is_new = [&](const TrackSighting& sighting) { return sighting.captured == frame.captured; };
+  const bool tells = tracks && holders.connected() && std::ranges::any_of(sightings, is_new);
+  if (tells) co_await facts.tell_look(frame.number, sightings);
   if (is_shown_here) show(frame, std::move(sightings));
 }
 
@@ -132,7 +134,7 @@ Task<void> VisionAgent::State::tell_missed() {
   if (holders.finding()) co_return;
   const std::vector<TrackSighting> sightings = tracker.miss_all(context.executor.now());
   if (sightings.empty() || !holders.connected()) co_return;
-  co_await facts.tell_look(feed.frame_number(), feed.latest(), sightings);
+  co_await facts.tell_look(feed.frame_number(), sightings);
 }
 
 void VisionAgent::State::show(const camera::StereoFrame& frame, std::vector<TrackSighting> sightings) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "agents/vision/agent/reply_text.hpp"
+#include "agents/vision/agent/search_request.hpp"
 #include "agents/vision/agent/vision_state.hpp"
 
 namespace pizarra::vision {
@@ -37,6 +38,10 @@ const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::s
       {.word = "forget", .turn = brief, .run = &State::forget},
       {.word = "rename", .turn = brief, .run = &State::rename},
       {.word = "learn-from", .turn = brief, .run = &State::learn_from},
+      {.word = "search-in", .turn = beside, .run = &State::search_in},
+      {.word = "search-everywhere", .turn = beside, .run = &State::search_everywhere},
+      {.word = "look-at-most", .turn = beside, .run = &State::look_at_most},
+      {.word = "look-always", .turn = beside, .run = &State::look_always},
   };
   const auto found = std::ranges::find(operations, word, &Operation::word);
   assert(found != std::end(operations) && "the contract offers no others");
@@ -164,6 +169,32 @@ Task<Result<Datum>> VisionAgent::State::get_objects(Asked) {
 
 Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
   return known.rename(asked.client, std::string(asked.operation[1].text()), asked.name);
+}
+
+Task<Result<Datum>> VisionAgent::State::search_in(Asked asked) {
+  std::optional<cv::Size> image;
+  if (feed.model()) image = cv::Size(feed.model()->width, feed.model()->height);
+  const Result<cv::Rect> area = area_in(asked.operation, image);
+  if (!area) co_return fail(area);
+  std::function<void(SearchLimit&)> change = [area](SearchLimit& limit) { limit.area = *area; };
+  const Result<Datum> done = co_await known.limit(asked.client, asked.name, std::move(change));
+  co_return done;
+}
+
+Task<Result<Datum>> VisionAgent::State::search_everywhere(Asked asked) {
+  return known.limit(asked.client, asked.name, [](SearchLimit& limit) { limit.area.reset(); });
+}
+
+Task<Result<Datum>> VisionAgent::State::look_at_most(Asked asked) {
+  const Result<double> rate = rate_in(asked.operation);
+  if (!rate) co_return fail(rate);
+  std::function<void(SearchLimit&)> change = [rate](SearchLimit& limit) { limit.per_second = *rate; };
+  const Result<Datum> done = co_await known.limit(asked.client, asked.name, std::move(change));
+  co_return done;
+}
+
+Task<Result<Datum>> VisionAgent::State::look_always(Asked asked) {
+  return known.limit(asked.client, asked.name, [](SearchLimit& limit) { limit.per_second.reset(); });
 }
 
 }  // namespace pizarra::vision

@@ -49,6 +49,10 @@ struct VisionAgent::State {
   Task<Result<Datum>> forget(Asked asked) { return known.forget(asked.client, asked.name); }
   Task<Result<Datum>> rename(Asked asked);
   Task<Result<Datum>> learn_from(Asked asked) { return known.learn_from(asked.name); }
+  Task<Result<Datum>> search_in(Asked asked);
+  Task<Result<Datum>> search_everywhere(Asked asked);
+  Task<Result<Datum>> look_at_most(Asked asked);
+  Task<Result<Datum>> look_always(Asked asked);
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
 
   Task<void> know_tagged();
@@ -73,7 +77,7 @@ struct VisionAgent::State {
   ClientTurns turns{context, presence, holders};
   VisionFacts facts{context, service};
   KnownObjects known;
-  MarkTracker tracker{known.objects()};
+  MarkTracker tracker{known.objects(), known.limits()};
   TrackingTurn tracking_turn{context.executor};
   TagTeller tags{context.executor, facts, options.tags};
   PictureStreams pictures;

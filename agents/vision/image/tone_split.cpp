@@ -21,18 +21,21 @@ struct Extremes {
 
 class Tiles {
  public:
-  // Those from which the thresholds of these rows of the image come.
-  Tiles(const cv::Mat1b& image, int side, cv::Range rows)
-      : side_(side), columns_((image.cols + side - 1) / side), rows_((image.rows + side - 1) / side) {
+  // Those from which the thresholds of this part of the image come.
+  Tiles(const cv::Mat1b& image, int side, cv::Range rows, cv::Range columns)
+      : columns_((image.cols + side - 1) / side), rows_((image.rows + side - 1) / side) {
     first_row_ = std::max(0, rows.start / side - 2);
     end_row_ = std::min(rows_, rows.end / side + 3);
+    const int first_x = std::max(0, columns.start / side - 2) * side;
+    const int end_x = std::min(image.cols, (columns.end / side + 3) * side);
     std::vector<std::uint8_t> lowest(static_cast<std::size_t>(image.cols));
     std::vector<std::uint8_t> highest(lowest.size());
     for (int row = first_row_; row < end_row_; ++row) {
       std::ranges::fill(lowest, 255);
       std::ranges::fill(highest, 0);
       for (int y = row * side; y < std::min((row + 1) * side, image.rows); ++y) {
-        narrow(image.ptr<std::uint8_t>(y), image.cols, lowest.data(), highest.data());
+        narrow(image.ptr<std::uint8_t>(y) + first_x, end_x - first_x, lowest.data() + first_x,
+               highest.data() + first_x);
       }
       for (int column = 0; column < columns_; ++column) {
         const int first = column * side;
@@ -52,7 +55,8 @@ class Tiles {
     Extremes out;
     for (int y = std::max(first_row_, row - 1); y <= std::min(end_row_ - 1, row + 1); ++y) {
       for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x) {
-        const Extremes& tile = extremes_[static_cast<std::size_t>((y - first_row_) * columns_ + x)];
+        const std::size_t row_start = static_cast<std::size_t>(y - first_row_) * static_cast<std::size_t>(columns_);
+        const Extremes& tile = extremes_[row_start + static_cast<std::size_t>(x)];
         out.lowest = std::min(out.lowest, tile.lowest);
         out.highest = std::max(out.highest, tile.highest);
       }
@@ -69,7 +73,6 @@ class Tiles {
     }
   }
 
-  int side_;
   int columns_;
   int rows_;
   int first_row_;
@@ -131,14 +134,18 @@ void compare(const std::uint8_t* row, const std::uint8_t* threshold, int width, 
 
 }  // namespace
 
-ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range wanted) {
+ToneSplit split_tones(const cv::Mat1b& image, double noise, std::optional<cv::Rect> wanted) {
   const int width = image.cols;
   const int height = image.rows;
-  cv::Range rows = wanted & cv::Range(0, height);
-  rows.start -= rows.start % rows_a_threshold;
+  const cv::Rect whole({0, 0}, image.size());
+  const cv::Rect area = wanted ? *wanted & whole : whole;
+  const cv::Range rows(area.y - area.y % rows_a_threshold, area.br().y);
+  // Whole words of bits.
+  const cv::Range words(area.x / 64, (area.br().x + 63) / 64);
+  const cv::Range columns(64 * words.start, std::min(width, 64 * words.end));
   const int side = std::max(least_tile_px, width / tiles_a_row);
   const double least_contrast = std::max<double>(least_local_contrast, noise_contrast * noise);
-  const Tiles tiles(image, side, rows);
+  const Tiles tiles(image, side, rows, columns);
   std::vector<ThresholdRow> thresholds;  // from the tiles' first row
   BitImage structured(width, tiles.rows());
   for (int row = tiles.first_row(); row < tiles.end_row(); ++row) {
@@ -156,7 +163,6 @@ ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range wanted) {
 
   ToneSplit out{BitImage(width, height), BitImage(width, height)};
   std::vector<std::uint8_t> threshold(static_cast<std::size_t>(width));
-  const int words = out.dark.words_a_row();
   const auto threshold_of = [&](int row) {
     return thresholds[static_cast<std::size_t>(row - tiles.first_row())].levels();
   };
@@ -168,9 +174,10 @@ ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range wanted) {
       const int part = 256 * (from_first - 2 * side * upper) / (2 * side);
       mix(threshold_of(upper), threshold_of(lower), std::clamp(part, 0, 256), width, threshold.data());
     }
-    compare(image.ptr<std::uint8_t>(y), threshold.data(), width, out.dark.row(y));
+    compare(image.ptr<std::uint8_t>(y) + columns.start, threshold.data() + columns.start, columns.size(),
+            out.dark.row(y) + words.start);
     const std::uint64_t* there = structured.row(std::min(y / side, tiles.rows() - 1));
-    for (int i = 0; i < words; ++i) {
+    for (int i = words.start; i < words.end; ++i) {
       out.light.row(y)[i] = ~out.dark.row(y)[i] & there[i];
       out.dark.row(y)[i] &= there[i];
     }

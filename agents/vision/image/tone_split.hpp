@@ -8,6 +8,7 @@
 //   regions_of(split.dark) ...
 
 #include <opencv2/core.hpp>
+#include <optional>
 
 #include "agents/vision/image/bit_rows.hpp"
 
@@ -18,8 +19,8 @@ struct ToneSplit {
   BitImage light;
 };
 
-// `noise`: what there is in the image, as a standard deviation. In `rows`, or a little around them, alone; elsewhere
+// `noise`: what there is in the image, as a standard deviation. In `area`, or a little around it, alone; elsewhere
 // everything is neither.
-ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range rows = cv::Range::all());
+ToneSplit split_tones(const cv::Mat1b& image, double noise, std::optional<cv::Rect> area = {});
 
 }  // namespace pizarra::vision

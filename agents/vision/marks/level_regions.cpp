@@ -94,4 +94,15 @@ std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone) {
   return out;
 }
 
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area) {
+  if (area.empty()) return {};
+  std::vector<LevelRegion> out = level_regions(pixels(area), tone);
+  for (LevelRegion& region : out) {
+    for (cv::Point& p : region.contour) p += area.tl();
+    region.box += area.tl();
+    region.reach.middle += cv::Point2d(area.tl());
+  }
+  return out;
+}
+
 }  // namespace pizarra::vision

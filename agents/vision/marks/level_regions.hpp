@@ -20,6 +20,8 @@ struct LevelRegion {
 
 inline constexpr std::size_t most_level_regions = 512;  // the largest of them
 
+// In all of the pixels, or within `area` alone, as if the image ended there.
 std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone);
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area);
 
 }  // namespace pizarra::vision

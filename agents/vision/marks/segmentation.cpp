@@ -8,11 +8,11 @@
 namespace pizarra::vision {
 namespace {
 
-bool has_the_size_of_a_mark(const Region& region, cv::Size image, cv::Range rows) {
+bool has_the_size_of_a_mark(const Region& region, cv::Size image, const cv::Rect& area) {
   const cv::Rect& box = region.box;
   return region.area_px >= least_seen_area_px && !is_too_large_for_a_mark(box.size(), image) &&
-         5 * region.area_px >= box.area() && box.width <= 4 * box.height && box.height <= 4 * box.width && box.x > 0 &&
-         box.y > rows.start && box.br().x < image.width && box.br().y < rows.end;
+         5 * region.area_px >= box.area() && box.width <= 4 * box.height && box.height <= 4 * box.width &&
+         box.x > area.x && box.y > area.y && box.br().x < area.br().x && box.br().y < area.br().y;
 }
 
 }  // namespace
@@ -21,13 +21,13 @@ bool is_too_large_for_a_mark(cv::Size box, cv::Size image) {
   return 10 * box.width > 9 * image.width || 10 * box.height > 9 * image.height;
 }
 
-std::size_t longest_contour_px(cv::Size image) { return static_cast<std::size_t>(2 * (image.width + image.height)); }
+std::size_t longest_contour_px(cv::Size image) { return 2 * static_cast<std::size_t>(image.width + image.height); }
 
-ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise, double focal_px, cv::Range rows)
+ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise, double focal_px, std::optional<cv::Rect> area)
     : focal_px_(focal_px),
-      rows_(rows & cv::Range(0, grey.rows)),
+      area_(area.value_or(cv::Rect({0, 0}, grey.size())) & cv::Rect({0, 0}, grey.size())),
       cut_(look_at(grey, {0, 0, grey.cols, grey.rows}, noise)),
-      split_(split_tones(cut_.pixels, cut_.noise, rows_)) {}
+      split_(split_tones(cut_.pixels, cut_.noise, area_)) {}
 
 cv::Mat1b ImageSegmentation::mask(MarkTone tone) const {
   cv::Mat1b out = cv::Mat1b::zeros(image().size());
@@ -49,7 +49,7 @@ std::vector<ImageSegmentation::Candidate> ImageSegmentation::candidates() const 
   std::vector<Candidate> out;
   for (const MarkTone tone : {MarkTone::dark, MarkTone::light}) {
     for (const Region& region : regions_of(bits(tone))) {
-      if (has_the_size_of_a_mark(region, image().size(), rows_)) out.push_back({region, tone});
+      if (has_the_size_of_a_mark(region, image().size(), area_)) out.push_back({region, tone});
     }
   }
   const auto area = [](const Candidate& candidate) { return candidate.region.area_px; };

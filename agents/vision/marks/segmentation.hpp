@@ -6,6 +6,7 @@
 //   ImageSegmentation segmentation(grey);
 //   for (const SeenMark& mark : segmentation.marks()) ...
 
+#include <optional>
 #include <vector>
 
 #include "agents/vision/image/look.hpp"
@@ -24,14 +25,15 @@ std::size_t longest_contour_px(cv::Size image);
 class ImageSegmentation {
  public:
   // `grey`: 8 bit, one channel; it may be shared, not copied. `focal_px`: of its camera, where that is known. Only
-  // regions within `rows` that do not reach the first or the last one are told; these are the same as in the whole
-  // image.
-  ImageSegmentation(const cv::Mat& grey, double noise, double focal_px = 0, cv::Range rows = cv::Range::all());
+  // regions within `area` that do not reach its border are told; these are the same as in the whole image.
+  ImageSegmentation(const cv::Mat& grey, double noise, double focal_px = 0, std::optional<cv::Rect> area = {});
   explicit ImageSegmentation(const cv::Mat& grey) : ImageSegmentation(grey, noise_of(grey)) {}
 
   // As the eyes look at it.
   const ImageCut& cut() const { return cut_; }
   const cv::Mat1b& image() const { return cut_.pixels; }
+  // What is looked at of it.
+  const cv::Rect& area() const { return area_; }
   const BitImage& bits(MarkTone tone) const { return tone == MarkTone::dark ? split_.dark : split_.light; }
   // 255 where the image has that tone.
   cv::Mat1b mask(MarkTone tone) const;
@@ -45,7 +47,7 @@ class ImageSegmentation {
   struct Candidate;
   std::vector<Candidate> candidates() const;
   double focal_px_;
-  cv::Range rows_;
+  cv::Rect area_;
   ImageCut cut_;
   ToneSplit split_;
   bool collected_ = false;

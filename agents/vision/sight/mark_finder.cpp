@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <ranges>
 
-#include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
@@ -154,7 +153,7 @@ std::optional<FoundMark> MarkFinder::find_shape(StereoSight& sight, const Learne
 std::optional<FoundMark> MarkFinder::find_tag(StereoSight& sight, const LearnedObject& object) const {
   std::optional<SeenPair> only = sight.find(objects_, object);
   if (only) return FoundMark{object.name, *only, {}};
-  std::vector<SeenMark> tags = find_tags(sight.left(), *object.tag());
+  std::vector<SeenMark> tags = sight.tags(*object.tag());
   if (tags.empty()) return std::nullopt;
   const std::optional<cv::Point2d> before = place_of(object.name);
   const auto rank = [&](const SeenMark& tag) { return before ? cv::norm(tag.centre - *before) : -tag.area_px; };

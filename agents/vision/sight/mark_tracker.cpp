@@ -68,6 +68,8 @@ void MarkTracker::rename(const Renames& renames) {
     return is_taken && name_now(renames, track.name) == track.name;
   });
   for (Track& track : tracks_) track.name = name_now(renames, track.name);
+  // Each is looked at in the next frame.
+  paced_.clear();
 }
 
 std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured) {
@@ -79,10 +81,28 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured
   out.reserve(tracks_.size());
   const auto begin_anew = [](Track& track) { track = Track{.name = track.name}; };
   if (anew) std::ranges::for_each(tracks_, begin_anew);
-  for (Track& track : tracks_) out.push_back(update(sight, track));
+  if (anew) paced_.clear();
+  ConfinedSights sights(sight);
+  for (Track& track : tracks_) out.push_back(look_in_turn(sights, track));
   last_left_ = sight.left();
   last_segmentation_.reset();
   return out;
+}
+
+TrackSighting MarkTracker::look_in_turn(ConfinedSights& sights, Track& track) {
+  const SearchLimit limit = limits_.of(track.name);
+  StereoSight& sight = sights.of(limit.area);
+  if (!limit.per_second) {
+    paced_.erase(track.name);
+    return update(sight, track);
+  }
+  Paced& paced = paced_[track.name];
+  if (!paced.pace.is_due(captured_, *limit.per_second)) return paced.told;
+  paced.told = update(sight, track);
+  paced.pace.looked(captured_, *limit.per_second);
+  // The camera may use its pixels again before the next look.
+  paced.left = sight.left().clone();
+  return paced.told;
 }
 
 std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
@@ -130,15 +150,21 @@ void MarkTracker::note_others(Track& track, const LearnedObject& object, const s
 }
 
 void MarkTracker::note_others_before(Track& track, const LearnedObject& object) {
-  if (object.tag() != nullptr) return note_others(track, object, find_tags(last_left_, *object.tag()));
+  const auto paced = paced_.find(track.name);
+  const bool is_paced = paced != paced_.end() && !paced->second.left.empty();
+  const cv::Mat& before = is_paced ? paced->second.left : last_left_;
+  if (object.tag() != nullptr) return note_others(track, object, find_tags(before, *object.tag()));
+  if (is_paced) {
+    ImageSegmentation segmentation(before, noise_of(before), track.left->focal_px);
+    return note_others(track, object, segmentation.marks());
+  }
   if (!last_segmentation_) last_segmentation_.emplace(last_left_, noise_of(last_left_), track.left->focal_px);
   note_others(track, object, last_segmentation_->marks());
 }
 
 std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, const LearnedObject& object) {
   const bool tagged = object.tag() != nullptr;
-  if (!track.others.empty() && tagged)
-    follow_others(track.others, find_tags(sight.left(), *object.tag()), objects_, object);
+  if (!track.others.empty() && tagged) follow_others(track.others, sight.tags(*object.tag()), objects_, object);
   if (!track.others.empty() && !tagged)
     follow_others(track.others, sight.left_segmentation().marks(), objects_, object);
   std::optional<SeenPair> now;
@@ -153,7 +179,7 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
 // The sighting of a frame in which the mark was not found.
 TrackSighting MarkTracker::miss(Track& track, Time now) const {
   track.whole.wait(now);
-  TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
+  TrackSighting out{.name = track.name, .captured = now, .centre = {}, .yaw_deg = {}, .contour = {}};
   const cv::Rect2d image(0, 0, image_size_.width, image_size_.height);
   const bool near = track.left && now - track.seen_at <= longest_bridge && image.contains(track.expected(now));
   if (!near) {
@@ -249,6 +275,8 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
     const LearnedObject* object = objects_.find(track.name);
     if (object != nullptr) note_loss(track, *object);
     out.push_back(miss(track, now));
+    const auto paced = paced_.find(track.name);
+    if (paced != paced_.end()) paced->second.told = out.back();
   }
   return out;
 }
@@ -260,6 +288,8 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
   };
   std::optional<SeenPair> now = follow(sight, track, object);
   if (now && track.doubted_for > Duration()) come_back(sight, track, object, *now);
+  // It may be followed out of the area.
+  if (now && !sight.holds(now->left)) now.reset();
   Wholeness::Look look{.whole = false};
   if (now) look = look_at(*now);
   if (!look.whole) note_loss(track, object);
@@ -318,7 +348,8 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   std::optional<SeenWhole> seen = see(sight, track, *object);
   if (!seen) return miss(track, captured_);
   SeenPair& now = seen->pair;
-  TrackSighting out{.name = track.name, .centre = now.left.centre, .yaw_deg = {}, .contour = now.left.contour};
+  TrackSighting out{
+      .name = track.name, .captured = captured_, .centre = now.left.centre, .yaw_deg = {}, .contour = now.left.contour};
   track.turn = now.likeness.turn;
   const Confidence confidence = confidence_in(sight, track, *object, *seen);
   out.confidence = confidence.told;

@@ -12,6 +12,9 @@
 // from half a second to five. Where the lost one is seen again meanwhile, it is there. Where others like it were there
 // from the first, it may be one of those, and is not sure while they are in view.
 //
+// An object may be looked for in an area only, and at a rate of its own (search_limits.hpp). Outside the area it is not
+// seen. In a frame in which its turn is not due it stands as it was told last.
+//
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
 //   StereoSight sight(left, right, model);
@@ -21,9 +24,11 @@
 #include <set>
 
 #include "agents/vision/objects/renames.hpp"
+#include "agents/vision/sight/confined_sights.hpp"
 #include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/mark_pose.hpp"
+#include "agents/vision/sight/search_limits.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
 namespace pizarra::vision {
@@ -33,6 +38,7 @@ struct TrackSighting {
   bool seen = false;
   // Not seen, but so shortly that its place is told as its motion predicts it.
   bool bridged = false;
+  Time captured = {};                            // of the frame that says so
   cv::Point2d centre;                            // in the left image, px
   std::optional<cv::Point2d> right_centre = {};  // the same in the right one, where that shows it
   double range_mm = 0;                           // by the pair, or by its size where the right image ends before it
@@ -53,8 +59,9 @@ inline constexpr Duration longest_doubt = 5s;  // whether what is found elsewher
 
 class MarkTracker {
  public:
-  // `objects` outlives it. An object that is not among them any more is not seen.
-  explicit MarkTracker(const LearnedObjects& objects) : objects_(objects) {}
+  // Both outlive it. An object that is not among them any more is not seen.
+  explicit MarkTracker(const LearnedObjects& objects, const SearchLimits& limits = SearchLimits::none())
+      : objects_(objects), limits_(limits) {}
 
   // Once more is harmless. Of several that are alike it begins with the one nearest to `seen_last`. Failure `full`.
   Result<void> add(const LearnedObject& object, std::optional<cv::Point2d> seen_last = {});
@@ -63,8 +70,9 @@ class MarkTracker {
   void rename(const Renames& renames);
   void keep_only(const std::set<std::string>& names) {
     std::erase_if(tracks_, [&](const Track& track) { return !names.contains(track.name); });
+    std::erase_if(paced_, [&](const auto& each) { return !names.contains(each.first); });
   }
-  void clear() { tracks_.clear(); }
+  void clear() { keep_only({}); }
   bool empty() const { return tracks_.empty(); }
 
   // One sighting an object, the end-effector first, then in the order added. The pixels of the left image must stay
@@ -107,6 +115,8 @@ class MarkTracker {
   void note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const;
   // Of those in the image in which it was seen last.
   void note_others_before(Track& track, const LearnedObject& object);
+  // Looks at it, or tells what was told last.
+  TrackSighting look_in_turn(ConfinedSights& sights, Track& track);
   TrackSighting update(StereoSight& sight, Track& track);
   struct SeenWhole {
     SeenPair pair;
@@ -132,8 +142,17 @@ class MarkTracker {
   // What was seen becomes what is followed.
   void take(const StereoSight& sight, Track& track, SeenPair&& now) const;
 
+  // Of an object that is not looked at in every frame, how it was told last, and of which left image.
+  struct Paced {
+    LookPace pace = {};
+    TrackSighting told = {};
+    cv::Mat left = {};
+  };
+
   const LearnedObjects& objects_;
+  const SearchLimits& limits_;
   std::vector<Track> tracks_;
+  std::map<std::string, Paced> paced_;
   // Of the frame in hand, and since the one before it.
   Time captured_ = {};
   double frame_s_ = 0;

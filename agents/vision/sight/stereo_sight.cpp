@@ -109,15 +109,31 @@ StereoSight::StereoSight(const camera::StereoFrame& frame, const camera::StereoM
     : StereoSight(grey_of(*frame.left), grey_of(*frame.right), model) {}
 
 StereoSight::StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model)
-    : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise_of(left_)) {}
+    : StereoSight(left, std::move(right), model, noise_of(left), std::nullopt) {}
+
+StereoSight::StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model, double noise,
+                         std::optional<cv::Rect> area)
+    : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise), area_(area) {}
+
+StereoSight StereoSight::within(const cv::Rect& area) const {
+  return {left_, right_, model_, noise_, area & cv::Rect({0, 0}, left_.size())};
+}
+
+// A partner is further left, and up to some rows higher or lower.
+std::optional<cv::Rect> StereoSight::right_area() const {
+  if (!area_) return std::nullopt;
+  const int slack = area_->height / 4 + partner_reach_px;
+  const cv::Rect rows(0, area_->y - slack, area_->br().x, area_->height + 2 * slack);
+  return rows & cv::Rect({0, 0}, right_.size());
+}
 
 ImageSegmentation& StereoSight::left_segmentation() {
-  if (!left_segmentation_) left_segmentation_.emplace(left_, noise_, model_.focal_px);
+  if (!left_segmentation_) left_segmentation_.emplace(left_, noise_, model_.focal_px, area_);
   return *left_segmentation_;
 }
 
 ImageSegmentation& StereoSight::right_segmentation() {
-  if (!right_segmentation_) right_segmentation_.emplace(right_, noise_, model_.focal_px);
+  if (!right_segmentation_) right_segmentation_.emplace(right_, noise_, model_.focal_px, right_area());
   return *right_segmentation_;
 }
 
@@ -125,7 +141,7 @@ ImageSegmentation& StereoSight::right_segmentation() {
 const SeenMark* StereoSight::partner_of(const SeenMark& left) {
   if (!right_segmentation_ && !right_rows_) {
     const int reach = left.box.height / 4 + partner_reach_px;
-    const cv::Range rows(left.box.y - reach, left.box.br().y + reach);
+    const cv::Rect rows(0, left.box.y - reach, right_.cols, left.box.height + 2 * reach);
     right_rows_.emplace(right_, noise_, model_.focal_px, rows);
     if (const SeenMark* partner = find_partner(left, right_rows_->marks(), std::nullopt)) return partner;
   }
@@ -167,7 +183,7 @@ std::vector<SeenPair> StereoSight::looks_in_plane(ImageSegmentation& segmentatio
   std::vector<SeenPair> out;
   for (const LearnedSample& sample : object.samples) {
     std::optional<std::vector<LevelRegion>>& of_tone = regions[static_cast<std::size_t>(sample.tone)];
-    if (!of_tone) of_tone = level_regions(segmentation.image(), sample.tone);
+    if (!of_tone) of_tone = level_regions(segmentation.image(), sample.tone, segmentation.area());
     for (const LevelRegion& region : *of_tone) {
       std::optional<PlaneLook> look = seen_in_plane(segmentation.cut(), sample, region);
       if (!look) continue;
@@ -202,6 +218,7 @@ std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, con
   if (!left_edges_) left_edges_ = edge_chains(cut);
   for (PartLook& look : look_for_parts(cut, *left_edges_, objects, object, model_.focal_px)) {
     SeenPair pair{.left = whole_mark(cut, look), .right = std::nullopt};
+    if (!holds(pair.left)) continue;
     pair.left.focal_px = model_.focal_px;
     std::optional<PlanePose> pose = pose_in_plane(model_, *look.sample, look.fit);
     pair.plane = PlaneView{look.sample, std::move(look.fit), true, std::move(pose), true};
@@ -212,11 +229,21 @@ std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, con
 
 std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect> area,
                                           std::span<const cv::Point2d> others) {
-  std::vector<SeenMark> seen = find_tags(left_, tag, area.value_or(cv::Rect()));
+  std::vector<SeenMark> seen = tags(tag, area);
   std::erase_if(seen, [&](const SeenMark& mark) {
     return std::ranges::any_of(others, [&](const cv::Point2d& place) { return mark.box.contains(place); });
   });
   return pair_of(tag, std::move(seen), {});
+}
+
+std::vector<SeenMark> StereoSight::tags(const Tag& tag, std::optional<cv::Rect> area) const {
+  if (!area_) return find_tags(left_, tag, area.value_or(cv::Rect()));
+  const cv::Rect looked_at = area.value_or(*area_) & *area_;
+  if (looked_at.empty()) return {};
+  std::vector<SeenMark> seen = find_tags(left_, tag, looked_at);
+  // Around a wide one more is looked at.
+  std::erase_if(seen, [&](const SeenMark& mark) { return !holds(mark); });
+  return seen;
 }
 
 std::optional<SeenPair> StereoSight::follow(const Tag& tag, const cv::Rect& area, std::optional<double> disparity_px) {

@@ -37,6 +37,12 @@ class StereoSight {
   StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model);
   StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel&& model) = delete;
 
+  // The same pair, of which only what lies wholly within this area of the left image is looked for, and in the right
+  // one only in the rows beside it. Both share their pixels.
+  StereoSight within(const cv::Rect& area) const;
+  // Whether the mark, of the left image, lies wholly within what is looked at.
+  bool holds(const SeenMark& mark) const { return !area_ || (mark.box & *area_) == mark.box; }
+
   const cv::Mat& left() const { return left_; }
   const cv::Mat& right() const { return right_; }
   const camera::StereoModel& model() const { return model_; }
@@ -64,11 +70,17 @@ class StereoSight {
                                std::span<const cv::Point2d> others = {});
   // The same, sooner, where it is expected, and in the right image first where the disparity puts it.
   std::optional<SeenPair> follow(const Tag& tag, const cv::Rect& area, std::optional<double> disparity_px = {});
+  // This tag, as often as the left image shows it.
+  std::vector<SeenMark> tags(const Tag& tag, std::optional<cv::Rect> area = {}) const;
   // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
   // shows no part of it farther away: then it is a larger thing.
   bool is_cut_off(const LearnedObject& object, const SeenMark& left);
 
  private:
+  StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model, double noise,
+              std::optional<cv::Rect> area);
+  // Of the right image; nothing: all of it.
+  std::optional<cv::Rect> right_area() const;
   // In the right image; null: none.
   const SeenMark* partner_of(const SeenMark& left);
   // In one image, the likest first; `regions` are computed once.
@@ -82,6 +94,7 @@ class StereoSight {
   cv::Mat right_;
   const camera::StereoModel& model_;
   double noise_;
+  std::optional<cv::Rect> area_;  // of the left image; nothing: all of it
   std::optional<ImageSegmentation> left_segmentation_;
   std::optional<ImageSegmentation> right_segmentation_;
   Regions left_regions_;

@@ -359,6 +359,7 @@ TEST_F(Tracker, TheSpreadOfTheRangeIsThatOfItsErrors) {
 
 TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
   TrackSighting seen{.name = "a", .seen = true, .centre = {}, .yaw_deg = {}, .contour = {}};
+  seen.captured = Time(12'340us);
   seen.confidence = 0.98765;
   seen.centre = {30, 40.555};
   seen.right_centre = {20, 40.5};
@@ -373,7 +374,7 @@ TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
   const TrackSighting lost{.name = "c", .centre = {}, .yaw_deg = {}, .contour = {}};
   const std::vector<TrackSighting> all{seen, bridged, lost};
   EXPECT_EQ(
-      write(look_fact(7, Time(12'340us), all)),
+      write(look_fact(7, all)),
       R"x((look 7 "(TRACK 3 (\"a\" OK (30.00, 40.55, 851.23)) (\"b\" FAIL) (\"c\" FAIL))" )x"
       R"x((("a" seen 0.988 (left 30.0 40.56) (right 20.0 40.5) (range 851.23 0.57) (face -3.5) (captured 12340) (second "b" 0.123)) )x"
       R"x(("b" bridged 0.5 (left 10.12 20.0) (range 800.0 0.0)) ("c" lost))))x");

@@ -47,13 +47,14 @@ class StillEyes {
   Task<void> look() {
     std::vector<vision::TrackSighting> noisy = sightings_;
     for (vision::TrackSighting& sighting : noisy) {
+      sighting.captured = context_.executor.now();
       sighting.centre.x += random_.uniform(-0.05, 0.05);
       sighting.centre.y += random_.uniform(-0.05, 0.05);
       sighting.range_mm += random_.uniform(-1, 1);
       sighting.yaw_deg = random_.uniform(-2, 2);
     }
     ++frame_;
-    co_await facts_.tell_look(frame_, context_.executor.now(), noisy);
+    co_await facts_.tell_look(frame_, noisy);
   }
 
  private:

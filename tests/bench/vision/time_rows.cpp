@@ -5,6 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/sight/confined_sights.hpp"
 #include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/measure.hpp"
@@ -142,11 +143,32 @@ std::vector<Pair> pairs_of(const std::vector<Scene>& scenes, Random& random) {
   return out;
 }
 
-// All that the agent computes for one FIND, which looks at a frame of its own.
-bool answer_find(const Pair& pair, const vision::LearnedObjects& objects, const vision::LearnedObject& object) {
+// All that the agent computes for one FIND, which looks at a frame of its own, or at an area of it.
+Result<vision::FoundMark> answer_find(const Pair& pair, const vision::LearnedObjects& objects,
+                                      const vision::LearnedObject& object, std::optional<cv::Rect> area = {}) {
   vision::StereoSight sight(pair.left, pair.right, scene_camera());
+  vision::ConfinedSights sights(sight);
   vision::MarkFinder finder(objects);
-  return finder.find(sight, object, Time()).has_value();
+  return finder.find(sights.of(area), object, Time());
+}
+
+// A ninth of the image, around where each object is found in each scene; all of it where it is not.
+using Areas = std::vector<std::vector<std::optional<cv::Rect>>>;  // by scene, then by object
+Areas areas_of(const std::vector<Pair>& pairs, const vision::LearnedObjects& objects) {
+  Areas out;
+  for (const Pair& pair : pairs) {
+    std::vector<std::optional<cv::Rect>>& of_scene = out.emplace_back();
+    const cv::Rect image({0, 0}, pair.left.size());
+    const cv::Size third = pair.left.size() / 3;
+    for (const vision::LearnedObject& object : objects.all()) {
+      const Result<vision::FoundMark> found = answer_find(pair, objects, object);
+      of_scene.emplace_back();
+      if (!found) continue;
+      const cv::Point middle(found->pair.left.centre);
+      of_scene.back() = cv::Rect(middle - cv::Point(third) / 2, third) & image;
+    }
+  }
+  return out;
 }
 
 // Scenes that move there and back, a few pixels a frame, and who follows what is in them.
@@ -223,21 +245,27 @@ void find_time(VisionBench& bench) {
   say_time(bench, "find five objects, one image", Share{0.1, "1/10 of ArUco's detection"}, find_all, others);
   const std::vector<Pair> pairs = pairs_of(scenes, random);
   // Another object in every scene, and each in each after all rounds.
-  auto answer_each = [&, first = std::size_t{0}]() mutable {
+  auto answer_each = [&, first = std::size_t{0}](const Areas* areas) mutable {
     Seen out;
     for (int i = 0; i < repeats; ++i, ++first) {
       for (std::size_t scene = 0; scene < pairs.size(); ++scene) {
-        const vision::LearnedObject& object = bench.marks.all()[(first + scene) % bench.marks.all().size()];
+        const std::size_t which = (first + scene) % bench.marks.all().size();
+        const std::optional<cv::Rect> area = areas == nullptr ? std::nullopt : (*areas)[scene][which];
         ++out.shown;
-        out.seen += answer_find(pairs[scene], bench.marks, object) ? 1 : 0;
+        out.seen += answer_find(pairs[scene], bench.marks, bench.marks.all()[which], area) ? 1 : 0;
       }
     }
     return out;
   };
-  const Seen seen = answer_each();
+  const Seen seen = answer_each(nullptr);
   say_time(
-      bench, "answer one FIND, both images, with depth", {}, [&] { answer_each(); }, peers_work(bench, scenes, random),
-      seen.said());
+      bench, "answer one FIND, both images, with depth", {}, [&] { answer_each(nullptr); },
+      peers_work(bench, scenes, random), seen.said());
+  const Areas areas = areas_of(pairs, bench.marks);
+  const Seen seen_there = answer_each(&areas);
+  say_time(
+      bench, "the same, in a ninth of the image", {}, [&] { answer_each(&areas); }, peers_work(bench, scenes, random),
+      seen_there.said());
 }
 
 void track_time(VisionBench& bench) {
