@@ -9,12 +9,38 @@ namespace pizarra::chaos {
 
 namespace {
 
-constexpr const char* events[] = {
-    "goal",       "plan",           "operation",    "difference",      "operation-fails", "lays-down",
-    "makes-room", "lifts-on-sight", "resumes-goal", "waits-for-robot", "asks-eyes-again", "plan-kept"};
-constexpr const char* board_points[] = {"board-lived-again", "reply-lost",    "frames-lost",         "connection-again",
-                                        "agent-lived-again", "lease-lapsed",  "journal-refused",     "goal-reached",
+constexpr const char* events[] = {"goal",
+                                  "plan",
+                                  "operation",
+                                  "difference",
+                                  "operation-fails",
+                                  "lays-down",
+                                  "makes-room",
+                                  "sets-aside",
+                                  "sweeps-border",
+                                  "pushes",
+                                  "surveys-camera",
+                                  "rescue-fails",
+                                  "resumes-goal",
+                                  "waits-for-robot",
+                                  "asks-eyes-again",
+                                  "cuts-motion-short",
+                                  "follows-object",
+                                  "waits-for-hand",
+                                  "held-up",
+                                  "plan-kept",
+                                  "plans-anew"};
+constexpr const char* board_points[] = {"board-lived-again", "reply-lost",    "frames-lost",
+                                        "agent-lived-again", "lease-lapsed",  "goal-reached",
                                         "goal-refused",      "several-goals", "refused-out-of-reach"};
+// Facts of the drawn cell's domain that did not hold, and operations that somebody else did.
+constexpr const char* differences[] = {"on",      "on-table", "clear", "holding", "arm-empty",
+                                       "PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
+// Symbols that operations, rescues and hold-ups fail with.
+constexpr const char* failures[] = {"absent",      "disconnected",  "fault",          "gave-up",        "halted",
+                                    "joint-limit", "lost-sight",    "missed",         "missing-object", "no-plan",
+                                    "no-room",     "not-commander", "not-in-control", "not-present",    "stopped",
+                                    "stuck",       "timeout",       "unavailable",    "unreachable",    "unseen"};
 constexpr const char* stops[] = {"STOPPED_AT_RESTART", "MOVED_BY_ITSELF"};
 constexpr const char* operations[] = {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
 constexpr int servo_states = 5;
@@ -24,6 +50,8 @@ std::vector<std::string> all_points() {
   for (const char* event : events) points.push_back(fmt::format("event {}", event));
   for (const char* point : board_points) points.push_back(fmt::format("cell {}", point));
   for (const char* stop : stops) points.push_back(fmt::format("arm {}", stop));
+  for (const char* difference : differences) points.push_back(fmt::format("difference {}", difference));
+  for (const char* failure : failures) points.push_back(fmt::format("failure {}", failure));
   for (const FaultClass& kind : fault_classes()) {
     if (std::string_view(kind.name) == "clock") continue;
     for (const char* operation : operations) {

@@ -25,14 +25,29 @@ struct Telling {
 };
 constexpr Telling tellings[] = {
     {"servo", "laying down", "event lays-down"},
-    {"servo", "room", "event makes-room"},
-    {"servo", "lift", "event lifts-on-sight"},
-    {"agent", "goes on", "event resumes-goal"},
+    {"servo", "too close to its neighbour", "event makes-room"},
+    {"servo", "aside, to see what it hides", "event sets-aside"},
+    {"servo", "sweeping at the border", "event sweeps-border"},
+    {"servo", "cannot be grasped as it lies", "event pushes"},
+    {"servo", "finding out where the camera", "event surveys-camera"},
+    {"servo", "the rescue failed", "event rescue-fails"},
+    {"servo", "the motion towards it is cut short", "event cuts-motion-short"},
+    {"servo", "moved during the approach", "event follows-object"},
+    {"agent", "going on with goal", "event resumes-goal"},
     {"agent", "waiting for the robot", "event waits-for-robot"},
     {"agent", "asking it to track again", "event asks-eyes-again"},
     {"operation", "fail", "event operation-fails"},
+    {"agent", "somebody holds", "event waits-for-hand"},
+    {"agent", "held up", "event held-up"},
     {"plan", "still serves", "event plan-kept"},
+    {"plan", "new plan", "event plans-anew"},
 };
+
+// Of a fact that did not hold, or of an operation that somebody else did.
+std::string difference_point(const Datum& what) {
+  const Datum& form = what.is_form("not") ? what[1] : what;
+  return fmt::format("difference {}", form.head());
+}
 
 Eigen::Vector3d camera_mm(const ChaosCell& cell) {
   const std::array<double, 3>& at = cell.description().world_camera.at_mm;
@@ -136,6 +151,11 @@ void Observers::note_event(const Datum& event) {
   const std::string_view sentence = event[3].text();
   tell_(cell_.time().now(), kind, std::string(sentence));
   coverage_.hit("event " + kind);
+  const Datum& detail = event[4];
+  if (detail.is_form("fail")) coverage_.hit(fmt::format("failure {}", detail[1].text()));
+  if (kind == "difference") {
+    for (const Datum& what : detail.items()) coverage_.hit(difference_point(what));
+  }
   for (const Telling& telling : tellings) {
     if (kind == telling.kind && sentence.find(telling.words) != std::string_view::npos) coverage_.hit(telling.point);
   }
@@ -151,7 +171,7 @@ void Observers::look_at_presence() {
       if (before == present_.end() && life > 1) coverage_.hit("cell agent-lived-again");
       present_[kind] = life;
     } else if (before != present_.end()) {
-      if (before->second == life) coverage_.hit("cell lease-lapsed");
+      if (before->second == life && cell_.runs(kind)) coverage_.hit("cell lease-lapsed");
       present_.erase(before);
     }
   }
