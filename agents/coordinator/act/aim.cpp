@@ -6,8 +6,6 @@
 #include <numbers>
 
 #include "agents/coordinator/geometry/elbow_room.hpp"
-#include "agents/coordinator/geometry/sight_lines.hpp"
-#include "agents/coordinator/geometry/spots.hpp"
 
 namespace pizarra::coordinator {
 
@@ -15,18 +13,8 @@ namespace {
 
 // A mark that a moment's noise hides is taken to be where it was for as many looks.
 constexpr std::uint64_t tolerated_looks = 3;
-// A cube comes to lie so far off the spot that it was meant for.
-constexpr double off_spot_mm = 8;
-// How far behind a cube stands what it hides, in cubes.
-constexpr double hiding_cubes[] = {1, 1.5, 2};
 // From the middle of a cube to that of one which passes over it, in cubes.
 constexpr double clearing = 1.25;
-
-std::vector<Eigen::Vector2d> on_the_table(const std::vector<Eigen::Vector3d>& centres) {
-  std::vector<Eigen::Vector2d> places;
-  for (const Eigen::Vector3d& centre : centres) places.emplace_back(centre.head<2>());
-  return places;
-}
 
 }  // namespace
 
@@ -56,11 +44,6 @@ double Aims::held_edge_mm(std::string_view held) const {
   return scene_.sightings().find(held) ? domain_.edge_mm(held) : like_mm;
 }
 
-Eigen::Vector3d Aims::on_table(double x_mm, double y_mm, double edge_mm) const {
-  const Eigen::Vector3d centre(x_mm, y_mm, edge_mm / 2 + options_.release_mm);
-  return centre - edge_mm / 2 * scene_.view()->away();
-}
-
 // The held object faces the camera, whichever way the one below it is turned: middle goes over middle.
 Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower, std::string_view held) const {
   const Result<Eigen::Vector3d> mark = seen(lower);
@@ -73,81 +56,21 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower, std::string_view
   return Eigen::Vector3d(front + above_mm * Eigen::Vector3d::UnitZ());
 }
 
-// The middles of the cubes that stand somewhere. `lost`: with those that are not seen any more, where they were.
-std::vector<Eigen::Vector3d> Aims::standing_but(std::string_view held, bool lost) const {
-  std::vector<Eigen::Vector3d> centres;
-  for (const auto& [name, sighting] : scene_.sightings().all()) {
-    const bool there = lost || scene_.sightings().remembered(name, options_.grace_looks);
-    if (there && name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
-  }
-  return standing(std::move(centres), scene_.grip_mm(), domain_.cube_mm());
-}
-
-// Where a cube may stand that this one hides.
-std::vector<Eigen::Vector3d> Aims::behind(double x_mm, double y_mm) const {
-  std::vector<Eigen::Vector3d> places;
-  for (const double cubes : hiding_cubes) {
-    const Eigen::Vector3d stood(x_mm, y_mm, domain_.cube_mm() / 2);
-    places.emplace_back(stood + cubes * domain_.cube_mm() * scene_.view()->away());
-  }
-  return places;
-}
-
-// Whether a cube there is not taken to lie at a place that the domain names.
-bool Aims::is_off_places(const Eigen::Vector2d& spot) const {
-  const auto near = [&](const Datum* place) {
-    const Eigen::Vector2d apart = spot - Eigen::Vector2d((*place)[2].number(), (*place)[3].number());
-    return apart.lpNorm<Eigen::Infinity>() < domain_.cube_mm();
-  };
-  return std::ranges::none_of(domain_.spots(), near);
-}
-
-// An object is laid down off all places, where it hides nothing and is not hidden. Where no such spot is free, one may
-// be where another was lost, which is more likely elsewhere; else at a place; else one that the camera shows will do.
-std::optional<Eigen::Vector2d> Aims::free_spot_among(std::string_view held,
-                                                     const std::vector<Eigen::Vector3d>& to_show) const {
-  const double cube = domain_.cube_mm();
-  SightLines lines;
-  for (const Eigen::Vector3d& eye : scene_.view()->eyes()) lines.eyes_mm.emplace_back(eye.head<2>());
-  lines.cube_mm = cube;
-  lines.mark_half_mm = options_.gripper.outline.mark_half_mm;
-  lines.margin_mm = off_spot_mm;
-  const Shown shown = [&](const Eigen::Vector2d& spot) {
-    // The eyes need the white around a mark too.
-    return scene_.view()->shows(on_table(spot.x(), spot.y(), cube), cube / 2 + off_spot_mm);
-  };
-  const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
-  const double from_y_mm = grip ? grip->y() : 0;
-  const TableArea area = TableArea::of(options_.row, cube);
-  for (const auto& [at_place, lost] : {std::pair(false, true), {false, false}, {true, true}, {true, false}}) {
-    const std::vector<Eigen::Vector3d> others = standing_but(held, lost);
-    const Shown in_sight = [&](const Eigen::Vector2d& spot) {
-      const Eigen::Vector3d centre(spot.x(), spot.y(), cube / 2);
-      const auto crosses = [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); };
-      if (!shown(spot) || (!at_place && !is_off_places(spot))) return false;
-      return std::ranges::none_of(others, crosses) && std::ranges::none_of(to_show, crosses);
-    };
-    std::optional<Eigen::Vector2d> spot = free_spot(area, on_the_table(others), from_y_mm, in_sight);
-    if (spot) return spot;
-  }
-  return free_spot(area, on_the_table(standing_but(held, true)), from_y_mm, shown);
-}
-
 double Aims::clear_height_mm() const {
   double highest_mm = 0;
-  for (const Eigen::Vector3d& centre : standing_but("", true)) highest_mm = std::max(highest_mm, centre.z());
+  for (const Eigen::Vector3d& centre : spots_.standing_but("", true)) highest_mm = std::max(highest_mm, centre.z());
   return highest_mm + clearing * domain_.cube_mm();
 }
 
 Result<Eigen::Vector3d> Aims::free_spot_for(const Datum& target) {
   const std::string_view held = target[1].text();
   if (!spot_) {
-    std::vector<Eigen::Vector3d> to_show;
-    if (target.size() == 4) to_show = behind(target[2].number(), target[3].number());
-    spot_ = free_spot_among(held, to_show);
+    std::optional<Eigen::Vector2d> stood;
+    if (target.size() == 4) stood.emplace(target[2].number(), target[3].number());
+    spot_ = spots_.for_held(held, stood);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
-  return on_table(spot_->x(), spot_->y(), held_edge_mm(held));
+  return spots_.on_table(spot_->x(), spot_->y(), held_edge_mm(held));
 }
 
 Result<Aim> Aims::at(const Datum& target) {
@@ -176,7 +99,7 @@ Result<Aim> Aims::at(const Datum& target) {
   } else if (target.is_form("at-place") && target.size() == 3) {
     const Datum* spot = domain_.spot(target[2].text());
     if (!spot) return fail("unknown-place", "perception has no (spot PLACE X Y) for this place", target[2]);
-    wanted = on_table((*spot)[2].number(), (*spot)[3].number(), held_edge_mm(held));
+    wanted = spots_.on_table((*spot)[2].number(), (*spot)[3].number(), held_edge_mm(held));
   }
   if (!wanted) return fail(wanted);
   return Aim{followed, *wanted, grip->z(), scene_.foot_mm()};

@@ -3,8 +3,8 @@
 // A target of a micro-task (plan/primitives.hpp) as geometry: which mark is followed and where it is to be. Looked up
 // anew at every look, so that what moves is followed.
 
+#include "agents/coordinator/act/spot_choice.hpp"
 #include "agents/coordinator/geometry/servo.hpp"
-#include "agents/coordinator/perceive/scene.hpp"
 
 namespace pizarra::coordinator {
 
@@ -18,7 +18,7 @@ struct Aim {
 class Aims {
  public:
   Aims(const CoordinatorOptions& options, const TaskDomain& domain, const Scene& scene)
-      : options_(options), domain_(domain), scene_(scene) {}
+      : options_(options), domain_(domain), scene_(scene), spots_(options, domain, scene) {}
 
   // A new operation: a free spot is chosen anew. One that is (free-spot HELD X Y) leaves in sight what stands behind
   // there.
@@ -35,17 +35,12 @@ class Aims {
   Result<Eigen::Vector3d> grip() const;
   double held_edge_mm(std::string_view held) const;
   Result<Eigen::Vector3d> on_top_of(std::string_view lower, std::string_view held) const;
-  std::vector<Eigen::Vector3d> standing_but(std::string_view held, bool lost) const;
   Result<Eigen::Vector3d> free_spot_for(const Datum& target);
-  bool is_off_places(const Eigen::Vector2d& spot) const;
-  std::vector<Eigen::Vector3d> behind(double x_mm, double y_mm) const;
-  std::optional<Eigen::Vector2d> free_spot_among(std::string_view held,
-                                                 const std::vector<Eigen::Vector3d>& to_show) const;
-  Eigen::Vector3d on_table(double x_mm, double y_mm, double edge_mm) const;
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   const Scene& scene_;
+  SpotChoice spots_;
   std::optional<Eigen::Vector2d> spot_;
 };
 

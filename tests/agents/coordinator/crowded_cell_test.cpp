@@ -57,6 +57,43 @@ TEST(CrowdedCell, LaysWhatItSetsAsideAwayFromWhereItStood) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
 }
 
+// The one spot that is left leads the lines of sight just past the missing cube.
+TEST(CrowdedCell, LaysWhatItSetsAsideWhereTheEyesJustLookPastIt) {
+  FakeCell cell("blocks.scm", {{"circle", {353, 136, 30}},
+                               {"triangle", {405, 62, 30}},
+                               {"square", {449, -139, 30}},
+                               {"cross", {450, -39, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& triangle = cell.cubes["triangle"];
+    return name == "circle" && triangle.z() < 60 && triangle.y() > 50 && triangle.y() < 180;
+  };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 1);
+}
+
+// All that is free hides what may stand behind the old place.
+TEST(CrowdedCell, LaysWhatItSetsAsideElsewhereThoughNoSpotLeavesAllInSight) {
+  FakeCell cell(
+      "blocks.scm",
+      {{"circle", {450, -140, 30}}, {"triangle", {450, 165, 30}}, {"square", {360, -5, 30}}, {"cross", {460, 40, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell](const std::string& name) {
+    const Eigen::Vector3d& cross = cell.cubes["cross"];
+    return name == "square" && cross.z() < 60 && cross.x() > 400 && std::abs(cross.y() + 5) < 60;
+  };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on square circle))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"the rescue failed: cross lies where it lay\" ?)"), 0);
+}
+
 // A coordinator that was killed has seen nothing of it, and its plan tells that it was there.
 TEST(CrowdedCell, LooksAfterARestartBehindACubeThatStandsAlone) {
   FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, 60, 30}}, {"square", {450, 160, 30}}});
