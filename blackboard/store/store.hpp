@@ -112,7 +112,7 @@ class Store {
     LeaseId told_under;  // 0 for none
   };
   class Change;
-  struct Checked;
+  class Check;
 
   StandingFact* find(FactId standing) const;
   StandingFact& put(FactTable& table, Fact fact);
@@ -120,9 +120,6 @@ class Store {
   StandingFact remove(StandingFact& standing, Revision revision);
   void hold(Held held);
   Held let_go(FactId taken);
-  Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t& examined);
-  Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
-  Result<void> check_step(const Transaction::Step& step, Checked& before);
   static std::unexpected<Failure> unknown_lease(LeaseId lease);
   const Fact* first_standing(const FactTable& table, const Datum& pattern, std::size_t& examined) const;
   // Its lease has ended.
