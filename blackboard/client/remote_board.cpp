@@ -4,7 +4,6 @@
 #include "blackboard/client/replicas.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/teller.hpp"
-#include "blackboard/time/latch.hpp"
 #include "blackboard/wire/answer_form.hpp"
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
@@ -13,7 +12,6 @@ namespace pizarra::client {
 
 namespace {
 
-constexpr Duration connect_again_after = 1s;
 constexpr std::size_t envelope_bytes = 64;  // that a request has around its body
 
 std::unexpected<Failure> nonsense(const Datum& value) {
@@ -57,42 +55,61 @@ Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, co
       new RemoteBoard(executor, address, std::move(*addresses), std::move(teller), timeout, transport));
   // Whoever reaches the file of an ipc address is this machine's: no keys there.
   const wire::ClientKeys* shown = keys && !wire::is_ipc(address) ? &*keys : nullptr;
-  wire::FrameSocket::Listener listener;
-  listener.let_in = [board = board.get()] {
-    board->silence_ = no_answer;
-    if (!board->joined_) board->greet();
-  };
-  listener.refused = [board = board.get()](const Failure& failure) {
-    board->connect_again_ = board->executor_.now() + connect_again_after;
-    board->lose_session();
-    board->refused(failure);
-  };
-  const Result<void> connected = board->socket_->connect(board->addresses_.front(), shown, std::move(listener));
+  const Result<void> connected = board->session_.connect(shown);
   if (!connected) return fail(connected);
   return board;
 }
 
-RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::vector<std::string> addresses,
+RemoteBoard::RemoteBoard(Executor& executor, const std::string& address, std::vector<std::string> addresses,
                          std::string teller, Duration timeout, wire::Transport& transport)
     : executor_(executor),
-      address_(std::move(address)),
-      addresses_(std::move(addresses)),
-      tried_(executor.now()),
-      teller_(std::move(teller)),
       timeout_(timeout),
-      socket_(transport.open(executor, wire::FrameSocket::Kind::dealer,
-                             [this](const std::string&, std::optional<std::string_view> frame) {
-                               if (frame) receive(*frame);
-                             })) {
-  replicas_ = std::make_unique<Replicas>(*this, executor_);
-  tick_timer_ = executor_.call_at(executor_.now(), [this] { tick(); });
+      session_(executor, address, std::move(addresses), std::move(teller), *this, transport),
+      replicas_(std::make_unique<Replicas>(*this, executor)) {}
+
+RemoteBoard::~RemoteBoard() = default;
+
+void RemoteBoard::begin_again() {
+  redeclare();
+  replicas_->begin_again();
+  std::vector<RemoteChanges*> streaming;
+  for (const auto& [id, stream] : streams_) streaming.push_back(stream);
+  for (RemoteChanges* stream : streaming) stream->begin_again();
 }
 
-RemoteBoard::~RemoteBoard() {
-  replicas_.reset();
-  executor_.cancel(tick_timer_);
-  if (transmit_timer_ != 0) executor_.cancel(transmit_timer_);
-  if (joined_) send(list("bye"_sym, session_));
+void RemoteBoard::redeclare() {
+  if (declared_.empty()) return;
+  std::vector<Datum> body = {"declare"_sym};
+  for (const auto& [name, relation] : declared_) body.push_back(relation_to_datum(relation));
+  // A refusal shows when the relation is used.
+  session_.begin(write(Datum::list(std::move(body))), [](const Result<Datum>&) {});
+}
+
+void RemoteBoard::reply_comes(std::optional<std::uint64_t> revision, bool is_all_sent) {
+  if (revision) {
+    replicas_->answered_at(*revision, is_all_sent);
+  } else {
+    replicas_->answered();
+  }
+}
+
+void RemoteBoard::heard(wire::WatchId watch, const Datum& message) {
+  const auto stream = streams_.find(watch);
+  if (message.is_form("change")) {
+    const std::optional<std::uint64_t> sequence = wire::count_at(message, 2);
+    if (stream == streams_.end()) {
+      session_.send(list("unwatch"_sym, session_.id(), watch));
+    } else if (sequence) {
+      stream->second->receive(*sequence, message);
+    }
+  }
+  if (message.is_form("watch-failed") && message.size() == 3 && stream != streams_.end()) {
+    stream->second->end(failure_from_datum(message[2]));
+  }
+}
+
+void RemoteBoard::say_again() {
+  for (const auto& [id, stream] : streams_) stream->acknowledge();
 }
 
 Task<Result<void>> RemoteBoard::declare(std::vector<Relation> relations) {
@@ -132,7 +149,7 @@ Task<Result<void>> RemoteBoard::replicate(Relation relation) {
 }
 
 Task<Result<Answers>> RemoteBoard::ask(Query query) {
-  if (joined_) {
+  if (session_.joined()) {
     std::optional<Result<Answers>> held = replicas_->ask(query);
     if (held) co_return std::move(*held);
   }
@@ -216,97 +233,7 @@ Task<Result<Datum>> RemoteBoard::call(Datum body, bool repeatable) {
 }
 
 Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
-  struct Registration {
-    RemoteBoard& board;
-    wire::RequestId request;
-    ~Registration() { board.forget(request); }
-  };
-  if (pending_.size() >= max_pending) co_return fail("too-large", "too many requests to the board are under way");
-  const bool refused = in_doubt_ && !waits_for_quorum_ && !recalls(body);
-  if (refused) co_return fail(unavailable(false));
-  std::optional<Result<Datum>> reply;
-  WaitList answered(executor_);
-  const Registration registration{*this, next_request_++};
-  Pending& pending = pending_[registration.request];
-  pending.body = std::move(body);
-  pending.repeatable = repeatable;
-  pending.deadline = executor_.now() + timeout_;
-  pending.done = [&](Result<Datum> result) {
-    reply = std::move(result);
-    answered.wake_all();
-  };
-  transmit_soon();
-  while (!reply) {
-    co_await answered.wait();
-  }
-  co_return std::move(*reply);
+  return session_.call(std::move(body), repeatable, timeout_);
 }
-
-wire::RequestId RemoteBoard::begin(std::string body, bool repeatable, Done done) {
-  const wire::RequestId request = next_request_++;
-  Pending& pending = pending_.emplace(request, Pending{std::move(body), repeatable, std::move(done)}).first->second;
-  // Messages that a session depends on are sent before those that wait for it.
-  if (joined_) transmit(request, pending);
-  return request;
-}
-
-void RemoteBoard::transmit_soon() {
-  if (transmit_timer_ != 0) return;
-  transmit_timer_ = executor_.call_at(executor_.now(), [this] {
-    transmit_timer_ = 0;
-    transmit_waiting();
-  });
-}
-
-void RemoteBoard::transmit_waiting() {
-  if (!joined_) return;
-  const Time now = executor_.now();
-  std::string frame;
-  std::vector<Pending*> in_frame;
-  const auto send_frame = [&] {
-    const bool sent = !in_frame.empty() && socket_->send({}, frame);
-    for (Pending* pending : in_frame) pending->sent = sent ? std::optional(now) : std::nullopt;
-    in_frame.clear();
-    frame.clear();
-  };
-  for (auto next = pending_.lower_bound(first_waiting_); next != pending_.end(); ++next) {
-    auto& [request, pending] = *next;
-    if (request >= pending_.begin()->first + most_ahead) break;
-    first_waiting_ = request + 1;
-    if (pending.sent) continue;
-    const bool fits = frame.size() + pending.body.size() <= wire::bytes_together;
-    if (!fits || in_frame.size() == wire::most_messages) send_frame();
-    write_request(frame, request, pending, now);
-    in_frame.push_back(&pending);
-  }
-  send_frame();
-}
-
-void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
-  const Time now = executor_.now();
-  std::string frame;
-  write_request(frame, request, pending, now);
-  if (socket_->send({}, frame)) pending.sent = now;
-}
-
-void RemoteBoard::write_request(std::string& frame, wire::RequestId request, const Pending& pending, Time now) {
-  write_number_to(frame += "(request ", session_);
-  write_number_to(frame += ' ', request);
-  frame += ' ';
-  frame += pending.body;
-  if (const std::optional<Time> said = time_to_say(pending, now)) {
-    write_number_to(frame += ' ', said->time_since_epoch().count());
-  }
-  frame += ')';
-}
-
-// A hundred times a second at most, of a change that is sent for the first time.
-std::optional<Time> RemoteBoard::time_to_say(const Pending& pending, Time now) {
-  if (pending.sent || pending.repeatable || now - timed_ < between_timed) return std::nullopt;
-  timed_ = now;
-  return board_clock_.there(now);
-}
-
-bool RemoteBoard::send(const Datum& message) { return socket_->send({}, write(message)); }
 
 }  // namespace pizarra::client

@@ -20,28 +20,22 @@
 //
 // It outlives its watches and the tasks that use it.
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "blackboard/board.hpp"
-#include "blackboard/client/clock_offset.hpp"
+#include "blackboard/client/remote_session.hpp"
 #include "blackboard/time/executor.hpp"
-#include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/wire.hpp"
 
 namespace pizarra::client {
 
-class RemoteBoard : public Board {
+class RemoteBoard : public Board, private RemoteSession::Client {
  public:
   static constexpr Duration default_timeout = 5s;
-  static constexpr std::size_t max_pending = 1024;  // requests that wait for an answer
-  // Request N waits until all up to N - 128 are answered. The board remembers the answers to a session's last 256
-  // requests, in case they are sent again, and keeps half as many for a client that does not read.
-  static constexpr wire::RequestId most_ahead = 128;
 
   // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failures
   // bad-address and, as of check_teller_name(), bad-name.
@@ -53,19 +47,19 @@ class RemoteBoard : public Board {
   RemoteBoard& operator=(const RemoteBoard&) = delete;
   ~RemoteBoard() override;
 
-  bool connected() const { return joined_; }
+  bool connected() const { return session_.joined(); }
   // For how long nothing has been heard from the board; it is asked for a sign of life every half second.
-  Duration silence() const { return executor_.now() - heard_; }
+  Duration silence() const { return executor_.now() - session_.heard(); }
   // When the board said that it ends; nothing where it was heard again since.
-  const std::optional<Time>& said_goodbye() const { return goodbye_; }
+  const std::optional<Time>& said_goodbye() const { return session_.said_goodbye(); }
   // The board's clock, as far as its answers tell: what a fact's `when` is to be compared with. Nothing until it has
   // said so.
-  std::optional<Time> board_time() const { return board_clock_.there(executor_.now()); }
+  std::optional<Time> board_time() const { return session_.board_clock().there(executor_.now()); }
 
   // From now on nothing waits for a quorum: what was not sent by then fails with `unavailable` and was not done.
-  void refuse_without_quorum() { waits_for_quorum_ = false; }
+  void refuse_without_quorum() { session_.refuse_without_quorum(); }
   // Where the board does not know whether it leads: how long ago it still knew that it did.
-  const std::optional<Duration>& in_doubt_since() const { return in_doubt_; }
+  const std::optional<Duration>& in_doubt_since() const { return session_.in_doubt_since(); }
 
   // Answers as things stood `age` ago or later. What is not settled may be undone.
   struct Recalled {
@@ -91,89 +85,26 @@ class RemoteBoard : public Board {
 
  private:
   friend class RemoteChanges;
-  using Done = std::function<void(Result<Datum>)>;
-  struct Pending {
-    std::string body;
-    // Whether doing it again on a board that may have done it is harmless.
-    bool repeatable;
-    Done done;
-    std::optional<Time> deadline = {};
-    std::optional<Time> sent = {};
-  };
 
-  RemoteBoard(Executor& executor, std::string address, std::vector<std::string> addresses, std::string teller,
+  RemoteBoard(Executor& executor, const std::string& address, std::vector<std::string> addresses, std::string teller,
               Duration timeout, wire::Transport& transport);
   Task<Result<Datum>> call(Datum body, bool repeatable);
   Task<Result<Datum>> call_text(std::string body, bool repeatable);
-  wire::RequestId begin(std::string body, bool repeatable, Done done);
-  void forget(wire::RequestId request) { pending_.erase(request); }
-  // Sends the requests that wait and may go, in one frame, when all callbacks that are due have run.
-  void transmit_soon();
-  void transmit_waiting();
-  void transmit(wire::RequestId request, Pending& pending);
-  void write_request(std::string& frame, wire::RequestId request, const Pending& pending, Time now);
-  std::optional<Time> time_to_say(const Pending& pending, Time now);
-  bool send(const Datum& message);
 
-  void receive(std::string_view frame);
-  void hear(const Datum& message);
-  void greet();
-  void welcomed(wire::SessionId session, wire::SessionId life);
-  void lose_session();
-  void forget_greetings();
-  void try_others(Time now);
-  bool has_others() const { return addresses_.size() > 1; }
-  // Fails those requests under way for which the condition holds.
-  template <class Condition>
-  void fail_where(const Condition& condition, const Failure& failure);
-  void refused(const Failure& failure);
-  void fail_what_may_have_happened();
+  void begin_again() override;
+  void reply_comes(std::optional<std::uint64_t> revision, bool is_all_sent) override;
+  void heard(wire::WatchId watch, const Datum& message) override;
+  void say_again() override;
   void redeclare();
-  void replied(const Datum& message);
-  void tick();
-  void retransmit(Time now);
-  void give_up_overdue(Time now);
-  static bool recalls(std::string_view body) { return body.starts_with("(recall "); }
-  void be_in_doubt(Duration age);
-  Failure unavailable(bool sent) const;
 
   Executor& executor_;
-  const std::string address_;  // or several, as they were given
-  const std::vector<std::string> addresses_;
-  std::size_t at_ = 0;          // which of them
-  Time tried_{};                // since when
-  Duration tries_for_ = 120ms;  // before the next one
-  const std::string teller_;
   const Duration timeout_;
-  bool joined_ = false;
-  bool is_of_the_first_ = false;  // whether the board seems to speak the first protocol
-  int newer_hellos_ = 0;          // of a later protocol, sent and not refused
-  wire::SessionId session_ = 0;
-  wire::SessionId life_ = 0;  // the server's
-  Time heard_{};
-  Time greeted_{};
-  Time pinged_{};
-  std::optional<Time> connect_again_;
-  std::optional<Time> goodbye_;
-  std::optional<Duration> in_doubt_;
-  static constexpr const char* no_answer = "the board does not answer";
-  std::string silence_ = no_answer;  // what is known of it
-  bool waits_for_quorum_ = true;
-  ClockOffset board_clock_;
-  int pings_under_way_ = 0;
-  static constexpr Duration between_timed = 10ms;
-  Time timed_{};          // the last request that said when it was sent
-  Time arrival_timed_{};  // the last change of which it is said how long it took
-  wire::RequestId next_request_ = 1;
-  wire::RequestId first_waiting_ = 1;  // all before it may have gone
-  wire::WatchId next_watch_ = 1;
-  std::map<wire::RequestId, Pending> pending_;
+  RemoteSession session_;
   std::map<std::string, Relation> declared_;
+  Time arrival_timed_{};  // the last change of which it is said how long it took
+  wire::WatchId next_watch_ = 1;
   std::map<wire::WatchId, class RemoteChanges*> streams_;
   std::unique_ptr<class Replicas> replicas_;
-  Executor::TimerId tick_timer_ = 0;
-  Executor::TimerId transmit_timer_ = 0;
-  std::unique_ptr<wire::FrameSocket> socket_;
 };
 
 }  // namespace pizarra::client

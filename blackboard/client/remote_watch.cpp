@@ -12,8 +12,8 @@ RemoteChanges::RemoteChanges(RemoteBoard& board, Query query, bool held)
 
 RemoteChanges::~RemoteChanges() {
   board_.streams_.erase(id_);
-  board_.forget(request_);
-  board_.send(list("unwatch"_sym, board_.session_, id_));
+  board_.session_.forget(request_);
+  board_.session_.send(list("unwatch"_sym, board_.session_.id(), id_));
 }
 
 Datum RemoteChanges::request() const {
@@ -30,14 +30,14 @@ void RemoteChanges::enrol() {
 void RemoteChanges::begin_again() {
   if (has_ended()) return;
   board_.streams_.erase(id_);
-  board_.forget(request_);
-  board_.send(list("unwatch"_sym, board_.session_, id_));
+  board_.session_.forget(request_);
+  board_.session_.send(list("unwatch"_sym, board_.session_.id(), id_));
   enrol();
   expected_ = 1;
   read_ = 0;
   acknowledged_ = 0;
   begun_again();
-  request_ = board_.begin(write(request()), true, [this](const Result<Datum>& reply) {
+  request_ = board_.session_.begin(write(request()), [this](const Result<Datum>& reply) {
     request_ = 0;
     if (!reply) end(reply.error());
   });
@@ -57,8 +57,8 @@ void RemoteChanges::receive(std::uint64_t sequence, const Datum& message) {
 
 void RemoteChanges::note_arrival(const Delta& delta) {
   const Time here = board_.executor_.now();
-  if (delta.kind != Delta::Kind::change || here - board_.arrival_timed_ < RemoteBoard::between_timed) return;
-  const std::optional<Time> now = board_.board_clock_.there(here);
+  if (delta.kind != Delta::Kind::change || here - board_.arrival_timed_ < RemoteRequests::between_timed) return;
+  const std::optional<Time> now = board_.session_.board_clock().there(here);
   for (const Fact& fact : delta.added.facts) {
     if (!now || fact.revision != delta.revision) continue;
     arrival_ = Arrival{std::string(fact.datum.head()), *now - fact.when};
@@ -76,9 +76,9 @@ void RemoteChanges::read_up_to(std::uint64_t sequence, bool say_so) {
 
 void RemoteChanges::acknowledge() {
   if (read_ == acknowledged_) return;
-  Datum ack = list("ack"_sym, board_.session_, id_, read_);
+  Datum ack = list("ack"_sym, board_.session_.id(), id_, read_);
   if (arrival_) ack = list(ack[0], ack[1], ack[2], ack[3], Datum::symbol(arrival_->relation), arrival_->took.count());
-  if (!board_.send(ack)) return;
+  if (!board_.session_.send(ack)) return;
   acknowledged_ = read_;
   arrival_.reset();
 }

@@ -245,14 +245,14 @@ TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
   for (int i = 0; i < 300; ++i) jobs.push_back(executor_.spawn(tell(*board, i, done)));
   ASSERT_TRUE(comes([&] { return !client.empty(); }));
   router.send(client, "(welcome 7 1)");
-  ASSERT_TRUE(comes([&] { return heard.size() >= client::RemoteBoard::most_ahead; }));
+  ASSERT_TRUE(comes([&] { return heard.size() >= client::RemoteRequests::most_ahead; }));
   pass(100ms);
-  EXPECT_EQ(heard.size(), client::RemoteBoard::most_ahead);
+  EXPECT_EQ(heard.size(), client::RemoteRequests::most_ahead);
   router.send(client, "(reply 2 (ok 5))");
   pass(100ms);
-  EXPECT_EQ(heard.size(), client::RemoteBoard::most_ahead) << "the first waits still";
+  EXPECT_EQ(heard.size(), client::RemoteRequests::most_ahead) << "the first waits still";
   router.send(client, "(reply 1 (ok 5))");
-  EXPECT_TRUE(comes([&] { return heard.size() == client::RemoteBoard::most_ahead + 2; }));
+  EXPECT_TRUE(comes([&] { return heard.size() == client::RemoteRequests::most_ahead + 2; }));
   for (int number = 3; number <= 300; ++number) {
     ASSERT_TRUE(comes([&] { return std::ranges::count(heard, std::to_string(number)) > 0; })) << number;
     router.send(client, "(reply " + std::to_string(number) + " (ok 5))");
