@@ -28,6 +28,7 @@ ElbowRoom Pushes::elbow_room() const {
   room.palm_half_mm = options_.gripper.outline.half_width_mm;
   room.finger_mm = options_.gripper.finger_mm;
   room.narrow_mm = options_.gripper.openings.narrow_mm;
+  room.wide_mm = options_.gripper.openings.wide_mm;
   if (!surroundings_.scene().view()) return room;
   for (const Eigen::Vector3d& eye : surroundings_.scene().view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
   room.shown = [this](const Eigen::Vector3d& centre) {
@@ -82,7 +83,8 @@ std::optional<Push> Pushes::sweep_in_from(const std::string& object, const Eigen
   if (!room.shown || room.shown(centre)) return std::nullopt;
   const LostCube lies{centre, domain_.cube_mm() / 2};
   const std::vector<Push> sweeps = border_sweeps(room, centre.x(), lies, standing_but(object));
-  return sweeps.empty() ? std::nullopt : std::optional(sweeps.front());
+  const auto beside = std::ranges::find(sweeps, false, &Push::lifts);
+  return beside == sweeps.end() ? std::nullopt : std::optional(*beside);
 }
 
 std::vector<Eigen::Vector3d> Pushes::standing_but(const std::string& object) const {
@@ -124,11 +126,31 @@ std::vector<Push> Pushes::sweeps_for(const std::string& missing) const {
 }
 
 Task<Result<void>> Pushes::sweep(Push push) {
-  const Result<void> swept = co_await push_along(push, grip_height * domain_.cube_mm());
+  const double height_mm = grip_height * domain_.cube_mm();
+  Result<void> swept;
+  if (push.lifts) swept = co_await lift_at(push, height_mm);
+  if (!push.lifts) swept = co_await push_along(push, height_mm);
   // The end effector's mark shows only while the fingers look at the camera.
   const Result<void> squared = co_await arm_.face(0);
   if (!swept) co_return swept;
   co_return squared;
+}
+
+Task<Result<void>> Pushes::lift_at(Push push, double height_mm) {
+  const Result<double> opened = co_await arm_.grip(options_.gripper.openings.wide_mm);
+  if (!opened) co_return fail(opened);
+  const Eigen::Vector3d above(push.from_mm.x(), push.from_mm.y(), options_.travel_height_mm);
+  const Eigen::Vector3d around(push.from_mm.x(), push.from_mm.y(), height_mm);
+  Result<void> done = co_await arm_.face(push.face_deg);
+  if (done) done = may_move(surroundings_, vigil_);
+  if (done) done = co_await arm_.move_to(above);
+  if (done) done = may_move(surroundings_, vigil_);
+  if (done) done = co_await arm_.move_to(around);
+  if (!done) co_return done;
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  const Result<void> lifted = co_await arm_.move_to(above);
+  co_return lifted;
 }
 
 Task<Result<void>> Pushes::push_along(Push push, double height_mm) {

@@ -28,11 +28,13 @@ class Pushes {
   // A cube at the side of the images is swept instead, to where all of it shows.
   Task<Result<void>> push_over(std::string object);
   // First pushes of others that the images cut off, since they may hide it; then sweeps of the table beside the images,
-  // where it may lie, the likeliest first.
+  // and grips before them, where it may lie, the likeliest first.
   std::vector<Push> sweeps_for(const std::string& missing) const;
+  // What was lifted is between the fingers then.
   Task<Result<void>> sweep(Push push);
 
  private:
+  Task<Result<void>> lift_at(Push push, double height_mm);
   Task<Result<void>> push_along(Push push, double height_mm);
   ElbowRoom elbow_room() const;
   std::optional<Push> push_for(std::string_view object) const;

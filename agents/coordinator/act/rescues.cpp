@@ -61,6 +61,7 @@ Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {
   Result<void> done = co_await runner_.improvise(up);
   if (done) done = co_await pushes_.sweep(sweeps[nth]);
   if (done) done = co_await runner_.improvise(up);
+  if (done) done = co_await lay_down(missing);
   if (!done) co_return fail(done);
   co_return true;
 }

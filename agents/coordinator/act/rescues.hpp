@@ -29,7 +29,8 @@ class Rescues {
   Task<Result<void>> lay_down(std::string object);
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
-  // Sweeps into view what may lie beside the images: the `nth` time elsewhere. False where it may lie nowhere else.
+  // Brings into view what may lie beyond the border of the images: the `nth` time from elsewhere. False where it may
+  // lie nowhere else.
   Task<Result<bool>> sweep_in(std::string missing, std::size_t nth);
   // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. A held object is
   // laid down, and the object that it could not be put on is pushed out of its row where it is crowded. Failure stuck:

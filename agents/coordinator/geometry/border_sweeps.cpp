@@ -7,8 +7,10 @@ namespace pizarra::coordinator {
 
 namespace {
 
-// Lengths in cubes: from strip to strip, where a sweep begins beyond the border, and how far out a border is sought.
+// Lengths in cubes: from strip to strip, from grip to grip, where a sweep begins beyond the border, and how far out a
+// border is sought.
 constexpr double strip_pitch = 1.5;
+constexpr double grip_pitch = 1;
 constexpr double beyond = 2.5;
 constexpr double furthest_border = 10;
 constexpr double border_step_mm = 5;
@@ -22,14 +24,28 @@ struct Strip {
   double border_mm;  // the |y| up to which all of a cube shows
 };
 
-// None where nothing of the strip shows, or where its end is not found.
-std::optional<double> border_of(const ElbowRoom& room, double x_mm, double side) {
+// How far from `start_mm`, along a direction, all of a cube shows. None where it does not show there, or everywhere.
+std::optional<double> border_along(const ElbowRoom& room, const Eigen::Vector2d& start_mm,
+                                   const Eigen::Vector2d& along) {
   const double furthest_mm = furthest_border * room.cube_mm;
-  for (double y = 0; y <= furthest_mm; y += border_step_mm) {
-    if (room.shown({x_mm, side * y, room.cube_mm / 2})) continue;
-    return y > room.cube_mm ? std::optional(y - border_step_mm) : std::nullopt;
+  for (double way_mm = 0; way_mm <= furthest_mm; way_mm += border_step_mm) {
+    const Eigen::Vector2d at = start_mm + way_mm * along;
+    if (room.shown({at.x(), at.y(), room.cube_mm / 2})) continue;
+    return way_mm > 0 ? std::optional(way_mm - border_step_mm) : std::nullopt;
   }
   return std::nullopt;
+}
+
+// Up to which |y|. None where hardly anything of the strip shows.
+std::optional<double> border_beside(const ElbowRoom& room, double x_mm, double side) {
+  const std::optional<double> border_mm = border_along(room, {x_mm, 0}, {0, side});
+  return border_mm && *border_mm >= room.cube_mm ? border_mm : std::nullopt;
+}
+
+// Up to which x.
+std::optional<double> border_before(const ElbowRoom& room, double row_x_mm, double y_mm) {
+  const std::optional<double> way_mm = border_along(room, {row_x_mm, y_mm}, {1, 0});
+  return way_mm ? std::optional(row_x_mm + *way_mm) : std::nullopt;
 }
 
 // From where the cube was lost to where the strip begins.
@@ -53,23 +69,65 @@ Push sweep_over(const Strip& strip, const ElbowRoom& room) {
   return {{strip.x_mm, strip.side * from_mm}, {strip.x_mm, strip.side * to_mm}, fingers_side_by_side_deg};
 }
 
+// A sweep, and how far the lost cube must have come to be met by it.
+struct Likely {
+  double way_mm;
+  Push push;
+};
+
+void add_sweeps_beside(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
+                       const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
+  for (const double off : {0.0, -strip_pitch, strip_pitch}) {
+    for (const double side : {1.0, -1.0}) {
+      const double x_mm = row_x_mm + off * room.cube_mm;
+      const std::optional<double> border_mm = border_beside(room, x_mm, side);
+      if (!border_mm) continue;
+      const Strip strip{x_mm, side, *border_mm};
+      if (is_free(strip, room, standing)) out.push_back({way_mm(strip, lost), sweep_over(strip, room)});
+    }
+  }
+}
+
+// Whether fingers that are open along x meet nothing that stands as they go down there.
+bool is_free(const Eigen::Vector2d& grip_mm, const ElbowRoom& room, const std::vector<Eigen::Vector3d>& standing) {
+  const double half_mm = room.cube_mm / 2 + room.margin_mm;
+  const Eigen::Vector2d clear(room.wide_mm / 2 + room.finger_mm + half_mm, room.finger_half_mm + half_mm);
+  const auto is_met = [&](const Eigen::Vector3d& other) {
+    return ((other.head<2>() - grip_mm).cwiseAbs().array() < clear.array()).all();
+  };
+  return std::ranges::none_of(standing, is_met);
+}
+
+// As far out as the arm comes, around where the cube would have come straight from where it was lost, and on either
+// side of that.
+void add_grips_before(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
+                      const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
+  for (const double off : {0.0, -grip_pitch, grip_pitch}) {
+    const double aside_mm = off * room.cube_mm;
+    const double y_mm = lost.seen_mm.y() + aside_mm;
+    const double x_mm = std::sqrt(std::max(0.0, room.grip_high_mm * room.grip_high_mm - y_mm * y_mm));
+    const std::optional<double> border_mm = border_before(room, row_x_mm, y_mm);
+    const Eigen::Vector2d grip_mm(x_mm, y_mm);
+    const bool beyond_border = border_mm && *border_mm < x_mm;
+    if (!beyond_border || !is_free(grip_mm, room, standing)) continue;
+    const double before_mm = std::max(0.0, *border_mm - lost.seen_mm.x());
+    out.push_back({std::hypot(before_mm, aside_mm),
+                   {.from_mm = grip_mm, .to_mm = grip_mm, .face_deg = fingers_side_by_side_deg, .lifts = true}});
+  }
+}
+
 }  // namespace
 
 std::vector<Push> border_sweeps(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
                                 const std::vector<Eigen::Vector3d>& standing) {
-  std::vector<Strip> strips;
-  for (const double off : {0.0, -strip_pitch, strip_pitch}) {
-    for (const double side : {1.0, -1.0}) {
-      const double x_mm = row_x_mm + off * room.cube_mm;
-      const std::optional<double> border_mm = room.shown ? border_of(room, x_mm, side) : std::nullopt;
-      if (!border_mm) continue;
-      const Strip strip{x_mm, side, *border_mm};
-      if (way_mm(strip, lost) <= lost.within_mm && is_free(strip, room, standing)) strips.push_back(strip);
-    }
-  }
-  std::ranges::stable_sort(strips, {}, [&](const Strip& strip) { return way_mm(strip, lost); });
+  if (!room.shown) return {};
+  std::vector<Likely> all;
+  add_sweeps_beside(room, row_x_mm, lost, standing, all);
+  add_grips_before(room, row_x_mm, lost, standing, all);
+  std::erase_if(all, [&](const Likely& sweep) { return sweep.way_mm > lost.within_mm; });
+  std::ranges::stable_sort(all, {}, &Likely::way_mm);
   std::vector<Push> sweeps;
-  for (const Strip& strip : strips) sweeps.push_back(sweep_over(strip, room));
+  for (const Likely& sweep : all) sweeps.push_back(sweep.push);
   return sweeps;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// A cube that lies half beyond the side of the images is not recognised, though the arm reaches it. Sweeps over the
-// table there, from outside towards the middle, push it to where all of it shows.
+// A cube that lies half beyond the border of the images is not recognised, though the arm may reach it. Sweeps over the
+// table beside the images, from outside towards the middle, push it to where all of it shows. The arm comes to no place
+// beyond a cube that the lower border cuts off: there the open fingers go down around it and lift it.
 //
 //   for (const Push& sweep : border_sweeps(room, row_x_mm, {lost_mm, within_mm}, standing)) ...
 
@@ -17,8 +18,8 @@ struct LostCube {
 };
 
 // The likeliest first. None where it may not have come so far, and none that meets what stands: the centres of the
-// other cubes. `row_x_mm`: of the middle of the strips, which lie on either side of it and on it. The room says what is
-// shown.
+// other cubes. `row_x_mm`: of the middle of the strips beside the images, which lie on either side of it and on it. The
+// room says what is shown.
 std::vector<Push> border_sweeps(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
                                 const std::vector<Eigen::Vector3d>& standing);
 

@@ -33,6 +33,8 @@ struct ElbowRoom {
   double reach_low_mm = 310;  // radius from the arm's axis
   // Further out than a cube is put down: a push that the arm cannot reach is refused before it moves.
   double reach_high_mm = 600;
+  double wide_mm = 96;        // the largest opening
+  double grip_high_mm = 610;  // radius from which the arm goes straight down
 };
 
 // A straight push over the table, grip centre, base frame.
@@ -40,6 +42,8 @@ struct Push {
   Eigen::Vector2d from_mm;
   Eigen::Vector2d to_mm;
   double face_deg = 0;  // how the gripper is turned, as Arm::face() has it; at 0 the fingers stand apart along y
+  // The open fingers go down around what lies where it begins, close on it, and lift it: nothing is pushed.
+  bool lifts = false;
 };
 
 // Where the others stand to fingers around `centre` that are turned so far: as they would to fingers at 0.

@@ -12,7 +12,13 @@ constexpr double row_x_mm = 450;
 
 ElbowRoom room_with_a_border() {
   ElbowRoom room;
-  room.shown = [](const Eigen::Vector3d& centre) { return std::abs(centre.y()) <= border_mm && centre.x() < 560; };
+  room.shown = [](const Eigen::Vector3d& centre) { return std::abs(centre.y()) <= border_mm; };
+  return room;
+}
+
+ElbowRoom room_with_a_lower_border() {
+  ElbowRoom room;
+  room.shown = [](const Eigen::Vector3d& centre) { return centre.x() <= 580; };
   return room;
 }
 
@@ -65,6 +71,32 @@ TEST(BorderSweeps, MeetNoCubeThatStands) {
       border_sweeps(room_with_a_border(), row_x_mm, {{450, 200, 90}, 270}, {{450, 190, 30}});
   ASSERT_FALSE(sweeps.empty());
   for (const Push& sweep : sweeps) EXPECT_TRUE(sweep.from_mm.y() < 0 || std::abs(sweep.from_mm.x() - 450) > 56);
+}
+
+TEST(BorderSweeps, BeforeTheImagesTheFingersGoDownAroundTheCubeFirstWhereItWasLost) {
+  const ElbowRoom room = room_with_a_lower_border();
+  const std::vector<Push> grips = border_sweeps(room, row_x_mm, {{515, -25, 150}, 330}, {});
+  ASSERT_EQ(grips.size(), 3U);
+  EXPECT_EQ(grips.front().from_mm.y(), -25);
+  for (const Push& grip : grips) {
+    EXPECT_TRUE(grip.lifts);
+    EXPECT_EQ(grip.face_deg, 90);
+    EXPECT_LE(grip.from_mm.norm(), room.grip_high_mm + 0.01);
+    // The fingers stand before and behind a cube that lies just beyond the border.
+    const double inside_mm = room.wide_mm / 2 - room.cube_mm / 2;
+    EXPECT_LT(grip.from_mm.x() - inside_mm, 600);
+    EXPECT_GT(grip.from_mm.x() + inside_mm, 610);
+  }
+}
+
+TEST(BorderSweeps, BeforeTheImagesGoDownOnNoCubeThatStandsAndNowhereWhereAllIsShown) {
+  const ElbowRoom room = room_with_a_lower_border();
+  const LostCube lost{{515, -25, 150}, 330};
+  for (const Push& grip : border_sweeps(room, row_x_mm, lost, {{540, -30, 30}})) EXPECT_NE(grip.from_mm.y(), -25);
+  EXPECT_EQ(border_sweeps(room, row_x_mm, lost, {{480, -30, 30}}).size(), 3U);
+  ElbowRoom further = room;
+  further.shown = [](const Eigen::Vector3d& centre) { return centre.x() <= 620; };
+  EXPECT_TRUE(border_sweeps(further, row_x_mm, lost, {}).empty());
 }
 
 TEST(BorderSweeps, AreNoneWhereNobodyKnowsWhatIsShownOrAllOfItIs) {

@@ -186,6 +186,18 @@ TEST(CrowdedCell, SweepsACubeInThatCameToLieBesideTheImages) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
 }
 
+TEST(CrowdedCell, LiftsACubeThatTheLowerBorderOfTheImagesCutsOff) {
+  FakeCell cell("blocks.scm", {{"circle", {530, -60, 30}}, {"square", {450, 100, 30}}});
+  cell.covered = [&cell](const std::string& name) { return cell.cubes[name].x() > 590; };
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {605, -60, 30};
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+}
+
 TEST(CrowdedCell, RefusesWhatItSweepsForInVain) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
   cell.start_coordinator();
