@@ -198,6 +198,20 @@ TEST(CrowdedCell, LiftsACubeThatTheLowerBorderOfTheImagesCutsOff) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
 }
 
+TEST(CrowdedCell, TakesForMissingNoneThatShowsInSearchOfAnother) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 190, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden = {"circle", "square"};
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until(
+      "(event ? servo \"sweeping at the border of the images, where square may lie or be hidden\" ?)", 200s));
+  cell.hidden.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+}
+
 TEST(CrowdedCell, RefusesWhatItSweepsForInVain) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
   cell.start_coordinator();
