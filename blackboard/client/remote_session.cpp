@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "blackboard/time/latch.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::client {
 
@@ -84,6 +85,8 @@ Task<Result<Datum>> RemoteSession::call(std::string body, bool repeatable, Durat
   }
   co_return std::move(*reply);
 }
+
+bool RemoteSession::send(const Datum& message) { return socket_->send({}, write(message)); }
 
 wire::RequestId RemoteSession::begin(std::string body, RemoteRequests::Done done) {
   const wire::RequestId request = requests_.add({.body = std::move(body), .repeatable = true, .done = std::move(done)});

@@ -21,7 +21,6 @@
 #include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/wire.hpp"
-#include "lisp/writer.hpp"
 
 namespace pizarra::client {
 
@@ -58,7 +57,7 @@ class RemoteSession {
   wire::RequestId begin(std::string body, RemoteRequests::Done done);
   void forget(wire::RequestId request) { requests_.forget(request); }
   // False, and nothing sent, where that cannot be sent now.
-  bool send(const Datum& message) { return socket_->send({}, write(message)); }
+  bool send(const Datum& message);
 
   wire::SessionId id() const { return id_; }
   bool joined() const { return joined_; }
