@@ -8,6 +8,7 @@
 //   mark.look();                                // a frame later
 //   mark.scene.blots.clear();                   // it has left
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "agents/vision/sight/mark_tracker.hpp"
@@ -38,6 +39,22 @@ class CoveredMark {
 
   cv::Point2d centre() const { return project(model, scene.faces[0].place, false); }
   double disparity() const { return model.focal_px * model.base_line_mm / scene.faces[0].place.z; }
+  // From its centre to its end at 0 (right), 90 (below), 180 or 270 degrees, as the left image shows it without noise.
+  double end_px(double at_deg) const {
+    Random none(1);
+    Scene clear = scene;
+    clear.noise = 0;
+    clear.blots.clear();
+    const camera::StereoFrame frame = draw_scene(clear, model, 1, none);
+    StereoSight sight(as_mat(*frame.left), as_mat(*frame.right), model);
+    const std::vector<SeenMark>& marks = sight.left_segmentation().marks();
+    const auto away = [&](const SeenMark& seen) { return cv::norm(seen.centre - centre()); };
+    const cv::Rect box = std::ranges::min_element(marks, {}, away)->box;
+    const cv::Point2d low(box.x - 0.5, box.y - 0.5), high(box.br().x - 0.5, box.br().y - 0.5);
+    if (at_deg == 0) return high.x - centre().x;
+    if (at_deg == 90) return high.y - centre().y;
+    return at_deg == 180 ? centre().x - low.x : centre().y - low.y;
+  }
   // Its edge is so far from where the mark's centre was when `at` was asked for.
   void put_hand(const Hand& hand, double edge_px) { put_hand(hand, edge_px, centre()); }
   void put_hand(const Hand& hand, double edge_px, cv::Point2d at) {
