@@ -59,7 +59,7 @@ std::shared_ptr<Search> search_for(std::vector<PlanningOperator> operators, Plan
   auto search = std::make_shared<Search>();
   search->task = PlanningTask{std::move(operators), std::move(facts.objects), std::move(facts.initials), {}};
   search->goals = std::move(facts.goals);
-  search->budget = std::move(budget);
+  search->budget = budget;
   search->shared = std::move(shared);
   return search;
 }
@@ -79,7 +79,7 @@ Datum needs_pattern() { return list("plan-needs"_sym, "?"_sym, "?"_sym); }
 
 struct PlannerAgent::State {
   State(runtime::AgentContext agent_context, Budget search_budget)
-      : context(std::move(agent_context)), budget(std::move(search_budget)), trying(context.executor) {}
+      : context(std::move(agent_context)), budget(search_budget), trying(context.executor) {}
 
   Task<Result<void>> run();
   Task<Result<Datum>> handle(Datum operation);
@@ -110,7 +110,7 @@ struct PlannerAgent::State {
 };
 
 PlannerAgent::PlannerAgent(runtime::AgentContext context, Budget budget)
-    : state_(std::make_unique<State>(std::move(context), std::move(budget))) {}
+    : state_(std::make_unique<State>(std::move(context), budget)) {}
 
 PlannerAgent::~PlannerAgent() = default;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "drivers/camera/image_faults.hpp"
 
@@ -14,9 +15,9 @@ constexpr Duration corrupt_pause = 20ms;
 constexpr int most_corrupt_frames = 20;  // in a row, before the camera is opened anew
 
 bool fits(const camera::StereoModel& model, const std::shared_ptr<const Image>& image) {
-  return image != nullptr && image->width == model.width && image->height == model.height &&
-         (image->channels == 1 || image->channels == 3) &&
-         image->pixels.size() == static_cast<std::size_t>(image->width * image->height * image->channels);
+  if (image == nullptr || image->width != model.width || image->height != model.height) return false;
+  const auto bytes = static_cast<std::int64_t>(image->width) * image->height * image->channels;
+  return (image->channels == 1 || image->channels == 3) && std::cmp_equal(image->pixels.size(), bytes);
 }
 
 constexpr int most_side_px = camera::largest_image.width;

@@ -34,7 +34,7 @@ std::string facts_form(std::string_view goals) {
 template <class T>
 class PlannerCell {
  public:
-  explicit PlannerCell(Budget budget = {}) { begin(std::move(budget)); }
+  explicit PlannerCell(Budget budget = {}) { begin(budget); }
   void begin(Budget budget = {}) {
     view = board.view("planner");
     agent = std::make_unique<PlannerAgent>(runtime::AgentContext{"planner", "localhost", executor, *view, Random(1)},
@@ -48,7 +48,7 @@ class PlannerCell {
   Task<void> live() { const Result<void> ended = co_await agent->run(); }
 
   std::string ask(std::string_view operation) {
-    const std::string id = fmt::format("r{}", ++asked);
+    std::string id = fmt::format("r{}", ++asked);
     Transaction request;
     request.tell(list("request"_sym, Datum::symbol(id), "planner"_sym, form(operation)));
     bool told = false;
