@@ -132,9 +132,8 @@ Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const Learn
     return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
   };
   out.whole = is_it(left_, now.left) && (!now.right || is_it(right_, *now.right));
-  // Less is to be seen than before, and the centre is hardly off for that.
-  out.nearly = !out.whole && out.smaller && out.may_be_off_px <= most_off_px;
-  if (out.nearly) out.whole = true;
+  out.hardly_covered = !out.whole && out.smaller && out.may_be_off_px <= most_off_px;
+  if (out.hardly_covered) out.whole = true;
   // In one of the images more is to be seen than is remembered, and all that was learned: what is remembered was
   // covered.
   const bool is_all = now.right && by_learned_px <= most_off_px;
@@ -152,7 +151,7 @@ void Wholeness::follow(const SeenPair& now, const Look& look, Time captured) {
     face_.reset();
   }
   // A part of what was lost or is covered, or a copy of another size: none is what it looks like while it is whole.
-  if (now.left.tag || (!left_ && look.smaller) || look.nearly) return;
+  if (now.left.tag || (!left_ && look.smaller) || look.hardly_covered) return;
   remember(left_, now.left, captured);
   if (now.right) {
     remember(right_, *now.right, captured);

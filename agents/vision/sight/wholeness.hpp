@@ -21,9 +21,9 @@ class Wholeness {
  public:
   struct Look {
     bool whole = true;
-    bool smaller = false;  // than the pair saw it
-    bool nearly = false;   // whole, but for a part so small that the centre is hardly off
-    bool anew = false;     // what was remembered was covered
+    bool smaller = false;         // than the pair saw it
+    bool hardly_covered = false;  // so little that the centre is hardly off
+    bool anew = false;            // what was remembered was covered
     double may_be_off_px = 0;
     std::optional<FaceSize> face = {};  // where both images show it
   };

@@ -133,7 +133,7 @@ TEST_P(Resting, HandThatCoversAPartFromTheFirstLookOnUncoversIt) {
   }
 }
 
-// Its centre is hardly off for that, however well it was known how large the mark is. A disc without a segment is none.
+// Its centre is hardly off for that, however well its size was known. A disc without a segment is no disc.
 using RestingStraight = Resting;
 
 TEST_P(RestingStraight, CoverOverASliverLeavesTheMarkSeen) {
@@ -156,7 +156,7 @@ TEST_P(RestingStraight, CoverOverASliverLeavesTheMarkSeen) {
   }
 }
 
-// What is nearer hides a part of it from the right camera alone, and then leaves.
+// A nearer cover hides a part of the mark from the right camera alone, and then leaves.
 TEST_P(Resting, CoverBeforeOneCameraUncoversIt) {
   for (const double deep_px : {1.0, 1.5, 2.0, 2.5, 3.0}) {
     CoveredMark one{std::get<0>(GetParam()), mark.random.bits()};
