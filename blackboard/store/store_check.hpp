@@ -1,7 +1,7 @@
 #pragma once
 
-// What a Store finds out about a transaction before it does any of it. Nothing of a transaction is undone, so all that
-// can fail fails here.
+// A Store checks a transaction before it does any of it. Nothing of a transaction is undone, so all that can fail fails
+// here.
 //
 // Lifecycle: one transaction, in one call. The store and the transaction outlive it.
 //

@@ -19,7 +19,7 @@
 
 namespace pizarra::story {
 
-// What was put down or fell stands still after it.
+// After so long, a cube that was put down or fell stands still.
 inline constexpr Duration settling_time = 1500ms;
 
 class Judge {

@@ -38,7 +38,7 @@ Task<Result<void>> ObjectSearch::look_for(std::int64_t goal, std::vector<std::st
     if (!there && !unseen) co_return there;
     if (unseen) missing.push_back(name);
   }
-  // What was moved in search of another may have shown it.
+  // The search for another object may have shown it.
   const Sightings& sightings = surroundings_.scene().sightings();
   std::erase_if(missing, [&](const std::string& name) { return sightings.remembered(name, options_.grace_looks); });
   if (missing.empty()) co_return Result<void>();
