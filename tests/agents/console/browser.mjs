@@ -197,6 +197,15 @@ export async function openPage(browser, address, size = { width: 1280, height: 8
   return page;
 }
 
+// The page's own connections that are opened from now on: none, unless one was lost. Those of images come and go.
+export function reconnections(page) {
+  const opened = [];
+  page.on('websocket', (socket) => {
+    if (new URL(socket.url()).pathname === '/socket') opened.push(socket.url());
+  });
+  return opened;
+}
+
 // Of what a page shows, in a window of another size where one is given.
 export async function keepPicture(page, path, size = null) {
   const usual = page.viewportSize();

@@ -1,15 +1,14 @@
 // node hasty.mjs PIZARRA-CELL SCRATCH: what is typed at great length or is no name, and what is pressed twice.
 
 import { join } from 'node:path';
-import { begin, expect, here, text } from './browser.mjs';
+import { begin, expect, here, reconnections, text } from './browser.mjs';
 import { Driving } from './driving.mjs';
 
 const [cell, scratch] = process.argv.slice(2);
 const { page, end } = await begin(scratch, [cell, 'console', join(here, 'unattended.scm')]);
 const driving = new Driving(page);
 await driving.begin();
-const opened = [];
-page.on('websocket', (socket) => opened.push(new URL(socket.url()).pathname));
+const reconnected = reconnections(page);
 const sayGoal = async (goal) => {
   await page.fill('#goal-text', goal);
   await page.press('#goal-text', 'Enter');
@@ -32,7 +31,7 @@ expect((await page.getAttribute('#goal-text', 'aria-invalid')) === 'true', 'what
 await page.fill('#goal-text', '');
 expect((await page.getAttribute('#goal-text', 'aria-invalid')) === null, 'until somebody types');
 await page.click('#tab-drive');
-expect(opened.length === 0 && /your hands/.test(await text(page, '#arm-chip')), 'none of it costs the page its connection, or the arm');
+expect(reconnected.length === 0 && /your hands/.test(await text(page, '#arm-chip')), 'none of it costs the page its connection, or the arm');
 
 // What is no name is refused, and stands in the log as it was typed.
 for (const name of ['<img src=x onerror=alert(1)>', '"q\' (', '\u202eabc \u05d0\u05d1', 'x'.repeat(200)]) {

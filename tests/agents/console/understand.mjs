@@ -3,7 +3,7 @@
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, expectAccessible, launch, openPage, ownFolder, start, storyBoard, tall, text } from './browser.mjs';
+import { ask, expect, expectAccessible, launch, openPage, ownFolder, reconnections, start, storyBoard, tall, text } from './browser.mjs';
 
 const [cell, board, scratch] = process.argv.slice(2);
 const browser = await launch(scratch);
@@ -15,7 +15,7 @@ told.tell();
 const served = start([cell, 'console', '--board', told.at], folder);
 const page = await openPage(browser, await served.line);
 await page.waitForSelector('body[data-state=live]');
-page.on('websocket', () => page.troubles.push('the connection was lost'));
+const reconnected = reconnections(page);
 
 // The plan that was made anew, beside the one before.
 const entry = (number) => page.locator(`#story details[data-number="${number}"]`);
@@ -84,6 +84,7 @@ await refusal.waitFor();
 const refused = await refusal.innerText();
 expect(/^this page\s+undeclared-relation\s+1\s.*nobody-told/s.test(refused), `who was refused what, once: ${refused}`);
 await expectAccessible(page, scratch, 'the refusals');
+expect(reconnected.length === 0, 'the connection was never lost');
 expect(page.troubles.length === 0, `nothing went wrong in the page: ${page.troubles.join('; ')}`);
 expect((await served.end()) === 0, 'it ends in order');
 await told.end();
