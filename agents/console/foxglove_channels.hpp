@@ -6,6 +6,7 @@
 //   /tf       foxglove.FrameTransform   where each arm's grip is, from arm-pose
 //   /scene    foxglove.SceneUpdate      a ball where each object is believed to be, from place
 //   /story    foxglove.Log              from event
+//
 //   /facts    pizarra.Fact              every fact that is followed, told or gone, as its text
 //   /camera, /annotated   foxglove.CompressedImage   what the eyes see and what they make of it, live alone
 //

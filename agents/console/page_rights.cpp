@@ -11,7 +11,7 @@ namespace pizarra::console {
 
 namespace {
 
-// What a person does by a word of the page. The page's own session tells and reads these relations for it.
+// A deed of a person by a word of the page. The page's own session tells and reads these relations for it.
 struct Needs {
   std::string_view word;
   std::string_view deed;

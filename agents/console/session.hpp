@@ -3,24 +3,35 @@
 // One page: its WebSocket and its own session with the board, under a name of its own. The page may do what that name
 // may; the page's code decides nothing.
 //
-// The page says forms, one a message:
+// The page says forms, one a message. It asks what holds, held or was seen:
+//
 //   (follow N QUERY)            what holds of the query and every change, also of relations that are yet to come
 //   (watch N "QUERY")           the same of what a person typed: refused where it cannot be read or is not known
 //   (unwatch N)
+//
 //   (ask N QUERY)               what holds now, once; nothing where a relation is not known
 //   (then N QUERY TIME-US)      what held of the query then, where the board keeps a journal
 //   (picture N STREAM TIME-US)  what was seen then, where it is kept
+//
+// It asks for deeds:
+//
 //   (request N AGENT OPERATION) asks an agent, as any client does; `coordinator` is whoever plays that role
 //   (goal N "TEXT")             accepted, and then how it ended: two answers, the
 //                               second the state it ended in, or its refusal
 //   (stop N "REASON")           a stop fact; needs nothing but the right to tell it; may come on a lane as well
 //   (clear-stops N)             takes every stop back; who does so has an arm in hand
+//
+// It has an arm in hand, and jogs it:
+//
 //   (ask-for N ROBOT), (ask-no-more N ROBOT)                     others are told: (commander-wanted ROBOT US)
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
 //   (stamp N)                   the page has the stamp N (pulse.hpp)
 //   (jog N ROBOT DIRECTION STAMP)                the arm moves until (release N); the answer says how it ended
 //   (hold-on N STAMP)           the jog goes on; the page says it every 50 ms
 //   (release N)                 the jog ends
+//
+// It asks for more to be told:
+//
 //   (truth), (truth-no-more)    the simulated world's truth, of which no board is told (truth_feed.hpp); only to a page
 //                               of the console's own machine
 //   (activity), (activity-no-more)               what goes on on the board, once a second (instruments.hpp)
@@ -30,7 +41,8 @@
 //   (look STREAM), (look-away STREAM)            images, on the lanes that it opens (page_images.hpp), of a stream
 //                               whose fact it may read
 //   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
-// and is told, as JSON (change_text.hpp): {"hello":...} (with the version of the page that is
+//
+// It is told, as JSON (change_text.hpp): {"hello":...} (with the version of the page that is
 // served, and what it may not do: page_rights.hpp), {"watch":N,...} (of the past with "past":TIME-US),
 // {"reply":N,...}, {"arm":NAME,...}, {"truth":TEXT}, {"activity":{...}},
 // {"work":"servo","changes":[...]} some at a time,

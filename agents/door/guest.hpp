@@ -6,9 +6,11 @@
 //   (declare RELATION ...)            (ok)
 //   (tell FACT ...)                   (ok REVISION); all of them or none
 //   (tell-leased FACT ...)            the same, and they go when the session's lease lapses
+//
 //   (retract PATTERN ...)             (ok REVISION)
 //   (ask QUERY)                       (ok ANSWER ...)
 //   (watch N QUERY), (unwatch N)      (ok)
+//
 //   (lease MS)                        (ok new), or (ok kept) where it renewed the one that there is
 //   (release)                         (ok); what was told under the lease goes
 //

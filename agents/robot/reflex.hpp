@@ -2,10 +2,10 @@
 
 // Stops an arm by itself at four events, and decides who may command it. The events:
 //
-//   - a fact `(stop WHO REASON)`, told by anyone: the motion in hand ends, and none begins while such a fact stands
-//   - a board that has not answered for four beats of the reflex's own timer (80 ms)
-//   - the client whose motion it is loses its `(agent ...)` presence, or its `(commander ROBOT CLIENT)`
-//   - another client becomes the commander
+//   - anyone tells a fact `(stop WHO REASON)`: the motion in hand ends, and none begins while such a fact stands;
+//   - the board has not answered for four beats of the reflex's own timer (80 ms);
+//   - the client whose motion it is loses its `(agent ...)` presence, or its `(commander ROBOT CLIENT)`;
+//   - another client becomes the commander.
 //
 // A client that itself tells `(commander ROBOT CLIENT)` and is present is the commander; of several, the one that told
 // it first. While there is none, anyone may move the arm, except clients that tell it and are not present. Monitoring

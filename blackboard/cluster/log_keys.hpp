@@ -1,13 +1,20 @@
 #pragma once
 
-// Where a cell's log lies among the keys of a cluster, and what is written there, so that people can read it:
+// Where a cell's log lies among the keys of a cluster, and what is written there, so that people can read it. The cell
+// and who leads:
 //
 //   pizarra/CELL/cell              NAME, or NAME KEY               of the cell whose log it is
 //   pizarra/CELL/format            NUMBER                          of how all this is written (log_format.hpp)
 //   pizarra/CELL/epoch             (epoch NUMBER BOARD NONCE)      who leads
+//
+// The log, of which a board that leads renews `alive` every 100 ms:
+//
 //   pizarra/CELL/head              NUMBER                          of the newest entry
 //   pizarra/CELL/log/0000000000042 (entry NUMBER EPOCH SUM) and its lines, then its replies
-//   pizarra/CELL/log/alive         (alive EPOCH COUNT TIME REVISION FACT LEAVING)   every 100 ms
+//   pizarra/CELL/log/alive         (alive EPOCH COUNT TIME REVISION FACT LEAVING)
+//
+// The snapshots:
+//
 //   pizarra/CELL/snapshot          (snapshot NUMBER NONCE PARTS)   which one counts
 //   pizarra/CELL/snapshots/NUMBER-NONCE/0000   its parts
 //

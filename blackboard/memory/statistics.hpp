@@ -4,6 +4,7 @@
 //
 //   (relation-stats NAME FACTS TOLD GONE PER-SECOND ((TELLER COUNT) ...) ((WATCHER COUNT) ...))
 //   (reader-stats NAME ((ASKER COUNT) ...) ((TAKER COUNT) ...))
+//
 //   (journey-stats NAME (COUNT P50 P90 P99) (COUNT P50 P90 P99))
 //   (watcher-stats WATCHER WATCHES QUEUED BYTES)
 //   (client-stats CLIENT REQUESTS REFUSED PER-SECOND)

@@ -10,6 +10,7 @@
 //
 //   tell       tell and retract facts, except those that another told under its lease
 //   take       take facts
+//
 //   read       ask for and watch facts
 //   override   replace and retract also facts that another told under its lease
 //

@@ -4,10 +4,13 @@
 // that go together, one after another: 64 at most.
 //
 // Client to server                              Server to client
+//
 //   (hello TELLER SESSION [PROTOCOL [doubts]])     (welcome SESSION LIFE) or (unavailable MICROSECONDS)
 //   (request SESSION ID BODY [TIME])               (reply ID RESULT) or (reply ID RESULT REVISION SENT)
+//
 //   (ack SESSION WATCH SEQ [RELATION TOOK])        (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
 //   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
+//
 //   (ping SESSION)                                 (pong TIME)
 //   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...)), (goodbye)
 //
@@ -27,11 +30,15 @@
 // from pongs may say when it sent a request, and how long a fact of a relation TOOK from its commit to the client.
 //
 // A BODY and the VALUE of its reply:
+//
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
 //   (transact (PRECONDITION ...) (STEP ...)) -> N      (lease MICROSECONDS) -> LEASE
+//
 //   (ask QUERY) -> (REVISION ANSWER ...)               (renew LEASE), (release LEASE) -> ()
 //   (recall QUERY) -> (MICROSECONDS SETTLED REVISION ANSWER ...)
+//
 //   (watch WATCH QUERY), (watch WATCH QUERY kept), (watch WATCH QUERY held) -> ()
+//
 // PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
 // bindings follow from the query. A `kept` or `held` watch is for clients that keep what they were sent. There an

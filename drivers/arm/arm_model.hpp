@@ -61,11 +61,15 @@ struct Range {
   double high;
 };
 
-// An axis reads sense * (value - zero). The value is
+// An axis reads sense * (value - zero). The value of an axis that turns is
+//
 //   turn, spin      anticlockwise from above, the tool down
 //   shoulder        the elevation of the upper arm, or of the polar arm
 //   elbow, pitch    how much what follows is raised against the link before; or its elevation, where `from_base`
 //   roll            about the negative approach direction
+//
+// The value of one that slides is
+//
 //   reach           from the shoulder to the wrist centre
 //   ahead, across, lift, track   along x, y, z, and where the track runs
 struct Axis {

@@ -7,9 +7,9 @@
 //   socket.send(WebSocket::Class::control, "{}");
 //   if (socket.waiting() < bound) socket.send(WebSocket::Class::facts, ...);    // `room` says when it is below again
 //
-// A message of more than 16 kB ends it (1009), as do more than 400 frames a second (1008), and a peer that takes
-// nothing of what waits for 30 s, and one that leaves more than 1 MB of what it asked for unread (1008): none of that
-// is kept. `ended` is called once, never from within send() or the constructor.
+// A message of more than 16 kB ends it (1009). More than 400 frames a second end it (1008), and more than 1 MB of
+// answers that the peer leaves unread (1008). A peer that takes nothing for 30 s, while something waits, ends it too.
+// None of that is kept. `ended` is called once, never from within send() or the constructor.
 
 #include <deque>
 #include <functional>

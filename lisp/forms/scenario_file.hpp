@@ -15,10 +15,13 @@
 //     (within 180))                                            ; seconds of the cell's time after the goal
 //
 // The `when`s happen in their order: each waits for the one before it. A condition is a query (blackboard/query.hpp),
-// and its variables stand for their values in the actions. Actions: (hand OPERATION ARGUMENT ...), (fingers slip),
-// (fingers slips CHANCE DRAWS SECONDS), (fingers misplace PART), (camera bump DX DY DZ DPAN DTILT DROLL),
-// (head nudge DPAN DTILT), (kill AGENT), (restart AGENT), (restart AGENT "HOST"), (wire CLIENT ROLE AGENT),
-// (wait SECONDS), (goal FACT ...).
+// and its variables stand for their values in the actions.
+//
+// Actions of the world: (hand OPERATION ARGUMENT ...), (fingers slip), (fingers slips CHANCE DRAWS SECONDS),
+// (fingers misplace PART), (camera bump DX DY DZ DPAN DTILT DROLL), (head nudge DPAN DTILT).
+//
+// Actions of the cell: (kill AGENT), (restart AGENT), (restart AGENT "HOST"), (wire CLIENT ROLE AGENT), (wait SECONDS),
+// (goal FACT ...).
 
 #include <cstdint>
 #include <optional>

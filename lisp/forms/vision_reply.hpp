@@ -5,6 +5,7 @@
 //   (LEARN "name" OK|FAIL)            ->  (learn "name" ok|fail)
 //   (FIND "name" OK (x, y))           ->  (find "name" ok X Y)
 //   (FIND "name" FAIL)                ->  (find "name" fail)
+//
 //   (TRACK n ("a" OK (x, y, d)) ("b" FAIL) ...)  ->  (track ("a" X Y D) ("b" fail) ...)
 //   (GET n ("a", "b", ...))           ->  (get "a" "b" ...)
 //

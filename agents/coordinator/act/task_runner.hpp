@@ -7,8 +7,8 @@
 //   Result<void> done = co_await runner.run(index, operation);
 //
 // Failures: interrupted, difference (see Vigil), camera-doubtful (it may have been moved), missed (nothing was
-// grasped), lost-sight, no-convergence, no-effect (all was done and the eyes do not see its effect), no-room, absent,
-// and the robot's own.
+// grasped), no-effect (all was done and the eyes do not see its effect). Others are lost-sight, no-convergence,
+// no-room, absent, and the robot's own.
 
 #include "agents/coordinator/act/pushes.hpp"
 #include "agents/coordinator/act/servo_loop.hpp"

@@ -8,8 +8,9 @@
 //   1  across: turn axis 1 until the mark stands at the right pixel x
 //   2  along: extend or retract until it stands at the right depth
 //   3  approach: down until the fine zone, in pixel y, a step at a time
-//   4  fine alignment with low gain, by TURN when the error across is coarse and by MOVE_H when it is fine, then down
-//      until the distance is below the threshold
+//   4  fine alignment with low gain, then down until the distance is below the threshold
+//
+// State 4 aligns by TURN when the error across is coarse, and by MOVE_H when it is fine.
 // States 0-3 are coarse: they go the whole way that the errors tell.
 
 #include <string_view>

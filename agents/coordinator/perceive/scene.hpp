@@ -78,7 +78,7 @@ class Scene {
   void take_foot(const Eigen::Vector3d& foot_mm) { foot_mm_ = foot_mm; }
   // While it moves its word for where it is may be old.
   void take_arm(bool moving);
-  // What the gripper hides may not be where it was.
+  // An object that the gripper hides may not be where it was.
   void doubt_hidden() { sightings_.end_excuses(); }
   void doubt_camera() { camera_.doubt(); }
   void take_camera_pose(const forms::CameraPose& measured);

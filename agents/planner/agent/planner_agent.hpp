@@ -13,13 +13,18 @@
 // known of the task is used again (replanner.hpp), unless its operators, objects or goals have changed as well.
 //
 //   (get-operations ((operator PICK-UP (params (<ob1> OBJECT)) (preconds ...) (effects ... (del ...))) ...))  -> (ok)
+//
 //   (get-facts (types (circle OBJECT) ...) (initials (clear circle) ...) (goals (on circle square) ...))      -> (ok)
+//
 //   (get-plan)         -> (ok (((PICK-UP circle)) ((STACK circle square))))
 //   (start-plan)       -> (ok (PICK-UP circle))
 //   (make-plan 7 (OPERATOR ...) (types ...) (initials ...) (goals ...))            -> as get-plan, and it is started
+//
 //   (next-operation 7 (FACT ...))
-//       -> (ok 1 ((STACK circle square)) ((holding circle) ...) ((on circle square) ...)): the index of the operation
-//          to do next, it and those after it, what must hold before it and after it for them to reach the goals
+//       -> (ok 1 ((STACK circle square)) ((holding circle) ...) ((on circle square) ...))
+//
+// `next-operation` answers the index of the operation to do next, that one and those after it, and what must hold
+// before and after it for them to reach the goals.
 //
 // A goal is a fact or a formula of facts (lisp/forms/goal_formula.hpp), quantified over the objects of `types`.
 //

@@ -1,7 +1,9 @@
 #pragma once
 
-// Learned objects by name, each with one or more samples of its mark. They are kept as durable facts.
+// Learned objects by name, each with one or more samples of its mark. They are kept as durable facts:
+//
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
+//
 //   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE BY TEMPLATE) what recognition needs besides
 //   (learned-focal NAME NUM FOCAL)                                                     where it is known
 //

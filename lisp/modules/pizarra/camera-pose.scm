@@ -1,9 +1,11 @@
 ;; Where a cell's camera stands: see lisp/forms/cell_file.hpp for the section, and lisp/forms/camera_pose.hpp for what
 ;; the numbers mean.
 ;;
-;; (camera-pose-of-section NODE), NODE the section (camera-pose PART ...) of a cell file, answers
+;; (camera-pose-of-section NODE), NODE the section (camera-pose PART ...) of a cell file, answers this form:
+;;
 ;;   ((X Y Z PAN TILT ROLL) (SURE-MM SURE-DEGREES) (MARK-X MARK-Y MARK-Z) FILE AXES)
-;; FILE being the empty string where no file is to be preferred, and the pose () in (camera-pose unknown PART ...).
+;;
+;; FILE is the empty string where no file is to be preferred. The pose is () in (camera-pose unknown PART ...).
 ;; AXES, of a pan-tilt unit, are ((X Y Z) (DX DY DZ) (X Y Z) (DX DY DZ)), first pan, or () where nothing is said of them.
 ;; (interpret DATA), the data of such a file, answers (ok (the same)) or (errors ...).
 

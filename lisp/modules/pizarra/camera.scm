@@ -1,9 +1,11 @@
 ;; The cameras of a cell that are not simulated: see lisp/forms/camera_setup.hpp for what is said of them.
 ;;
-;; (camera-of-section NODE), NODE the section (camera ARRANGEMENT OPTION ...) of a cell file, answers
+;; (camera-of-section NODE), NODE the section (camera ARRANGEMENT OPTION ...) of a cell file, answers this form:
+;;
 ;;   (ARRANGEMENT ((KIND WHERE) ...) (WIDTH HEIGHT) RATE EXPOSURE TONES SKEW CALIBRATION FOCAL BASE-LINE LEARNED-AT)
-;; ARRANGEMENT being single, side-by-side or pair, or plugin, whose one source is (plugin FILE); KIND device, video, images, stream or pipeline; 0 and "" stand for
-;; what is left to the device; TONES is grey or colour.
+;;
+;; ARRANGEMENT is single, side-by-side or pair, or plugin, whose one source is (plugin FILE). KIND is device, video,
+;; images, stream or pipeline. TONES is grey or colour. 0 and "" stand for what is left to the device.
 
 (define-module (pizarra camera)
   #:use-module (srfi srfi-1)

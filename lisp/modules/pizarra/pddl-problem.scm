@@ -3,8 +3,10 @@
 ;; (interpret DATA DOMAIN), DOMAIN being what (pizarra pddl-domain) answers, answers (errors ...) or
 ;;   (ok (problem ((OBJECT TYPE) ...) (FACT ...) (((FUNCTION ARGUMENT ...) VALUE) ...) (GOAL ...) (ABSENT-GOAL ...)
 ;;        METRIC))
-;; where METRIC is `cost` when costs are to be minimised, else `none`. (interpret-beside DATA FILE), FILE being the data of
-;; a domain file that is wrong, answers the problem's errors as far as the domain can be understood.
+;; where METRIC is `cost` when costs are to be minimised, else `none`.
+;;
+;; (interpret-beside DATA FILE), FILE being the data of a domain file that is wrong, answers the problem's errors as far
+;; as the domain can be understood.
 
 (define-module (pizarra pddl-problem)
   #:use-module (srfi srfi-1)
