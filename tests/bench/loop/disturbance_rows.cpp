@@ -71,6 +71,21 @@ void say_hardness(const Row& row, double open_percent) {
              hardness(open_percent, *row.open_loop), draws);
 }
 
+MovingGrips grips_of(const Row& row, const Runs& runs) { return moving_grips(runs, row.disturbance.slide_mm_s / 2); }
+
+// A row of cubes that move at the grip says nothing where they did not.
+bool is_disturbed_as_said(const Row& row, const Runs& runs) {
+  constexpr double least_share = 0.95;
+  return !row.disturbance.at_the_grip || grips_of(row, runs).runs >= least_share * static_cast<double>(runs.size());
+}
+
+void say_grips(const Row& row, const Runs& runs) {
+  if (!row.disturbance.at_the_grip) return;
+  const MovingGrips moving = grips_of(row, runs);
+  fmt::print("    a cube moved as the fingers began to close in {} of {} runs, at {} of {} grips, by {:.0f} mm/s\n",
+             moving.runs, runs.size(), moving.grips, moving.of_grips, moving.median_mm_s);
+}
+
 struct Measured {
   Runs closed;
   Runs open;
@@ -81,6 +96,7 @@ void say_details(const LoopBench& bench, const Row& row, const Measured& measure
   if (row.longest_ratio) fmt::print("    the ratio is to be {:g} at most\n", *row.longest_ratio);
   fmt::print("    published: {}\n", row.published);
   say_hardness(row, share_of(reached(measured.open), bench.seeds).percent);
+  say_grips(row, counted);
   say_decisions(counted);
   say_how(bench, "closed loop", measured.closed);
   say_how(bench, "open loop", measured.open);
@@ -102,7 +118,7 @@ double measure(LoopBench& bench, const Row& row, std::optional<double> undisturb
   fmt::print("row {} runs {} reached {} low {:.1f} high {:.1f} ratio {:.2f} open {:.1f} goal {:g} {}\n", row.name,
              bench.seeds, reached(counted), share.low, share.high, ratio,
              share_of(reached(measured.open), bench.seeds).percent, row.goal,
-             bench.judge(share.percent >= row.goal && in_time));
+             bench.judge(share.percent >= row.goal && in_time && is_disturbed_as_said(row, counted)));
   say_details(bench, row, measured);
   return time_s;
 }

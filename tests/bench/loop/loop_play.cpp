@@ -20,7 +20,8 @@ constexpr double within_s = 400;
 constexpr double grasp_s = 3.5;
 constexpr double carry_s = 2.5;
 // How long a cube slides, and how far at most: its neighbours stand not much further off. Then it rests for a while
-// before the grip, or is still moving.
+// before the grip. One that is to move at the grip begins as the fingers begin to close: the eyes would notice an
+// earlier slide, and the loop would follow the cube until it rests.
 constexpr double longest_slide_s = 1;
 constexpr double furthest_slide_mm = 45;
 constexpr double rest_s = 0.3;
@@ -53,9 +54,9 @@ forms::ScenarioEvent slide(const Datum& cube, const Disturbance& disturbance, Ra
   const Datum action = list("hand"_sym, "slide"_sym, cube, dx_mm, dy_mm, speed);
   const Datum pick_up = list("PICK-UP"_sym, cube);
   if (!disturbance.at_the_grip) return during(pick_up, grasp_s - way_mm / speed - rest_s, action, random);
-  const Datum near = list("servo"_sym, 4, cube, "?"_sym, "?"_sym, "?"_sym);
   const Datum picked_up = list("operation"_sym, "?"_sym, pick_up, "running"_sym);
-  return {list("and"_sym, picked_up, near), {list("wait"_sym, random.uniform(0, rest_s)), action}};
+  const Datum closes = list("micro-task"_sym, "?"_sym, list("close"_sym), "running"_sym);
+  return {list("and"_sym, picked_up, closes), {action}};
 }
 
 struct Start {
@@ -153,21 +154,22 @@ Played play_loop(const Disturbance& disturbance, std::uint64_t seed, bool open_l
   played.decisions_s = watch.decisions_s();
   played.kept = watch.kept();
   played.carries_s = watch.carries_s();
+  played.grips_mm_s = watch.grips_mm_s();
   return played;
 }
 
 std::string played_to_text(const Played& played) {
   return write(list(played.reached ? "yes"_sym : "no"_sym, played.took_s, played.cell_s, played.wall_s,
-                    to_datum(played.end), numbers(played.decisions_s), numbers(played.kept),
-                    numbers(played.carries_s)));
+                    to_datum(played.end), numbers(played.decisions_s), numbers(played.kept), numbers(played.carries_s),
+                    numbers(played.grips_mm_s)));
 }
 
 Played played_from_text(const std::string& text) {
   const Result<Datum> told = read_one(text);
-  if (!told || told->size() != 8) return {.end = "died"};
+  if (!told || told->size() != 9) return {.end = "died"};
   const Datum& d = *told;
-  return {d[0].is_symbol("yes"),    d[1].number(),    d[2].number(),    d[3].number(),
-          std::string(d[4].text()), numbers_of(d[5]), numbers_of(d[6]), numbers_of(d[7])};
+  return {d[0].is_symbol("yes"), d[1].number(),    d[2].number(),    d[3].number(),   std::string(d[4].text()),
+          numbers_of(d[5]),      numbers_of(d[6]), numbers_of(d[7]), numbers_of(d[8])};
 }
 
 }  // namespace pizarra::bench

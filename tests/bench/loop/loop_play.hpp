@@ -19,7 +19,7 @@ struct Disturbance {
   double misplace = 0;       // of the edge
   bool moved = false;        // each object, during its grasp
   double slide_mm_s = 0;     // each object, that fast
-  bool at_the_grip = false;  // it slides when the fingers come around it, and else rests before that
+  bool at_the_grip = false;  // it slides while the fingers close, and else rests before that
   bool removed = false;      // each object, out of the gripper while it is carried
   int cubes = 3;             // in the tower
 };
@@ -33,6 +33,7 @@ struct Played {
   std::vector<double> decisions_s = {};
   std::vector<double> kept = {};
   std::vector<double> carries_s = {};
+  std::vector<double> grips_mm_s = {};  // as the fingers began to close, the fastest cube's speed
 };
 
 // `told`: the story comes out on standard output.

@@ -1,5 +1,6 @@
 #include "tests/bench/loop/loop_play.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace pizarra::bench {
@@ -21,6 +22,15 @@ TEST(LoopPlay, TheOpenLoopDoesNotNoticeASlipAndTheClosedOneDoes) {
   EXPECT_EQ(open.end, "reached, but not so in the world");
   const Played closed = play_loop({.slip_chance = 0.5, .slip_draws = 1}, 3, false);
   EXPECT_TRUE(closed.reached) << closed.end;
+}
+
+TEST(LoopPlay, ACubeThatSlidesAtTheGripMovesAsTheFingersCloseAndIsGrippedLater) {
+  const Played sliding = play_loop({.slide_mm_s = 50, .at_the_grip = true}, 1, false);
+  EXPECT_TRUE(sliding.reached) << sliding.end;
+  EXPECT_GT(std::ranges::count_if(sliding.grips_mm_s, [](double speed) { return speed > 40; }), 0);
+  const Played at_rest = play_loop({}, 1, false);
+  EXPECT_EQ(at_rest.grips_mm_s.size(), 2U);
+  EXPECT_LT(std::ranges::max(at_rest.grips_mm_s), 1);
 }
 
 TEST(LoopPlay, TheSameSeedGivesTheSameRun) {

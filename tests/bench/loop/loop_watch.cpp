@@ -1,12 +1,42 @@
 #include "tests/bench/loop/loop_watch.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <map>
 
 #include "agents/runtime/declared.hpp"
 
 namespace pizarra::bench {
 
+namespace {
+
+// Short enough for the fingers to be still some millimetres from the cube, long enough for a speed to show.
+constexpr Duration glance = 25ms;
+constexpr Duration patience = 2s;
+
+std::map<std::string, Eigen::Vector3d> places_in(const Datum& truth) {
+  std::map<std::string, Eigen::Vector3d> places;
+  for (const Datum& item : truth.items()) {
+    if (!item.is_form("cube")) continue;
+    places[std::string(item[1].text())] = {item[2].number(), item[3].number(), item[4].number()};
+  }
+  return places;
+}
+
+double longest_way_mm(const Datum& before, const Datum& after) {
+  const std::map<std::string, Eigen::Vector3d> later = places_in(after);
+  double longest_mm = 0;
+  for (const auto& [cube, place] : places_in(before)) {
+    const auto found = later.find(cube);
+    if (found != later.end()) longest_mm = std::max(longest_mm, (found->second - place).norm());
+  }
+  return longest_mm;
+}
+
+}  // namespace
+
 Task<void> LoopWatch::follow(launcher::LocalCell& cell) {
+  cell_ = &cell;
   const std::unique_ptr<Board> board = cell.board().view("bench");
   const Datum any = "?"_sym;
   const Datum steps = list("micro-task"_sym, any, any, any);
@@ -33,10 +63,21 @@ void LoopWatch::take(const Datum& fact, double now_s) {
 }
 
 void LoopWatch::take_micro_task(const Datum& task, double now_s) {
+  if (task[2].is_form("close") && task[3].is_symbol("running")) grip_ = cell_->executor().spawn(measure_grip());
   if (task[2].is_form("close") && task[3].is_symbol("done")) grasped_s_ = now_s;
   if (!grasped_s_ || !task[2].is_form("release") || !task[3].is_symbol("running")) return;
   carries_s_.push_back(now_s - *grasped_s_);
   grasped_s_.reset();
+}
+
+Task<void> LoopWatch::measure_grip() {
+  const Datum truth = list("truth"_sym);
+  const Result<simulation::Message> before = co_await cell_->link().call(truth, patience);
+  co_await sleep(cell_->executor(), glance);
+  const Result<simulation::Message> after = co_await cell_->link().call(truth, patience);
+  if (!before || !after) co_return;
+  const double glance_s = std::chrono::duration<double>(glance).count();
+  grips_mm_s_.push_back(longest_way_mm(before->head, after->head) / glance_s);
 }
 
 void LoopWatch::take_event(const Datum& event, double now_s) {

@@ -1,12 +1,12 @@
 #pragma once
 
 // Watches a story for how the coordinator takes its disturbances: how long after a difference it has decided, and how
-// much of its plan it keeps.
+// much of its plan it keeps. It also asks the world how fast a cube moves as the fingers begin to close.
 //
 //   LoopWatch watch;
 //   options.beside = [&](launcher::LocalCell& cell) { return watch.follow(cell); };
 
-#include <set>
+#include <optional>
 #include <vector>
 
 #include "agents/launcher/local_cell.hpp"
@@ -23,6 +23,8 @@ class LoopWatch {
   const std::vector<double>& kept() const { return kept_; }
   // From a grasp to the release.
   const std::vector<double>& carries_s() const { return carries_s_; }
+  // Each time the fingers began to close, the speed of the cube that moved fastest.
+  const std::vector<double>& grips_mm_s() const { return grips_mm_s_; }
 
  private:
   Task<void> follow_pattern(Board& board, Executor& executor, Datum pattern);
@@ -30,7 +32,9 @@ class LoopWatch {
   void take_event(const Datum& event, double now_s);
   void take_plan(const Datum& plan, double now_s);
   void take_micro_task(const Datum& task, double now_s);
+  Task<void> measure_grip();
 
+  launcher::LocalCell* cell_ = nullptr;
   std::int64_t last_event_ = 0;
   std::vector<Datum> left_;  // of the plan, the operation in hand first
   std::optional<double> differed_s_;
@@ -38,6 +42,8 @@ class LoopWatch {
   std::vector<double> decisions_s_;
   std::vector<double> kept_;
   std::vector<double> carries_s_;
+  std::vector<double> grips_mm_s_;
+  Job grip_;
 };
 
 }  // namespace pizarra::bench

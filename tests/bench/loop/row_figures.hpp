@@ -2,8 +2,8 @@
 
 // What is told of the runs of a row.
 //
-//   reached(runs);
-//   mean(all(runs, &Played::carries_s));
+//   const MovingGrips moving = moving_grips(runs, 25);
+//   moving.runs;                       // in so many of them a cube moved that fast as the fingers began to close
 
 #include <vector>
 
@@ -21,5 +21,14 @@ double mean_time_s(const Runs& runs);
 double mean_speed(const Runs& runs);
 // The values of all runs, one after another.
 std::vector<double> all(const Runs& runs, std::vector<double> Played::*part);
+
+// Grips at which a cube still moved as the fingers began to close.
+struct MovingGrips {
+  int grips = 0;
+  int of_grips = 0;
+  int runs = 0;  // with at least one
+  double median_mm_s = 0;
+};
+MovingGrips moving_grips(const Runs& runs, double least_mm_s);
 
 }  // namespace pizarra::bench

@@ -4,6 +4,19 @@
 
 namespace pizarra::bench {
 
+TEST(RowFigures, CountsTheGripsAtWhichACubeMovedAndTheirRuns) {
+  Runs runs(3);
+  runs[0].grips_mm_s = {48, 0, 50};
+  runs[1].grips_mm_s = {0, 1};
+  runs[2].grips_mm_s = {49};
+  const MovingGrips moving = moving_grips(runs, 25);
+  EXPECT_EQ(moving.grips, 3);
+  EXPECT_EQ(moving.of_grips, 6);
+  EXPECT_EQ(moving.runs, 2);
+  EXPECT_EQ(moving.median_mm_s, 49);
+  EXPECT_EQ(moving_grips({}, 25).runs, 0);
+}
+
 TEST(RowFigures, TakesTheTimeOfTheRunsThatReachedTheirGoal) {
   Runs runs(3);
   runs[0].reached = runs[1].reached = true;

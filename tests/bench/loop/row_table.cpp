@@ -23,7 +23,7 @@ const std::vector<Row>& row_table() {
       {"slid-20", {.slide_mm_s = 20}, 99, {}, "the thesis' Fig. 6.37, without figures; at rest 0.3 s before the grip"},
       {"slid-50", {.slide_mm_s = 50}, 99, {}, "as above"},
       {"slid-100", {.slide_mm_s = 100}, 99, {}, "as above"},
-      {"sliding-20", {.slide_mm_s = 20, .at_the_grip = true}, 90, {}, "none; it still moves at the grip"},
+      {"sliding-20", {.slide_mm_s = 20, .at_the_grip = true}, 90, {}, "none; it moves while the fingers close"},
       {"sliding-50", {.slide_mm_s = 50, .at_the_grip = true}, 90, {}, "as above"},
       {"sliding-100", {.slide_mm_s = 100, .at_the_grip = true}, 90, {}, "as above"},
       {"removed", {.removed = true}, 99, {}, "CaM 90 to 97, on a real robot"},
