@@ -1,10 +1,12 @@
-// How the loop's own work grows with the objects on the table and the height of the tower. Eyes, arm and table are not
-// measured: a cell without physics stands in for them, so that there may be more objects than a camera's image holds.
+// How the loop's own work grows with the objects on the table and the height of the tower. Its parts are measured one
+// by one. Arm and table are not measured: a cell without physics stands in for them, and for the eyes, so that there
+// may be more objects than a camera's image holds.
 
 #include <array>
 #include <fmt/format.h>
 
 #include "tests/agents/coordinator/fake_cell.hpp"
+#include "tests/bench/loop/loop_parts.hpp"
 #include "tests/bench/loop/rows.hpp"
 #include "tests/bench/measure.hpp"
 
@@ -37,7 +39,8 @@ FakeCell::Cubes field(int objects) {
   constexpr int in_a_row = 5;
   FakeCell::Cubes cubes;
   for (int i = 0; i < objects; ++i) {
-    cubes[name_of(i)] = {250.0 + 100 * (i / in_a_row), -200.0 + 100 * (i % in_a_row), 30};
+    const int row = i / in_a_row;
+    cubes[name_of(i)] = {250.0 + 100 * row, -200.0 + 100 * (i % in_a_row), 30};
   }
   return cubes;
 }
@@ -59,24 +62,24 @@ void measure(const Growth& growth) {
   FakeCell cell("blocks.scm", field(growth.objects));
   set_camera(cell);
   cell.start_coordinator();
-  const double decided_s = thread_seconds_of([&] {
-    cell.request("coordinator", goal_of(growth.tower));
-    cell.run_until("(operation ? ? running)", patience);
-  });
+  cell.request("coordinator", goal_of(growth.tower));
   bool reached = false;
   Duration took{};
-  const double worked_s = thread_seconds_of([&] {
+  const double worked_s = seconds_of([&] {
     const Time begun = cell.now();
     reached = cell.run_until("(goal-state 1 reached ?)", patience);
     took = cell.now() - begun;
   });
-  const double looking_s = thread_seconds_of([&] { cell.run_for(looks * look_period); });
+  const double believing_s = thread_seconds_of([&] { cell.run_for(looks * look_period); });
   const double cell_s = std::chrono::duration<double>(took).count();
+  const std::optional<double> look_s = look_seconds(growth.objects);
+  const PlanSeconds planner_s = plan_seconds(growth.objects, growth.tower);
   fmt::print(
-      "growth {} objects {} tower {} {}: {:.1f} ms from the goal to the first operation, {:.0f} us a look; {:.0f} s of "
-      "the cell's time, {:.0f} times faster than real time\n",
-      growth.name, growth.objects, growth.tower, reached ? "reached" : "NOT REACHED", 1000 * decided_s,
-      1e6 * looking_s / looks, cell_s, cell_s / worked_s);
+      "growth {} objects {} tower {} {}: look {}, believe {:.3f} ms, plan {:.2f} ms, choose {:.3f} ms; {:.0f} s of the "
+      "cell's time, {:.0f} times faster than real time\n",
+      growth.name, growth.objects, growth.tower, reached ? "reached" : "NOT REACHED",
+      look_s ? fmt::format("{:.3f} ms", 1000 * *look_s) : "told", 1000 * believing_s / looks, 1000 * planner_s.plan,
+      1000 * planner_s.choose, cell_s, cell_s / worked_s);
   std::fflush(stdout);
 }
 
