@@ -184,15 +184,17 @@ class Play {
   }
 
   bool judge_refused(const std::vector<Datum>& goal, const Datum& why) {
-    result_.why = describe(failure_from_datum(why));
-    const Verdict::Refusal refusal = verdict_.on_refusal(goal);
-    if (refusal == Verdict::Refusal::wrong) {
-      failed("refused, though there is a plan: " + result_.why);
+    using Kind = Verdict::Refusal::Kind;
+    const Failure told = failure_from_datum(why);
+    result_.why = describe(told);
+    const Verdict::Refusal refusal = verdict_.on_refusal(goal, told);
+    if (refusal.kind == Kind::wrong) {
+      failed(fmt::format("refused, though {}: {}", refusal.wrong, result_.why));
       return false;
     }
     result_.kind = RunResult::Kind::refused;
-    if (refusal == Verdict::Refusal::right) return true;
-    result_.why += "; it lies where no camera looks or the arm does not reach";
+    if (refusal.kind == Kind::right) return true;
+    result_.why += "; it lies where the arm does not reach";
     result_.coverage.hit("cell refused-out-of-reach");
     return true;
   }

@@ -1,5 +1,6 @@
 #include "programs/chaos/verdict.hpp"
 
+#include "programs/chaos/refusal_reason.hpp"
 #include "programs/chaos/workspace.hpp"
 
 namespace pizarra::chaos {
@@ -22,12 +23,14 @@ Task<bool> Verdict::stands(std::vector<Datum> goal) const {
   co_return stands;
 }
 
-// As the camera stands now.
-Verdict::Refusal Verdict::on_refusal(const std::vector<Datum>& goal) const {
-  simulation::WorldConfig config = config_;
-  config.camera.pose = player_.camera();
-  if (plan_exists(goal, Workspace(config).within(observers_.world()))) return Refusal::wrong;
-  return plan_exists(goal, observers_.world()) ? Refusal::out_of_reach : Refusal::right;
+Verdict::Refusal Verdict::on_refusal(const std::vector<Datum>& goal, const Failure& told) const {
+  using Kind = Refusal::Kind;
+  const story::WorldState& world = observers_.world();
+  const story::WorldState had = Workspace(config_).within(world);
+  if (plan_exists(goal, had)) return {Kind::wrong, "there is a plan"};
+  const std::optional<std::string> denied = denied_reason(told, world, had);
+  if (denied) return {Kind::wrong, *denied};
+  return {plan_exists(goal, world) ? Kind::out_of_reach : Kind::right, {}};
 }
 
 // A state that no planner can judge counts as one with a plan.

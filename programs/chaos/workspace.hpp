@@ -1,14 +1,11 @@
 #pragma once
 
-// Where a cell can have a cube at all: before both cameras, whatever stands before it, and where the arm reaches. A
-// cube that was pushed out of there is as good as taken away.
+// Where a cell can have a cube at all: where the arm reaches. A cube that was pushed out of there is as good as taken
+// away. One that no image shows is not: the cell is to look for it.
 //
 //   const Workspace workspace(config);
 //   const story::WorldState had = workspace.within(world);          // those outside are gone
 
-#include <optional>
-
-#include "agents/coordinator/geometry/camera_view.hpp"
 #include "drivers/simulation/world_config.hpp"
 #include "programs/story/world_state.hpp"
 
@@ -21,12 +18,9 @@ class Workspace {
   story::WorldState within(story::WorldState world) const;
 
  private:
-  bool shows(const Eigen::Vector3d& centre) const;
   bool reaches(const Eigen::Vector3d& centre) const;
 
-  std::optional<coordinator::CameraView> view_;  // none: a head turns the cameras everywhere
   arm::ArmModel arm_;
-  double cube_mm_;
 };
 
 }  // namespace pizarra::chaos
