@@ -14,7 +14,10 @@ namespace {
 constexpr Duration watch_pause = 20ms;
 // The robot agent ends a motion so soon after a stop, and after another client began to command the arm.
 constexpr Duration stop_is_heard = 100ms;
-constexpr Duration brakes_take = 250ms;
+// From full speed; from less in proportion (drivers/simulation/physics/arm_motion.hpp).
+constexpr double full_braking_ms = 250;
+// The physics goes in steps of a 240th of a second.
+constexpr Duration two_steps = 9ms;
 constexpr Duration watch_slack = 60ms;
 // Fingers that are told to stand where they are.
 constexpr double stands_mm = 2;
@@ -30,21 +33,30 @@ std::string client_of(const Datum& request) {
 
 ArmObserver::ArmObserver(ChaosCell& cell, Unsafe unsafe) : cell_(cell), unsafe_(std::move(unsafe)) {
   cell_.world().on_request = [this](const std::string&, const Datum& request) { hear(request); };
+  cell_.world().on_motion = [this](const Datum& motion) { note_begun(motion); };
 }
 
-ArmObserver::~ArmObserver() { cell_.world().on_request = nullptr; }
+ArmObserver::~ArmObserver() {
+  cell_.world().on_request = nullptr;
+  cell_.world().on_motion = nullptr;
+}
 
 void ArmObserver::begin() { watching_ = cell_.time().spawn(watch()); }
 
 void ArmObserver::hear(const Datum& request) {
   if (!request.is_form("arm") || request.size() < 2) return;
   std::erase_if(checks_, [](const Job& job) { return job.done(); });
-  if (request[1].is_symbol("move")) note_motion();
-  if (request[1].is_symbol("gripper")) note_grip(request[2].number());
   if (!request[1].is_symbol("stop")) return;
   stop_came_ = cell_.time().now();
   checks_.push_back(cell_.time().spawn(check_halt()));
   checks_.push_back(cell_.time().spawn(check_fingers()));
+}
+
+// Of one that the controller took.
+void ArmObserver::note_begun(const Datum& motion) {
+  if (motion[1].is_symbol("gripper")) return note_grip(motion[2].number());
+  speed_ = motion[2].number();
+  note_motion();
 }
 
 void ArmObserver::note_motion() {
@@ -94,13 +106,19 @@ Task<void> ArmObserver::check_grip(double opening_mm) {
   if (is_stopped && moves) unsafe_("the fingers begin to move under a standing stop");
 }
 
-// An arm that moved as the stop came rests soon, and says that it was stopped. Where another motion has begun
-// meanwhile, this one has ended.
+// From the speed of the newest motion.
+Duration ArmObserver::brakes_take() const {
+  return Duration(static_cast<Duration::rep>(1000 * full_braking_ms * speed_)) + two_steps;
+}
+
+// An arm that moved as the stop came rests as soon as its brakes let it, and says that it was stopped. Where another
+// motion has begun meanwhile, this one has ended.
 Task<void> ArmObserver::check_halt() {
   const std::uint64_t motions = arm_motions_;
   const Reading before = co_await read();
   if (!before.moves) co_return;
-  co_await sleep(cell_.time(), stop_is_heard + brakes_take);
+  const Duration braking = brakes_take();
+  co_await sleep(cell_.time(), braking);
   const Reading after = co_await read();
   const bool heeded = !after.moves && after.was_stopped;
   if (arm_motions_ == motions && !heeded) unsafe_("the arm moves on after a stop came to its controller");

@@ -4,9 +4,9 @@
 //
 // A motion may not begin under a stop, nor while another client commands the arm, and the motion under way ends when
 // another client begins to; the robot agent has 100 ms to hear of either. The board must know of each motion. A robot
-// agent that is started again may not move for a request for which it moved before. After a stop came to the
-// controller, the arm may move on as long as its brakes take, and the fingers until they are told to stay where they
-// are.
+// agent that is started again may not move for a request for which it moved before. A stop that comes to the
+// controller is heeded at once: the arm rests when its brakes have taken it from the motion's speed to rest, and the
+// fingers when they are told to stay where they are.
 //
 //   ArmObserver observer(cell, [&](std::string sentence) { ... });
 //   observer.begin();
@@ -46,6 +46,7 @@ class ArmObserver {
   };
 
   void hear(const Datum& request);
+  void note_begun(const Datum& motion);
   void note_motion();
   void note_grip(double opening_mm);
   bool stands(const std::optional<Standing>& standing) const;
@@ -55,6 +56,7 @@ class ArmObserver {
   Task<void> check_handover();
   Task<void> check_fingers();
   Task<void> watch();
+  Duration brakes_take() const;
   bool is_impaired() const;
   std::string client_in_hand() const;
   void look_at_board();
@@ -65,6 +67,7 @@ class ArmObserver {
   std::uint64_t arm_motions_ = 0;  // that began
   std::uint64_t finger_motions_ = 0;
   bool fingers_began_last_ = false;
+  double speed_ = 1;                // of the newest motion of the arm, of its full speed
   Time stop_came_{};                // to the controller, last
   std::map<Datum, int> moved_for_;  // a request, and the life of the robot agent that moved for it
   std::optional<Standing> stop_;

@@ -147,7 +147,10 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   const Result<void> heeded = heeds_alarm(world.faults, request);
   if (!heeded) co_return fail(heeded);
   if (swallows(world, request) || ignores_hold(world, request)) co_return Message{};
+  const bool heeds_late = world.plant == "stop-heeded-late" && request[1].is_symbol("stop");
+  if (heeds_late) co_await sleep(world.process, 100ms);
   Result<Message> answer = co_await world.world->handle(request);
+  if (answer && is_motion(request) && world.on_motion) world.on_motion(request);
   const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 5;
   if (!reads) co_return answer;
   if (now >= world.faults.sensor_stuck_until) world.faults.stuck_at_mm.reset();

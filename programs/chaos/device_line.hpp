@@ -10,6 +10,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <optional>
 
 #include "blackboard/simulated/process.hpp"
 #include "drivers/simulation/world.hpp"
@@ -26,6 +27,8 @@ struct WorldProcess {
   DeviceFaults faults;
   // Of each request as it arrives.
   std::function<void(const std::string& from, const Datum& request)> on_request;
+  // Of each motion, of the arm or its fingers, that the controller has begun.
+  std::function<void(const Datum& request)> on_motion;
   // A fault that is planted (plants.hpp), and what it needs to know: the servo's state.
   std::string plant;
   std::function<int()> servo_state;
