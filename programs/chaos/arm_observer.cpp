@@ -62,7 +62,6 @@ void ArmObserver::note_begun(const Datum& motion) {
 void ArmObserver::note_motion() {
   ++arm_motions_;
   fingers_began_last_ = false;
-  const int life = cell_.lives("robot");
   if (stands(stop_)) unsafe_("a motion begins under a standing stop");
   const std::vector<Datum> motions = facts_of(cell_.board(), "(robot-motion robot ? ?)");
   const bool known_of = std::ranges::any_of(motions, [](const Datum& motion) { return motion[3] == Datum(); });
@@ -72,8 +71,11 @@ void ArmObserver::note_motion() {
   const std::string client = client_of(request);
   const bool is_another = stands(commander_) && !commander_->fact[2].is_symbol(client);
   if (is_another) unsafe_(fmt::format("a motion begins for {} under {}", client, write(commander_->fact)));
-  const auto [known, first] = moved_for_.emplace(request, life);
-  if (!first && known->second != life) {
+  note_order(request);
+}
+
+void ArmObserver::note_order(const Datum& request) {
+  if (!moved_for_.insert(request).second) {
     unsafe_(fmt::format("a motion is made again for the request {}", write(request)));
   }
 }
@@ -104,6 +106,10 @@ Task<void> ArmObserver::check_grip(double opening_mm) {
   const Reading now = co_await read();
   const bool moves = std::abs(now.opening_mm - opening_mm) > stands_mm;
   if (is_stopped && moves) unsafe_("the fingers begin to move under a standing stop");
+  // A gripper whose sensor is stuck cannot be told to stand where it is.
+  if (!moves || is_impaired()) co_return;
+  const std::optional<Datum> request = request_in_hand();
+  if (request) note_order(*request);
 }
 
 // From the speed of the newest motion.
@@ -143,12 +149,17 @@ Task<void> ArmObserver::check_handover() {
   unsafe_(fmt::format("the arm moves on for {} under {}", client, write(come.fact)));
 }
 
+std::optional<Datum> ArmObserver::request_in_hand() const {
+  for (const Datum& motion : facts_of(cell_.board(), "(robot-motion robot ? ?)")) {
+    if (motion[3] == Datum()) return motion[2];
+  }
+  return std::nullopt;
+}
+
 // Whose motion is in hand; empty: nobody's.
 std::string ArmObserver::client_in_hand() const {
-  for (const Datum& motion : facts_of(cell_.board(), "(robot-motion robot ? ?)")) {
-    if (motion[3] == Datum()) return client_of(motion[2]);
-  }
-  return {};
+  const std::optional<Datum> request = request_in_hand();
+  return request ? client_of(*request) : std::string();
 }
 
 // A controller's stop is of its axes alone. The fingers are told to stay where they are.

@@ -3,8 +3,8 @@
 // Looks from outside at each request that reaches the arm's controller, and tells of motions that must never be.
 //
 // A motion may not begin under a stop, nor while another client commands the arm, and the motion under way ends when
-// another client begins to; the robot agent has 100 ms to hear of either. The board must know of each motion. A robot
-// agent that is started again may not move for a request for which it moved before. A stop that comes to the
+// another client begins to; the robot agent has 100 ms to hear of either. The board must know of each motion. For one
+// request the arm moves once, whichever life of the robot agent moves it, and the fingers do. A stop that comes to the
 // controller is heeded at once: the arm rests when its brakes have taken it from the motion's speed to rest, and the
 // fingers when they are told to stay where they are.
 //
@@ -12,8 +12,8 @@
 //   observer.begin();
 
 #include <functional>
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +49,8 @@ class ArmObserver {
   void note_begun(const Datum& motion);
   void note_motion();
   void note_grip(double opening_mm);
+  // For which request on the board it is done.
+  void note_order(const Datum& request);
   bool stands(const std::optional<Standing>& standing) const;
   Task<Reading> read();
   Task<void> check_grip(double opening_mm);
@@ -58,6 +60,7 @@ class ArmObserver {
   Task<void> watch();
   Duration brakes_take() const;
   bool is_impaired() const;
+  std::optional<Datum> request_in_hand() const;
   std::string client_in_hand() const;
   void look_at_board();
   void note(std::optional<Standing>& standing, const Datum& fact) const;
@@ -67,9 +70,9 @@ class ArmObserver {
   std::uint64_t arm_motions_ = 0;  // that began
   std::uint64_t finger_motions_ = 0;
   bool fingers_began_last_ = false;
-  double speed_ = 1;                // of the newest motion of the arm, of its full speed
-  Time stop_came_{};                // to the controller, last
-  std::map<Datum, int> moved_for_;  // a request, and the life of the robot agent that moved for it
+  double speed_ = 1;           // of the newest motion of the arm, of its full speed
+  Time stop_came_{};           // to the controller, last
+  std::set<Datum> moved_for_;  // requests
   std::optional<Standing> stop_;
   std::optional<Standing> commander_;
   Time last_impaired_{};  // when the robot agent, or its line to the controller, failed last

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "blackboard/time/latch.hpp"
 
@@ -139,6 +140,18 @@ Task<Result<Message>> ask_frame(WorldProcess& world, Datum request) {
   }
 }
 
+// When the motion has ended.
+Task<void> repeat_motion(WorldProcess& world) {
+  const Datum again = *std::exchange(world.to_repeat, std::nullopt);
+  const Result<Message> begun = co_await world.world->handle(again);
+  if (begun && world.on_motion) world.on_motion(again);
+}
+
+void note_motion(WorldProcess& world, const Datum& request) {
+  if (world.plant == "motion-repeated" && request[1].is_symbol("move")) world.to_repeat = request;
+  if (world.on_motion) world.on_motion(request);
+}
+
 Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   const Time now = world.process.now();
   if (is_motion(request) && now < world.faults.pendant_until) {
@@ -150,9 +163,11 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   const bool heeds_late = world.plant == "stop-heeded-late" && request[1].is_symbol("stop");
   if (heeds_late) co_await sleep(world.process, 100ms);
   Result<Message> answer = co_await world.world->handle(request);
-  if (answer && is_motion(request) && world.on_motion) world.on_motion(request);
+  if (answer && is_motion(request)) note_motion(world, request);
   const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 5;
   if (!reads) co_return answer;
+  const bool rests = answer->head[1].is_symbol("no");
+  if (world.to_repeat && rests) co_await repeat_motion(world);
   if (now >= world.faults.sensor_stuck_until) world.faults.stuck_at_mm.reset();
   if (now < world.faults.sensor_stuck_until && !world.faults.stuck_at_mm) {
     world.faults.stuck_at_mm = answer->head[3].number();

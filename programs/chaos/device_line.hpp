@@ -33,6 +33,7 @@ struct WorldProcess {
   std::string plant;
   std::function<int()> servo_state;
   Time stopped_at{};
+  std::optional<Datum> to_repeat;
   std::deque<std::vector<std::shared_ptr<const Image>>> old_images;
   std::shared_ptr<const Image> frozen_left;
   std::shared_ptr<const Image> frozen_right;
