@@ -11,7 +11,7 @@
 // Where the setup says so it also speaks the Foxglove WebSocket protocol at /foxglove (foxglove_session.hpp): to
 // programs, and to browsers' pages of the origins that are named, that show the reading token.
 //
-// At most 16 pages are open at once, 8 of one key, and 8 viewers. Another machine's address has 64 connections at most.
+// At most `max_pages` pages are open at once, `max_pages_of_a_key` of one key, and `max_viewers` viewers.
 // A page ends within two seconds when its token is removed or made anew.
 
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The requests of a page that are under way, by the numbers that the page gave them: 16 at most. Each is a task that
-// tells the page its answer.
+// The requests of a page that are under way, by the numbers that the page gave them. Each is a task that tells the page
+// its answer.
 //
 //   NumberedRequests requests(executor, voice);
 //   requests.begin(7, answer_to(7));

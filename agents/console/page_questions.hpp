@@ -1,7 +1,7 @@
 #pragma once
 
-// What a page asks the board: queries that it follows or watches, 64 at most, those that it asks once, and those of the
-// past. It is told never more than it takes in: changes that it does not take wait on the board. When too many wait,
+// What a page asks the board: queries that it follows or watches (`max_watches`), those that it asks once, and those of
+// the past. It is told never more than it takes in: changes that it does not take wait on the board. When too many do,
 // the board tells the page anew all that holds.
 //
 //   PageQuestions questions(board, voice, requests, arms);

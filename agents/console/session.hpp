@@ -49,8 +49,8 @@
 // {"pulse":STAMP,"deadline":MS,"rtt":MS}; a picture
 // that was asked for as binary: a line `(picture N NUMBER CAPTURED-US WIDTH HEIGHT)`, and the JPEG behind it.
 //
-// Bounds: 64 watches, 16 requests in hand, those of the images. A page that does not take in what it is told, some
-// 256 kB of it, has its watches wait: the board resynchronises them.
+// Bounds: PageQuestions::max_watches, NumberedRequests::most in hand, those of the images. The watches of a page wait
+// where it does not take in what it is told, PageVoice::max_unheard_bytes of it: the board resynchronises them.
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The watches of the prompt: each shows what holds, then every change, until it is ended by its number or the prompt
-// ends. At most 32 run at once.
+// ends. At most `max_watches` run at once.
 //
 //   WatchCommands watches(prompt);
 //   co_await watches.watch(typed);         // (watch (on ?x ?y))

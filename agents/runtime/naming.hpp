@@ -16,7 +16,7 @@
 // be removed only when it is empty, and nothing can be bound in a context that is not there, so no part of the tree is
 // cut off. This holds with any number of clients at once, because every change is one transaction.
 //
-// Names are plain (lisp/plain_name.hpp); a path has at most 16.
+// Names are plain (lisp/plain_name.hpp); a path has `max_depth` at most.
 
 #include <map>
 #include <string>

@@ -2,7 +2,7 @@
 
 // Requests and replies as facts. `(request ID AGENT (operation args...))` is taken by the agent and answered by
 // `(reply ID (ok value...))` or `(reply ID (fail symbol "sentence" subject))`, told together with settling the request.
-// A request whose ID has been answered already is answered again the same way without being done again (the last 256
+// A request whose ID has been answered already is answered again the same way without being done again (the newest
 // are remembered). An agent that dies before it replied leaves the request to its successor.
 //
 //   Task<Result<void>> VisionAgent::run() {
@@ -12,8 +12,8 @@
 //     co_return co_await service.serve([this](Datum operation) { return handle(std::move(operation)); });
 //   }
 //
-// Requests are handled concurrently, each in a job of its own, at most 64 at once: an agent that does one thing at a
-// time says so by failing with `busy`.
+// Requests are handled concurrently, each in a job of its own, `max_concurrent` at most: an agent that does one thing
+// at a time says so by failing with `busy`.
 
 #include <functional>
 #include <map>

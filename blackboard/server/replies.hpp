@@ -1,7 +1,7 @@
 #pragma once
 
 // The replies to a session's requests: how one is written (wire.hpp), and those that are kept for requests that come
-// again: the newest 256, as far as they take 4 MB together.
+// again: the newest `most`, as far as they take `most_bytes` together.
 //
 //   const std::string text = reply_text(number, result_to_datum(result));
 //   Answered done;

@@ -8,7 +8,7 @@
 //   watches.acknowledge(number, sequence);
 //   watches.begin_again();                                   // on a new connection
 //
-// A watch has at most 16 changes under way. One whose change could not be sent is resynchronised.
+// A watch has `most_under_way` changes under way at most. One whose change could not be sent is resynchronised.
 
 #include <map>
 #include <memory>

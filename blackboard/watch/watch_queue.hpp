@@ -6,8 +6,8 @@
 // keeps its answers (joined_answers.hpp).
 //
 // Lifecycle: lagging (the reader knows nothing), sending (it is told in parts what holds), following (changes are
-// queued). A queue holds at most 1024 changes, and 4 MB with those that share its backlog; when it overflows it is
-// emptied, and the watch lags again.
+// queued). A queue holds `pending_changes`, and with those that share its backlog `pending_bytes` (limits.hpp); when
+// it overflows it is emptied, and the watch lags again.
 //
 //   while (queue.ready()) Result<Change> change = queue.pop();
 //

@@ -1,7 +1,7 @@
 #pragma once
 
 // The messages between clients and the board server: each message an s-expression, in text. A frame holds one, or some
-// that go together, one after another: 64 at most.
+// that go together, one after another: `most_messages` at most.
 //
 // Client to server                              Server to client
 //
