@@ -14,7 +14,7 @@ namespace {
 constexpr Duration silence = 30s;  // that ends a session
 constexpr std::string_view start = "CONNECT Robot_access";
 constexpr std::string_view keep_alive = "Keep-Alive:";
-constexpr std::string_view request = "HOSTCTRL_REQUEST ";
+constexpr std::string_view request_begins = "HOSTCTRL_REQUEST ";
 constexpr std::string_view nonsense = "NG: HTTP Error Response\r\n";
 
 // How many commands the line asks for, -1 for any number; none where it is no start.
@@ -35,8 +35,8 @@ struct Request {
 
 std::optional<Request> request_in(std::string_view line) {
   constexpr int longest = 4096;
-  if (!line.starts_with(request)) return std::nullopt;
-  line.remove_prefix(request.size());
+  if (!line.starts_with(request_begins)) return std::nullopt;
+  line.remove_prefix(request_begins.size());
   const std::size_t blank = line.find(' ');
   if (blank == std::string_view::npos) return std::nullopt;
   const std::optional<int> size = number_from(trimmed(line.substr(blank + 1)), 0, longest);

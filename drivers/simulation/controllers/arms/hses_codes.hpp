@@ -1,14 +1,10 @@
 #pragma once
 
-// The codes of the High Speed Ethernet Server that the driver does not use: further commands, services and refusals,
-// and where variables are kept.
+// The codes of the High Speed Ethernet Server that the driver does not use: further commands, services and refusals.
 //
-//   hses_variable(0x7a)      // B variables, 0 to 99, of one octet
+//   outcome.refusal = hses_code(refusal);
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 
 #include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 
@@ -42,17 +38,6 @@ inline constexpr std::uint16_t wrong_instruction = 0x5110;
 inline constexpr std::uint16_t not_to_be_set = 0xb002;
 
 }  // namespace hses
-
-struct HsesVariable {
-  std::uint16_t command;
-  std::uint16_t first;
-  std::uint16_t last;
-  std::size_t octets;
-  std::size_t element;  // octets of each of its elements
-};
-
-// Of a command about one variable; none of others.
-std::optional<HsesVariable> hses_variable(std::uint16_t command);
 
 inline std::uint16_t hses_code(Refusal refusal) {
   constexpr std::uint16_t out_of_range = 0xb004;

@@ -2,6 +2,8 @@
 
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
+#include "drivers/simulation/controllers/arms/hses_codes.hpp"
+#include "drivers/simulation/controllers/arms/hses_moves.hpp"
 #include "drivers/simulation/controllers/serve.hpp"
 
 namespace pizarra::simulation {
@@ -10,6 +12,15 @@ namespace {
 
 constexpr std::uint8_t abnormal = 0x1f;
 
+// Why a request is none that sets this many octets; 0 where it is.
+std::uint16_t wrong_setting(const arm::HsesRequest& request, std::size_t octets) {
+  if (request.service != arm::hses::set_one) return arm::hses::undefined_command;
+  if (request.attribute != 1) return arm::hses::wrong_attribute;
+  return request.data.size() == octets ? std::uint16_t{0} : arm::hses::wrong_size;
+}
+
+Task<HsesOutcome> at_once(HsesOutcome outcome) { co_return outcome; }
+
 }  // namespace
 
 Task<std::string> HsesEmulator::answer(std::string datagram) {
@@ -17,10 +28,9 @@ Task<std::string> HsesEmulator::answer(std::string datagram) {
   const bool heard = request && cabinet_.powered();
   const bool no_servos = !cabinet_.servo() && !cabinet_.servo_comes_on();
   const bool job_ends = !cabinet_.powered() || no_servos || cabinet_.command_hold() || cabinet_.pendant_hold();
-  if (job_ends) running_job_ = Job();
-  if (job_ends) job_runs_ = false;
+  if (job_ends) jobs_.end();
   if (!heard) co_return std::string();
-  const Outcome outcome = co_await carry_out(*request);
+  const HsesOutcome outcome = co_await carry_out(*request);
   // It may have lost its power meanwhile.
   if (!cabinet_.powered()) co_return std::string();
   arm::HsesReply reply{.id = request->id};
@@ -31,61 +41,37 @@ Task<std::string> HsesEmulator::answer(std::string datagram) {
   co_return arm::write_hses(reply);
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::at_once(Outcome outcome) { co_return outcome; }
-
-HsesEmulator::Outcome HsesEmulator::of_elements(const arm::HsesRequest& request,
-                                                const std::vector<std::string>& elements) {
-  if (request.service == arm::hses::get_all) {
-    if (request.attribute != 0) return {.refusal = arm::hses::wrong_attribute};
-    Outcome all;
-    for (const std::string& element : elements) all.data += element;
-    return all;
-  }
-  if (request.service != arm::hses::get_one) return {.refusal = arm::hses::undefined_command};
-  if (request.attribute < 1 || request.attribute > elements.size()) return {.refusal = arm::hses::wrong_attribute};
-  return {.data = elements[request.attribute - 1u]};
-}
-
-std::uint16_t HsesEmulator::wrong_setting(const arm::HsesRequest& request, std::size_t octets) {
-  if (request.service != arm::hses::set_one) return arm::hses::undefined_command;
-  if (request.attribute != 1) return arm::hses::wrong_attribute;
-  return request.data.size() == octets ? std::uint16_t{0} : arm::hses::wrong_size;
-}
-
-Task<HsesEmulator::Outcome> HsesEmulator::carry_out(arm::HsesRequest request) {
-  if (const auto kind = hses_variable(request.command)) return variable(std::move(request), *kind);
-  if (const auto kind = hses_variable(static_cast<std::uint16_t>(request.command - hses::plural))) {
-    return variables(std::move(request), *kind);
-  }
+Task<HsesOutcome> HsesEmulator::carry_out(arm::HsesRequest request) {
+  if (HsesVariables::has(request.command)) return variables_.carry_out(std::move(request));
   switch (request.command) {
     case arm::hses::status:
-      return status(std::move(request));
+      return reports_.status(std::move(request));
     case arm::hses::position:
-      return position(std::move(request));
+      return reports_.position(std::move(request));
     case arm::hses::alarm:
     case hses::alarm_history:
-      return at_once(alarm(request));
+      return at_once(reports_.alarm(request));
     case arm::hses::move_pulses:
-      return move_pulses(std::move(request));
+      return hses_move_pulses(controller_, std::move(request));
     case arm::hses::move_cartesian:
-      return move_cartesian(std::move(request));
+      return hses_move_cartesian(controller_, std::move(request));
     case hses::executing_job:
     case hses::axis_names:
     case hses::position_error:
     case hses::torque:
     case hses::system_information:
-      return at_once(report(request));
+      return at_once(reports_.report(request));
     case hses::management_time:
-      return at_once(management_time(request));
+      return at_once(reports_.management_time(request));
     case hses::select_job:
-      return at_once(select_job(request));
+      return at_once(jobs_.select(request));
     default:
       return at_once(turn(request));
   }
 }
 
 // Switches, resets, and what is told to the pendant.
-HsesEmulator::Outcome HsesEmulator::turn(const arm::HsesRequest& request) {
+HsesOutcome HsesEmulator::turn(const arm::HsesRequest& request) {
   const std::uint16_t instance = request.instance;
   const bool known = request.command == arm::hses::reset || request.command == arm::hses::power ||
                      request.command == hses::cycle || request.command == hses::pendant_text ||
@@ -107,7 +93,7 @@ HsesEmulator::Outcome HsesEmulator::turn(const arm::HsesRequest& request) {
     return {.refusal = controller_.set_cycle(wanted) ? std::uint16_t{0} : arm::hses::out_of_range};
   }
   if (instance != 1) return {.refusal = arm::hses::wrong_instance};
-  return {.refusal = request.command == hses::start_job ? start_job() : std::uint16_t{0}};
+  return {.refusal = request.command == hses::start_job ? jobs_.start() : std::uint16_t{0}};
 }
 
 // The interlock keeps the pendant's keys from doing anything: nobody presses them here.

@@ -1,16 +1,15 @@
+#include "drivers/simulation/controllers/arms/hses_jobs.hpp"
+
 #include <algorithm>
 #include <charconv>
-#include <fmt/format.h>
 #include <string_view>
-#include <vector>
 
 #include "blackboard/time/clock.hpp"
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
-#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/hses_codes.hpp"
 #include "lisp/result.hpp"
 
-// Jobs that are selected and begun, and how long the controller and its arm have been at work.
 namespace pizarra::simulation {
 
 namespace {
@@ -53,7 +52,7 @@ Result<std::vector<Duration>> read_motoman_job(std::string_view text) {
 
 }  // namespace
 
-HsesEmulator::Outcome HsesEmulator::select_job(const arm::HsesRequest& request) {
+HsesOutcome HsesJobs::select(const arm::HsesRequest& request) {
   constexpr std::uint16_t in_execution = 1;
   constexpr std::uint16_t first_master = 10;
   constexpr std::uint16_t last_master = 15;
@@ -67,54 +66,41 @@ HsesEmulator::Outcome HsesEmulator::select_job(const arm::HsesRequest& request) 
   std::string name(read.text(name_size));
   name.resize(std::min(name.find('\0'), name.size()));
   if (!files_.find(name + ".JBI")) return {.refusal = hses::job_not_found};
-  if (job_runs_) return {.refusal = arm::motoman::operating};
-  job_ = std::move(name);
-  job_line_ = read.u32();
+  if (runs_) return {.refusal = arm::motoman::operating};
+  name_ = std::move(name);
+  line_ = read.u32();
   return {};
 }
 
-std::uint16_t HsesEmulator::start_job() {
-  const std::string* text = job_.empty() ? nullptr : files_.find(job_ + ".JBI");
+std::uint16_t HsesJobs::start() {
+  const std::string* text = name_.empty() ? nullptr : files_.find(name_ + ".JBI");
   if (!text) return hses::job_not_found;
-  if (job_runs_) return arm::motoman::operating;
+  if (runs_) return arm::motoman::operating;
   const Refusal refusal = cabinet_.refusal();
   // A public client begins its job as soon as the servos' switch is acknowledged.
   const bool waits = refusal == Refusal::servo_off && cabinet_.servo_comes_on();
   if (refusal != Refusal::none && !waits) return hses_code(refusal);
   Result<std::vector<Duration>> lines = read_motoman_job(*text);
   if (!lines) return hses::wrong_instruction;
-  if (job_line_ >= lines->size()) job_line_ = 0;
-  running_job_ = cabinet_.executor().spawn(run_job(std::move(*lines), job_line_));
+  if (line_ >= lines->size()) line_ = 0;
+  running_ = cabinet_.executor().spawn(run(std::move(*lines), line_));
   return 0;
 }
 
-Task<void> HsesEmulator::run_job(std::vector<Duration> lines, std::size_t from) {
-  constexpr Duration look_again = 10ms;
-  job_runs_ = true;
-  while (cabinet_.servo_comes_on()) co_await sleep(cabinet_.executor(), look_again);
-  for (std::size_t line = from; line < lines.size(); ++line) {
-    job_line_ = static_cast<std::uint32_t>(line);
-    if (lines[line] > Duration::zero()) co_await sleep(cabinet_.executor(), lines[line]);
-  }
-  job_runs_ = false;
+void HsesJobs::end() {
+  running_ = Job();
+  runs_ = false;
 }
 
-// Since when, which it does not know, and how long.
-HsesEmulator::Outcome HsesEmulator::management_time(const arm::HsesRequest& request) const {
-  struct Kind {
-    std::uint16_t instance;
-    Duration ArmCabinet::WorkTimes::*time;
-  };
-  using Times = ArmCabinet::WorkTimes;
-  constexpr Kind kinds_of_time[] = {{1, &Times::power},    {10, &Times::servo},   {11, &Times::servo},
-                                    {110, &Times::motion}, {111, &Times::motion}, {210, &Times::motion},
-                                    {211, &Times::motion}, {301, &Times::motion}};
-  const auto* kind = std::ranges::find(kinds_of_time, request.instance, &Kind::instance);
-  if (kind == std::end(kinds_of_time)) return {.refusal = arm::hses::wrong_instance};
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(cabinet_.work_times().*(kind->time)).count();
-  std::string since = "0000/00/00 00:00";
-  std::string elapsed = fmt::format("{:06}:{:02}'{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
-  return of_elements(request, {std::move(since), std::move(elapsed)});
+Task<void> HsesJobs::run(std::vector<Duration> lines, std::size_t from) {
+  constexpr Duration look_again = 10ms;
+  runs_ = true;
+  while (cabinet_.servo_comes_on()) co_await sleep(cabinet_.executor(), look_again);
+  for (std::size_t line = from; line < lines.size(); ++line) {
+    line_ = static_cast<std::uint32_t>(line);
+    if (lines[line] > Duration::zero()) co_await sleep(cabinet_.executor(), lines[line]);
+  }
+  runs_ = false;
 }
 
 }  // namespace pizarra::simulation

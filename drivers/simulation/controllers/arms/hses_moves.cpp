@@ -1,8 +1,9 @@
+#include "drivers/simulation/controllers/arms/hses_moves.hpp"
+
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
-#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/hses_codes.hpp"
 
-// Orders to move.
 namespace pizarra::simulation {
 
 namespace {
@@ -25,8 +26,8 @@ bool is_speed(bool by_joints, std::uint32_t speed_class, std::uint32_t speed) {
 
 }  // namespace
 
-Task<HsesEmulator::Outcome> HsesEmulator::move_pulses(arm::HsesRequest request) {
-  Outcome outcome;
+Task<HsesOutcome> hses_move_pulses(MotomanController& controller, arm::HsesRequest request) {
+  HsesOutcome outcome;
   line::OctetReader read(request.data, line::ByteOrder::little);
   const std::uint32_t robot = read.u32();
   read.u32();
@@ -50,16 +51,16 @@ Task<HsesEmulator::Outcome> HsesEmulator::move_pulses(arm::HsesRequest request) 
   if (outcome.refusal != 0) co_return outcome;
   Refusal refusal = Refusal::none;
   if (by_joints) {
-    refusal = co_await controller_.move_joints(target, static_cast<double>(speed) / whole_speed);
+    refusal = co_await controller.move_joints(target, static_cast<double>(speed) / whole_speed);
   } else {
-    refusal = co_await controller_.move_straight(controller_.pose_of(target), speed / 10.0);
+    refusal = co_await controller.move_straight(controller.pose_of(target), speed / 10.0);
   }
   outcome.refusal = hses_code(refusal);
   co_return outcome;
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::move_cartesian(arm::HsesRequest request) {
-  Outcome outcome;
+Task<HsesOutcome> hses_move_cartesian(MotomanController& controller, arm::HsesRequest request) {
+  HsesOutcome outcome;
   line::OctetReader read(request.data, line::ByteOrder::little);
   const std::uint32_t robot = read.u32();
   read.u32();
@@ -87,14 +88,14 @@ Task<HsesEmulator::Outcome> HsesEmulator::move_cartesian(arm::HsesRequest reques
   }
   if (outcome.refusal != 0) co_return outcome;
   if (on) {
-    const arm::MotomanPose here = co_await controller_.pose();
+    const arm::MotomanPose here = co_await controller.pose();
     target = MotomanController::moved_on(here, target, in_tool);
   }
   Refusal refusal = Refusal::none;
   if (by_joints) {
-    refusal = co_await controller_.move_joints_to(target, static_cast<double>(speed) / whole_speed);
+    refusal = co_await controller.move_joints_to(target, static_cast<double>(speed) / whole_speed);
   } else {
-    refusal = co_await controller_.move_straight(target, speed / 10.0);
+    refusal = co_await controller.move_straight(target, speed / 10.0);
   }
   outcome.refusal = hses_code(refusal);
   co_return outcome;

@@ -1,12 +1,14 @@
+#include "drivers/simulation/controllers/arms/hses_reports.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
-#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/hses_codes.hpp"
 
-// What the controller tells of itself and its arm.
 namespace pizarra::simulation {
 
 namespace {
@@ -37,19 +39,19 @@ bool is_robot(std::uint16_t instance) {
 
 }  // namespace
 
-Task<HsesEmulator::Outcome> HsesEmulator::status(arm::HsesRequest request) {
+Task<HsesOutcome> HsesReports::status(arm::HsesRequest request) const {
   const MotomanController::Words status_words = co_await controller_.status();
   constexpr std::uint32_t runs = 8;
-  const std::uint32_t modes = status_words.modes | (job_runs_ ? runs : 0);
+  const std::uint32_t modes = status_words.modes | (jobs_.runs() ? runs : 0);
   const std::vector<std::string> elements{word(modes), word(status_words.states)};
-  Outcome outcome;
+  HsesOutcome outcome;
   outcome.refusal = arm::hses::wrong_instance;
-  if (request.instance == 1) outcome = of_elements(request, elements);
+  if (request.instance == 1) outcome = hses_elements(request, elements);
   co_return outcome;
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::position(arm::HsesRequest request) {
-  Outcome outcome;
+Task<HsesOutcome> HsesReports::position(arm::HsesRequest request) const {
+  HsesOutcome outcome;
   outcome.refusal = arm::hses::wrong_instance;
   if (!is_robot(request.instance)) co_return outcome;
   const bool in_base = request.instance == arm::hses::robot_base;
@@ -65,11 +67,11 @@ Task<HsesEmulator::Outcome> HsesEmulator::position(arm::HsesRequest request) {
   // Type, form, tool, user frame and extended form before them.
   std::vector<std::string> elements{word(in_base ? arm::hses::base_frame : 0), word(0), word(0), word(0), word(0)};
   for (const std::int32_t axis : axes) elements.push_back(word(static_cast<std::uint32_t>(axis)));
-  co_return of_elements(request, elements);
+  co_return hses_elements(request, elements);
 }
 
 // The alarms there are now, four at most, or those there were: in groups of a hundred, by how bad they are.
-HsesEmulator::Outcome HsesEmulator::alarm(const arm::HsesRequest& request) const {
+HsesOutcome HsesReports::alarm(const arm::HsesRequest& request) const {
   constexpr std::uint16_t now_at_most = 4;
   constexpr std::uint16_t group = 1000;
   constexpr std::uint16_t groups = 5;
@@ -80,24 +82,24 @@ HsesEmulator::Outcome HsesEmulator::alarm(const arm::HsesRequest& request) const
     return {.refusal = arm::hses::wrong_instance};
   }
   if (request.command == arm::hses::alarm)
-    return of_elements(request, alarm_elements(number == 1 ? cabinet_.alarm() : 0));
+    return hses_elements(request, alarm_elements(number == 1 ? cabinet_.alarm() : 0));
   constexpr int first_minor = 1000;
   std::vector<int> codes;
   for (const int code : cabinet_.past_alarms()) {
     const int its_group = code < first_minor ? 0 : 1;
     if (its_group == request.instance / group) codes.push_back(code);
   }
-  return of_elements(request, alarm_elements(number <= codes.size() ? codes[codes.size() - number] : 0));
+  return hses_elements(request, alarm_elements(number <= codes.size() ? codes[codes.size() - number] : 0));
 }
 
-HsesEmulator::Outcome HsesEmulator::report(const arm::HsesRequest& request) const {
+HsesOutcome HsesReports::report(const arm::HsesRequest& request) const {
   constexpr std::size_t axes = 8;
   std::vector<std::string> elements;
   if (request.command == hses::executing_job) {
     constexpr double whole = 10'000;
     constexpr std::uint16_t tasks = 6;
     if (request.instance < 1 || request.instance > tasks) return {.refusal = arm::hses::wrong_instance};
-    elements = {text(job_, 32), word(job_line_), word(0),
+    elements = {text(jobs_.name(), 32), word(jobs_.line()), word(0),
                 word(static_cast<std::uint32_t>(cabinet_.speed_override() * whole))};
   } else if (request.command == hses::system_information) {
     constexpr std::uint16_t robot = 11;
@@ -114,7 +116,25 @@ HsesEmulator::Outcome HsesEmulator::report(const arm::HsesRequest& request) cons
     if (request.instance != arm::hses::robot_pulses) return {.refusal = arm::hses::wrong_instance};
     elements = std::vector<std::string>(axes, words(1));
   }
-  return of_elements(request, elements);
+  return hses_elements(request, elements);
+}
+
+// Since when, which it does not know, and how long.
+HsesOutcome HsesReports::management_time(const arm::HsesRequest& request) const {
+  struct Kind {
+    std::uint16_t instance;
+    Duration ArmCabinet::WorkTimes::*time;
+  };
+  using Times = ArmCabinet::WorkTimes;
+  constexpr Kind kinds_of_time[] = {{1, &Times::power},    {10, &Times::servo},   {11, &Times::servo},
+                                    {110, &Times::motion}, {111, &Times::motion}, {210, &Times::motion},
+                                    {211, &Times::motion}, {301, &Times::motion}};
+  const auto* kind = std::ranges::find(kinds_of_time, request.instance, &Kind::instance);
+  if (kind == std::end(kinds_of_time)) return {.refusal = arm::hses::wrong_instance};
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(cabinet_.work_times().*(kind->time)).count();
+  std::string since = "0000/00/00 00:00";
+  std::string elapsed = fmt::format("{:06}:{:02}'{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  return hses_elements(request, {std::move(since), std::move(elapsed)});
 }
 
 }  // namespace pizarra::simulation

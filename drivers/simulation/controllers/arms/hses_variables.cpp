@@ -1,9 +1,11 @@
+#include "drivers/simulation/controllers/arms/hses_variables.hpp"
+
 #include <algorithm>
+#include <iterator>
 
 #include "drivers/line/octets.hpp"
-#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/hses_codes.hpp"
 
-// Variables, registers and inputs and outputs: one, an element of one, or several.
 namespace pizarra::simulation {
 
 namespace {
@@ -13,7 +15,9 @@ constexpr std::size_t most_octets = 474;  // of several at once
 constexpr std::size_t pose_octets = 13 * 4;  // type, form, tool, user frame, extended form and 8 axes
 constexpr std::size_t axes_octets = 9 * 4;   // type and 8 axes
 
-constexpr HsesVariable kinds[] = {
+}  // namespace
+
+const HsesVariables::Kind HsesVariables::kinds[] = {
     {0x78, 1, 8220, 1, 1},           // inputs and outputs, eight each
     {0x79, 0, 999, 2, 2},            // registers
     {0x7a, 0, 99, 1, 1},             // B
@@ -27,21 +31,29 @@ constexpr HsesVariable kinds[] = {
 };
 
 // Of inputs and outputs, those of the network are set from outside, of registers the first.
-bool may_be_set(const HsesVariable& kind, std::uint16_t number) {
+bool HsesVariables::may_be_set(const Kind& kind, std::uint16_t number) {
   constexpr std::uint16_t registers = 0x79;
   constexpr std::uint16_t last_register = 559;
   if (kind.command == registers) return number <= last_register;
   return kind.command != hses::network_io || (number >= 2501 && number <= 2756);
 }
 
-}  // namespace
-
-std::optional<HsesVariable> hses_variable(std::uint16_t command) {
-  const auto* found = std::ranges::find(kinds, command, &HsesVariable::command);
-  return found == std::end(kinds) ? std::nullopt : std::optional(*found);
+const HsesVariables::Kind* HsesVariables::kind_of(std::uint16_t command) {
+  const Kind* found = std::ranges::find(kinds, command, &Kind::command);
+  return found == std::end(kinds) ? nullptr : found;
 }
 
-Task<std::string> HsesEmulator::value(HsesVariable kind, std::uint16_t number) {
+bool HsesVariables::has(std::uint16_t command) {
+  return kind_of(command) != nullptr || kind_of(static_cast<std::uint16_t>(command - hses::plural)) != nullptr;
+}
+
+Task<HsesOutcome> HsesVariables::carry_out(arm::HsesRequest request) {
+  if (const Kind* kind = kind_of(request.command)) return one(std::move(request), *kind);
+  const Kind* kind = kind_of(static_cast<std::uint16_t>(request.command - hses::plural));
+  return several(std::move(request), *kind);
+}
+
+Task<std::string> HsesVariables::value(Kind kind, std::uint16_t number) {
   if (kind.command == arm::hses::double_integer) {
     const std::int32_t held = co_await controller_.variable(number);
     co_return line::OctetWriter(line::ByteOrder::little).i32(held).octets();
@@ -50,7 +62,7 @@ Task<std::string> HsesEmulator::value(HsesVariable kind, std::uint16_t number) {
   co_return found == values_.end() ? std::string(kind.octets, '\0') : found->second;
 }
 
-Task<std::uint16_t> HsesEmulator::set_value(HsesVariable kind, std::uint16_t number, std::string octets) {
+Task<std::uint16_t> HsesVariables::set_value(Kind kind, std::uint16_t number, std::string octets) {
   if (!may_be_set(kind, number)) co_return hses::not_to_be_set;
   if (kind.command == arm::hses::double_integer) {
     const std::int32_t wanted = line::OctetReader(octets, line::ByteOrder::little).i32();
@@ -61,15 +73,15 @@ Task<std::uint16_t> HsesEmulator::set_value(HsesVariable kind, std::uint16_t num
   co_return std::uint16_t{0};
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::variable(arm::HsesRequest request, HsesVariable kind) {
-  Outcome outcome;
+Task<HsesOutcome> HsesVariables::one(arm::HsesRequest request, Kind kind) {
+  HsesOutcome outcome;
   outcome.refusal = arm::hses::wrong_instance;
   if (request.instance < kind.first || request.instance > kind.last) co_return outcome;
   std::string held = co_await value(kind, request.instance);
   if (request.service == arm::hses::get_all || request.service == arm::hses::get_one) {
     std::vector<std::string> elements;
     for (std::size_t at = 0; at < kind.octets; at += kind.element) elements.push_back(held.substr(at, kind.element));
-    co_return of_elements(request, elements);
+    co_return hses_elements(request, elements);
   }
   const bool all = request.service == arm::hses::set_all;
   const std::size_t elements = kind.octets / kind.element;
@@ -85,8 +97,8 @@ Task<HsesEmulator::Outcome> HsesEmulator::variable(arm::HsesRequest request, Hse
   co_return outcome;
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::variables(arm::HsesRequest request, HsesVariable kind) {
-  Outcome outcome;
+Task<HsesOutcome> HsesVariables::several(arm::HsesRequest request, Kind kind) {
+  HsesOutcome outcome;
   line::OctetReader read(request.data, line::ByteOrder::little);
   const std::uint32_t count = read.u32();
   const std::string given(read.rest());
