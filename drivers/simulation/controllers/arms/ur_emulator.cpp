@@ -1,8 +1,8 @@
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <utility>
 
 #include "drivers/arm/kinematics.hpp"
 #include "lisp/numbers.hpp"
@@ -19,7 +19,6 @@ constexpr std::int32_t safety_emergency = 7;
 constexpr double joint_running = 253;
 constexpr double joint_off = 239;
 constexpr double slowest_look_s = 0.008;  // how long speeds are measured for, at least
-constexpr std::size_t most_said = 100;    // messages that nobody has taken yet
 
 UrValue flange_at(const arm::ArmModel& model, const arm::Joints& joints) {
   const arm::ToolPose grip = arm::forward(model, joints);
@@ -31,34 +30,30 @@ UrValue flange_at(const arm::ArmModel& model, const arm::Joints& joints) {
 
 }  // namespace
 
-std::int32_t UrEmulator::robot_mode() const {
-  if (cabinet_.servo()) return arm::rtde::running_mode;
-  return energized_ && !cabinet_.emergency() ? ur_mode_idle : ur_mode_off;
+void UrEmulator::run(std::string_view program) {
+  if (!cabinet_.powered()) return;
+  constexpr std::int32_t takes_no_programs = 210;
+  if (cabinet_.pendant()) return messages_.say(ur_error_message(now_us(), takes_no_programs));
+  if (!command(program)) programs_.run(program);
 }
 
-void UrEmulator::switch_off() {
-  energized_ = false;
-  static_cast<void>(cabinet_.servo(false));
-}
-
-void UrEmulator::release_brakes() {
-  energized_ = true;
-  static_cast<void>(cabinet_.servo(true));
-}
-
-std::uint64_t UrEmulator::now_us() const {
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::microseconds>(executor_.now().time_since_epoch()).count());
-}
-
-void UrEmulator::say(std::string message) {
-  if (said_.size() < most_said) said_.push_back(std::move(message));
-}
-
-std::string UrEmulator::take_said() {
-  std::string all;
-  for (const std::string& message : std::exchange(said_, {})) all += message;
-  return all;
+// Carries out words that are no program, but an order to the controller.
+bool UrEmulator::command(std::string_view words) {
+  while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back())) != 0) words.remove_suffix(1);
+  if (words == "power on") {
+    power_.on();
+  } else if (words == "power off") {
+    power_.off();
+  } else if (words == "set robotmode run") {
+    power_.release_brakes();
+  } else if (words == "set unlock protective stop") {
+    static_cast<void>(cabinet_.reset());
+  } else if (words == "stop program") {
+    programs_.end_soon();
+  } else {
+    return false;
+  }
+  return true;
 }
 
 Task<UrState> UrEmulator::state() {
@@ -76,22 +71,22 @@ Task<UrState> UrEmulator::state() {
   }
   state.tool = flange_at(cabinet_.model(), reading.joints);
   state.joint_mode = cabinet_.servo() ? joint_running : joint_off;
-  state.numbers = numbers_;
+  state.numbers = values_.numbers();
   const auto tell = [&state](std::string_view name, double value) { state.numbers[std::string(name)] = value; };
   tell("timestamp", std::chrono::duration<double>(now.time_since_epoch()).count());
-  tell("robot_mode", robot_mode());
+  tell("robot_mode", power_.mode());
   std::int32_t safety = safety_normal;
   if (cabinet_.alarm() != 0 || cabinet_.pendant_hold()) safety = safety_protective;
   if (cabinet_.emergency()) safety = safety_emergency;
   tell("safety_mode", safety);
   tell("safety_status", safety);
   constexpr std::uint32_t runtime[] = {1, arm::rtde::playing, 4};
-  tell("runtime_state", runtime[static_cast<std::size_t>(phase_)]);
-  tell("robot_status_bits", (cabinet_.servo() ? 1 : 0) | (phase_ == Phase::playing ? 2 : 0));
+  tell("runtime_state", runtime[static_cast<std::size_t>(programs_.phase())]);
+  tell("robot_status_bits", (cabinet_.servo() ? 1 : 0) | (programs_.phase() == UrPrograms::Phase::playing ? 2 : 0));
   tell("safety_status_bits", safety == safety_normal ? 1 : safety == safety_protective ? 4 : 0x80);
   tell("speed_scaling", cabinet_.speed_override());
   tell("target_speed_fraction", cabinet_.speed_override());
-  tell("actual_digital_output_bits", outputs_);
+  tell("actual_digital_output_bits", values_.outputs());
   if (reading.gripper_moving) tell(fingers, 1);
   tell(opening, reading.opening_mm);
   if (since_s >= slowest_look_s) {
@@ -103,23 +98,11 @@ Task<UrState> UrEmulator::state() {
 
 // The pendant's slider, where the mask before it says that it is meant.
 void UrEmulator::set_speed_slider(double fraction) {
-  const auto mask = numbers_.find("speed_slider_mask");
-  if (mask == numbers_.end() || mask->second != 1) return;
+  const auto mask = values_.numbers().find("speed_slider_mask");
+  if (mask == values_.numbers().end() || mask->second != 1) return;
   constexpr int slowest = 1;
   const int percent = std::clamp(static_cast<int>(std::lround(fraction * 100)), slowest, 100);
   static_cast<void>(cabinet_.obey("override " + std::to_string(percent)));
-}
-
-// The digital outputs of a bank, those of them that the mask means.
-void UrEmulator::set_outputs(std::string_view bank) {
-  const std::string name(bank);
-  const auto bits = [this](const std::string& field) {
-    const auto found = numbers_.find(field);
-    return found == numbers_.end() ? 0u : static_cast<std::uint32_t>(found->second);
-  };
-  const int first = bank == "configurable" ? 8 : bank == "tool" ? 16 : 0;
-  const std::uint32_t mask = bits(name + "_digital_output_mask") << first;
-  outputs_ = (outputs_ & ~mask) | (bits(name + "_digital_output") << first & mask);
 }
 
 Task<std::string> UrEmulator::answer(std::string message) {
@@ -127,7 +110,7 @@ Task<std::string> UrEmulator::answer(std::string message) {
   if (message.front() != arm::rtde::data) co_return exchange_.answer(message);
   const std::vector<std::pair<std::string, double>> taken = exchange_.take(std::string_view(message).substr(1));
   for (const auto& each : taken) {
-    numbers_[each.first] = each.second;
+    values_.set(each.first, each.second);
     if (each.first == "speed_slider_fraction") set_speed_slider(each.second);
     if (each.first != arm::rtde::opening_name) continue;
     // The protocol answers nothing to this: fingers that may not move stay.
@@ -137,7 +120,7 @@ Task<std::string> UrEmulator::answer(std::string message) {
   for (const auto& each : taken) {
     constexpr std::string_view what = "_digital_output";
     const bool outputs = each.first.ends_with(what);
-    if (outputs) set_outputs(std::string_view(each.first).substr(0, each.first.size() - what.size()));
+    if (outputs) values_.set_outputs(std::string_view(each.first).substr(0, each.first.size() - what.size()));
   }
   co_return std::string();
 }

@@ -1,14 +1,14 @@
+#include "drivers/simulation/controllers/arms/ur_programs.hpp"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
 #include "drivers/arm/route.hpp"
 #include "drivers/simulation/controllers/arms/straight_way.hpp"
-#include "drivers/simulation/controllers/arms/ur_emulator.hpp"
+#include "drivers/simulation/controllers/arms/ur_interface.hpp"
 #include "lisp/numbers.hpp"
 
-// What the controller makes of programs: those that come over a line, and those that the dashboard loads and plays.
 namespace pizarra::simulation {
 
 namespace {
@@ -74,15 +74,12 @@ std::vector<arm::Joints> left_of(const std::vector<arm::Joints>& waypoints, arm:
 
 }  // namespace
 
-void UrEmulator::run(std::string_view program) {
-  if (!cabinet_.powered()) return;
-  constexpr std::int32_t takes_no_programs = 210;
-  if (cabinet_.pendant()) return say(ur_error_message(now_us(), takes_no_programs));
-  if (command(program)) return;
+void UrPrograms::run(std::string_view program) {
   const Result<std::vector<UrStep>> steps = read_urscript(program);
   if (!steps) {
     const Datum& line = steps.error().subject;
-    say(ur_exception_message(now_us(), static_cast<std::int32_t>(line.number()), steps.error().sentence));
+    const auto number = static_cast<std::int32_t>(line.number());
+    messages_.say(ur_exception_message(messages_.now_us(), number, steps.error().sentence));
     return;
   }
   if (program.starts_with("sec ")) {
@@ -92,57 +89,40 @@ void UrEmulator::run(std::string_view program) {
   if (cabinet_.servo()) start(name_in(program), *steps);
 }
 
-// Carries out words that are no program, but an order to the controller.
-bool UrEmulator::command(std::string_view words) {
-  while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back())) != 0) words.remove_suffix(1);
-  if (words == "power on") {
-    energized_ = true;
-  } else if (words == "power off") {
-    switch_off();
-  } else if (words == "set robotmode run") {
-    release_brakes();
-  } else if (words == "set unlock protective stop") {
-    static_cast<void>(cabinet_.reset());
-  } else if (words == "stop program") {
-    ending_ = executor_.spawn(end_program());
-  } else {
-    return false;
-  }
-  return true;
-}
+void UrPrograms::end_soon() { ending_ = executor_.spawn(end()); }
 
-void UrEmulator::start(std::string name, std::vector<UrStep> steps) {
-  forget_program();
+void UrPrograms::start(std::string name, std::vector<UrStep> steps) {
+  forget();
   name_ = std::move(name);
-  say(ur_key_message(now_us(), "PROGRAM_XXX_STARTED", name_));
-  program_ = executor_.spawn(carry_out(std::move(steps)));
+  messages_.say(ur_key_message(messages_.now_us(), "PROGRAM_XXX_STARTED", name_));
+  running_ = executor_.spawn(carry_out(std::move(steps)));
 }
 
 // The one that runs, where one does.
-void UrEmulator::forget_program() {
-  program_ = Job();
-  if (phase_ != Phase::stopped) say(ur_key_message(now_us(), "PROGRAM_XXX_STOPPED", name_));
+void UrPrograms::forget() {
+  running_ = Job();
+  if (phase_ != Phase::stopped) messages_.say(ur_key_message(messages_.now_us(), "PROGRAM_XXX_STOPPED", name_));
   phase_ = Phase::stopped;
 }
 
-Task<void> UrEmulator::end_program() {
-  forget_program();
+Task<void> UrPrograms::end() {
+  forget();
   co_await cabinet_.stop();
 }
 
-std::string UrEmulator::load(std::string_view name) {
-  const std::optional<std::string> text = programs_ ? programs_(name) : std::nullopt;
+std::string UrPrograms::load(std::string_view name) {
+  const std::optional<std::string> text = stored_ ? stored_(name) : std::nullopt;
   if (!text) return "File not found: " + std::string(name);
   Result<std::vector<UrStep>> steps = read_urscript(*text);
   if (!steps) return "Error while loading program: " + std::string(name);
-  forget_program();
+  forget();
   loaded_ = std::move(*steps);
   name_ = name.substr(name.find_last_of('/') + 1);
   return "Loading program: " + std::string(name);
 }
 
 // Begins the loaded program, or goes on with one that pauses.
-bool UrEmulator::play() {
+bool UrPrograms::play() {
   if (phase_ == Phase::paused) {
     phase_ = Phase::playing;
     return true;
@@ -152,26 +132,25 @@ bool UrEmulator::play() {
   return true;
 }
 
-Task<bool> UrEmulator::pause() {
+Task<bool> UrPrograms::pause() {
   if (phase_ != Phase::playing) co_return false;
   phase_ = Phase::paused;
   co_await cabinet_.stop();
   co_return true;
 }
 
-Task<void> UrEmulator::while_paused() {
+Task<void> UrPrograms::while_paused() {
   while (phase_ == Phase::paused) co_await sleep(executor_, look_again);
 }
 
-void UrEmulator::set(const UrStep& step) {
-  if (step.kind == UrStep::Kind::set) numbers_[step.field] = step.value;
-  if (step.kind == UrStep::Kind::text) say(ur_text_message(now_us(), step.field));
+void UrPrograms::set(const UrStep& step) {
+  if (step.kind == UrStep::Kind::set) values_.set(step.field, step.value);
+  if (step.kind == UrStep::Kind::text) messages_.say(ur_text_message(messages_.now_us(), step.field));
   if (step.kind != UrStep::Kind::digital_output) return;
-  const std::uint32_t bit = 1u << step.number;
-  outputs_ = step.value != 0 ? outputs_ | bit : outputs_ & ~bit;
+  values_.set_output(step.number, step.value != 0);
 }
 
-Task<void> UrEmulator::carry_out(std::vector<UrStep> steps) {
+Task<void> UrPrograms::carry_out(std::vector<UrStep> steps) {
   phase_ = Phase::playing;
   // What the program before had begun ends first.
   arm::ArmReading reading = co_await cabinet_.read();
@@ -198,13 +177,14 @@ Task<void> UrEmulator::carry_out(std::vector<UrStep> steps) {
     }
   }
   constexpr std::int32_t unknown_line = 1;
-  if (!goes_on) say(ur_exception_message(now_us(), unknown_line, "the arm cannot go there, or was stopped"));
+  if (!goes_on)
+    messages_.say(ur_exception_message(messages_.now_us(), unknown_line, "the arm cannot go there, or was stopped"));
   phase_ = Phase::stopped;
-  say(ur_key_message(now_us(), "PROGRAM_XXX_STOPPED", name_));
+  messages_.say(ur_key_message(messages_.now_us(), "PROGRAM_XXX_STOPPED", name_));
 }
 
 // Time that passes while the program pauses does not count.
-Task<void> UrEmulator::wait(Duration left) {
+Task<void> UrPrograms::wait(Duration left) {
   while (left > Duration::zero()) {
     const Duration slice = std::min(left, look_again);
     co_await sleep(executor_, slice);
@@ -213,7 +193,7 @@ Task<void> UrEmulator::wait(Duration left) {
 }
 
 // Moves that follow one another are blended into one. False where the arm did not get there.
-Task<bool> UrEmulator::move(std::vector<UrStep> moves) {
+Task<bool> UrPrograms::move(std::vector<UrStep> moves) {
   const arm::ArmModel& model = cabinet_.model();
   const arm::ArmReading before = co_await cabinet_.read();
   std::vector<arm::Joints> waypoints;
