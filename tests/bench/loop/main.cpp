@@ -50,11 +50,10 @@ int main(int argc, char** argv) {
       "what it\n"
       "compares with. What differs: another arm, marks in place of a language model's eyes, a simulated world that "
       "judges;\n"
-      "three draws a carry in place of one a time step, so that our open loop fails about as often as theirs (the rows "
-      "-once draw\n"
-      "once a carry); parts of the edge in place of cm. A reaction row counts commands that come within 1.1 frame "
-      "periods; its\n"
-      "ratio is the 99th percentile in frame periods, and an open loop never reacts.\n");
+      "three or four draws a carry in place of one a time step, so that our open loop fails about as often as theirs "
+      "(the\n"
+      "rows -once draw once a carry); parts of the edge in place of cm. A reaction row counts commands that come\n"
+      "within 1.1 frame periods; its ratio is the 99th percentile in frame periods, and an open loop never reacts.\n");
   disturbance_rows(bench);
   growth_rows(bench);
   reaction_rows(bench);
