@@ -14,6 +14,6 @@ inline constexpr const char* reads_of_pages =
     "calibration-sees camera-model camera-pose camera-state commander commander-wanted context-board contract event "
     "found goal goal-state gripper head head-speed holder learned learned-template look look-alike micro-task "
     "operation pan-tilt place plan plan-needs process provenance request robot-released robot-speed robot-variable "
-    "servo stop stream tracked vision-failed vision-held vision-mode)";
+    "servo stop stream tracked vision-held vision-mode)";
 
 }  // namespace pizarra::console

@@ -14,7 +14,7 @@ constexpr const char* contract_text = R"((contract person
   (posts (relation person ((state symbol) (detail datum)) (key) (durable))
          (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
          (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
-  (reads agent bound learned vision-failed wired)))";
+  (reads agent bound learned wired)))";
 
 constexpr const char* end_effector = "end-effector";
 constexpr int tries = 5;
@@ -26,6 +26,12 @@ constexpr Duration longest_wait = 10s;  // for a robot, and for eyes
 // The arm comes down by these steps until its mark is in the image, and no lower than that many.
 constexpr std::int64_t step_down_mm = 50;
 constexpr int most_steps_down = 6;
+
+// Of a failure to teach: its subject is the eyes' reply, (TEXT SYMBOL SENTENCE) where TEXT says FAIL.
+bool looks_like_another(const Failure& why) {
+  const Datum& reply = why.subject;
+  return why.symbol == "not-learned" && reply.is_list() && reply.size() == 3 && reply[1] == "ambiguous"_sym;
+}
 
 Datum learned_pattern(const std::string& eyes, const Datum& name) {
   std::vector<Datum> any(10, "?"_sym);
@@ -107,14 +113,10 @@ Task<Result<void>> PersonAgent::teach_once(std::string name) {
 
 // Whether it could not be learned because it looks like an object that bears a name of nothing in the cell: somebody
 // has renamed it since it was taught.
-Task<bool> PersonAgent::renamed(std::string name) {
-  const Datum any = "?"_sym;
+Task<bool> PersonAgent::renamed(Failure why) {
+  if (!looks_like_another(why)) co_return false;
   const std::string eyes = roles_.holder("eyes").server;
-  const std::string reply = fmt::format("(LEARN \"{}\" FAIL)", name);
-  const Datum pattern = list("vision-failed"_sym, Datum::symbol(eyes), any, reply, "ambiguous"_sym, any);
-  const Result<std::vector<Fact>> ambiguous = co_await context_.board.facts(pattern);
-  if (!ambiguous || ambiguous->empty()) co_return false;
-  const Datum anything = learned_pattern(eyes, any);
+  const Datum anything = learned_pattern(eyes, "?"_sym);
   const Result<std::vector<Fact>> samples = co_await context_.board.facts(anything);
   if (!samples) co_return false;
   co_return std::ranges::any_of(
@@ -129,7 +131,7 @@ Task<Result<void>> PersonAgent::teach(std::string name) {
     co_await say("teaching"_sym, Datum::string(name));
     taught = co_await teach_once(name);
     if (taught) co_return {};
-    const bool was_renamed = co_await renamed(name);
+    const bool was_renamed = co_await renamed(taught.error());
     if (was_renamed) co_return {};
     co_await sleep(context_.executor, pause_between_tries);
   }

@@ -36,7 +36,7 @@ class PersonAgent : public runtime::Agent {
   Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
   Task<Result<bool>> known(std::string name);
-  Task<bool> renamed(std::string name);
+  Task<bool> renamed(Failure why);
   Task<Result<Datum>> serve(Datum operation);
   Task<void> say(Datum state, Datum detail);
 

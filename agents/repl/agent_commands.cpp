@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <span>
 
 #include "agents/repl/answer_text.hpp"
 #include "agents/repl/eyes_commands.hpp"
@@ -30,10 +31,15 @@ Task<Evaluation> list_agents(Prompt& prompt, Typed) {
 Task<Evaluation> ask_agent(Prompt& prompt, std::string agent, Datum operation) {
   const Result<Datum> answer = co_await prompt.caller.call(agent, operation, answer_timeout);
   if (!answer) co_return prompt.show(answer.error(), Evaluation::failed);
-  const std::vector<Datum> remarks = co_await remarks_on(prompt.context, agent, operation, *answer);
-  const bool sentences = std::ranges::all_of(answer->items(), &Datum::is_string);
+  std::vector<Datum> remarks = co_await remarks_on(prompt.context, agent, operation, *answer);
+  std::span<const Datum> values = answer->items();
+  if (std::optional<Datum> reason = why_failed(*answer)) {
+    values = values.first(1);
+    remarks.push_back(*std::move(reason));
+  }
+  const bool sentences = std::ranges::all_of(values, &Datum::is_string);
   std::string line = answer->size() == 0 ? "ok" : "";
-  for (const Datum& value : answer->items()) {
+  for (const Datum& value : values) {
     line += (line.empty() ? "" : sentences ? "\n" : " ") + (sentences ? std::string(value.text()) : write(value));
   }
   for (const Datum& remark : remarks) line += "\n  " + std::string(remark.text());

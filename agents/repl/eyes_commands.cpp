@@ -113,13 +113,18 @@ Task<Evaluation> list_objects(Prompt& prompt, Typed) {
   co_return Evaluation::done;
 }
 
+std::optional<Datum> why_failed(const Datum& answer) {
+  const bool gives_reason = answer.size() == 3 && answer[0].is_string() && answer[2].is_string();
+  if (!gives_reason || !answer[0].text().ends_with(" FAIL)")) return std::nullopt;
+  return answer[2];
+}
+
 Task<std::vector<Datum>> remarks_on(runtime::AgentContext& context, std::string agent, Datum operation, Datum answer) {
   const bool learns = operation.is_form("learn");
-  const bool looks = learns || operation.is_form("find");
   const bool lasts = operation.is_form("track") || operation.is_form("connect");
   const Datum eyes = Datum::symbol(agent);
   std::vector<Datum> out;
-  if (!looks && !lasts) co_return out;
+  if (!learns && !lasts) co_return out;
   // Others may have operations of these names, as an arm learns where it stands.
   const std::vector<Fact> are_eyes = co_await facts_of(context.board, list("agent"_sym, eyes, "vision"_sym, "?"_sym));
   if (are_eyes.empty()) co_return out;
@@ -128,11 +133,7 @@ Task<std::vector<Datum>> remarks_on(runtime::AgentContext& context, std::string 
     const std::string blind = co_await why_blind(context, eyes);
     if (!blind.empty()) out.push_back(Datum::string(blind));
   }
-  if (!looks || answer.size() != 1) co_return out;
-  const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
-  const std::vector<Fact> failures = co_await facts_of(context.board, failed);
-  for (const Fact& fact : failures) out.push_back(fact.datum[5]);
-  if (!learns || !out.empty()) co_return out;
+  if (!learns || answer.size() != 1) co_return out;
   const Datum& name = operation.items().back();
   const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
   const std::vector<Fact> alike = co_await facts_of(context.board, any_alike);

@@ -185,7 +185,7 @@ TEST(Method, TheConsolesContractHasWhatItsPagesFollow) {
     for (auto each = found; each != std::sregex_iterator(); ++each) followed.insert((*each)[1]);
   }
   EXPECT_GT(followed.size(), 20U);
-  EXPECT_TRUE(followed.contains("vision-failed") && followed.contains("stop")) << "both ways are found";
+  EXPECT_TRUE(followed.contains("plan-needs") && followed.contains("stop")) << "both ways are found";
   for (const std::string& relation : followed) EXPECT_TRUE(reads.contains(relation)) << relation;
 }
 

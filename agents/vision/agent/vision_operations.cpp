@@ -65,9 +65,10 @@ Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
 
 Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
   const Datum symbol = Datum::symbol(why.symbol);
-  std::vector<Datum> failed{list("vision-failed"_sym, feed.frame_number(), text, symbol, describe(why))};
+  const std::string sentence = describe(why);
+  std::vector<Datum> failed{list("vision-failed"_sym, feed.frame_number(), text, symbol, sentence)};
   co_await facts.tell(std::move(failed));
-  co_return list(text);
+  co_return list(text, symbol, sentence);
 }
 
 Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {

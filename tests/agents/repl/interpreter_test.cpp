@@ -206,10 +206,10 @@ class ReplOfEyes : public Repl {
   Task<void> answer() {
     const Result<void> started = co_await eyes_service.start();
     EXPECT_TRUE(started.has_value());
-    runtime::RequestHandler handler = [this](Fact) { return say_ok(); };
+    runtime::RequestHandler handler = [this](Fact) { return say_answer(); };
     const Result<void> served = co_await eyes_service.serve_requests(std::move(handler));
   }
-  Task<Result<Datum>> say_ok() { co_return Datum(); }
+  Task<Result<Datum>> say_answer() { co_return answered; }
   static Task<Result<Datum>> say_true() { co_return list("true"_sym); }
   void eyes_tell(std::string_view fact) {
     ASSERT_TRUE(board.transact("vision", Transaction().tell(read_one(fact).value())).has_value());
@@ -220,6 +220,7 @@ class ReplOfEyes : public Repl {
   }
   void learn(std::string_view name) { eyes_tell("(learned vision \"" + std::string(name) + "\" 1 900 110 0 1 1 1)"); }
 
+  Datum answered;  // by the eyes, to whatever they are asked
   std::unique_ptr<Board> eyes_view = board.view("vision");
   runtime::AgentContext eyes_context{"vision", "localhost", executor, *eyes_view, Random(1)};
   runtime::Service eyes_service{eyes_context, runtime::contract_from_text(R"((contract vision
@@ -266,12 +267,6 @@ TEST_F(ReplOfEyes, ObjectsAreWhereTheEyesSeeThem) {
 }
 
 TEST_F(ReplOfEyes, AnArmThatLearnsWhereItStandsIsNotTakenForEyes) {
-  board
-      .declare("vision", {relation_from_datum(read_one("(relation vision-failed ((eyes symbol) (frame integer)"
-                                                       " (text string) (symbol symbol) (sentence string)) (key eyes))")
-                                                  .value())
-                              .value()})
-      .value();
   const std::unique_ptr<Board> arms_view = board.view("robot");
   runtime::AgentContext arms_context{"robot", "localhost", executor, *arms_view, Random(1)};
   runtime::Service arm(arms_context,
@@ -286,6 +281,12 @@ TEST_F(ReplOfEyes, AnArmThatLearnsWhereItStandsIsNotTakenForEyes) {
   EXPECT_EQ(type("(robot (learn p1))"), Evaluation::done);
   EXPECT_EQ(shown, "true\n");
   EXPECT_EQ(refused, 0);
+}
+
+TEST_F(ReplOfEyes, TheReasonOfAFailureStandsBelowTheText) {
+  answered = list(R"x((FIND "circle" FAIL))x", "not-seen"_sym, "no mark in the image is like it");
+  EXPECT_EQ(type("(vision (find \"circle\"))"), Evaluation::done);
+  EXPECT_EQ(shown, "(FIND \"circle\" FAIL)\n  no mark in the image is like it\n");
 }
 
 TEST_F(ReplOfEyes, AMistypedAgentIsNamedRight) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "tests/agents/vision/vision_life.hpp"
 
 namespace pizarra::vision {
@@ -34,6 +36,20 @@ TEST_F(Vision, SaysWhyItCouldNotLearn) {
   EXPECT_EQ(call("(find \"star\")"), R"x((FIND "star" FAIL))x");
   EXPECT_NE(facts("(vision-failed vision ? ? ? ?)").find("nothing is learned"), std::string::npos);
   EXPECT_EQ(call("(track \"star\")"), "not-learned \"star\"");
+}
+
+TEST_F(Vision, AReplyThatSaysFailGivesTheReasonThatIsTold) {
+  Result<Datum> reply;
+  for (const char* operation : {"(learn 500 20 \"circle\")", "(find \"star\")"}) {
+    const Job job = executor.spawn([](runtime::Caller& asking, Datum asked, Result<Datum>& answer) -> Task<void> {
+      answer = co_await asking.call("vision", asked, 20s);
+    }(caller, form(operation), reply));
+    executor.run_until([&] { return job.done(); });
+    ASSERT_TRUE(reply && gives_reason(*reply)) << operation;
+    EXPECT_NE(facts(fmt::format("(vision-failed vision ? {} {} {})", write((*reply)[0]), write((*reply)[1]),
+                                write((*reply)[2]))),
+              "");
+  }
 }
 
 // Else a reply could be made to say what was never seen.
@@ -78,7 +94,8 @@ TEST_F(Vision, SaysThatMoreIsInTheImageThanIsLookedAt) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   camera.scene.faces.clear();
   for (int i = 0; i < 140; ++i) {
-    camera.scene.blots.push_back({.box = {20.0 + i % 14 * 20, 20.0 + i / 14 * 20, 10, 10}, .level = 20});
+    const int row = i / 14;
+    camera.scene.blots.push_back({.box = {20.0 + i % 14 * 20, 20.0 + row * 20, 10, 10}, .level = 20});
   }
   EXPECT_EQ(call("(find \"circle\")"), R"x((FIND "circle" FAIL))x");
   EXPECT_NE(facts("(vision-failed vision ? ? crowded ?)").find("only the 128 largest were looked at, and 12 smaller"),

@@ -77,7 +77,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     if (!result) {
       answer = describe(result.error());
     } else {
-      answer = result->size() == 1 ? std::string((*result)[0].text()) : write(*result);
+      answer = result->size() > 0 ? std::string((*result)[0].text()) : write(*result);
     }
   }
   void run_for(Duration duration) {

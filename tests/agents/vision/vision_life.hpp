@@ -143,7 +143,13 @@ class Vision : public testing::Test {
   };
   static std::string shown(const Result<Datum>& result) {
     if (!result) return result.error().symbol + " " + write(result.error().subject);
-    return result->size() == 1 ? std::string((*result)[0].text()) : write(*result);
+    const bool has_text = result->size() == 1 || gives_reason(*result);
+    return has_text ? std::string((*result)[0].text()) : write(*result);
+  }
+  // (TEXT SYMBOL SENTENCE), where TEXT says FAIL.
+  static bool gives_reason(const Datum& reply) {
+    if (reply.size() != 3 || !reply[1].is_symbol() || !reply[2].is_string()) return false;
+    return reply[0].is_string() && reply[0].text().ends_with(" FAIL)");
   }
   static Task<void> tell(Board& teller, Datum fact) {
     const Result<Revision> told = co_await teller.tell(fact);

@@ -1,5 +1,5 @@
-// Operations of the eyes, and the panel that shows their replies. Where a reply says FAIL, the reason that the eyes told
-// stands below it.
+// Operations of the eyes, and the panel that shows their replies. A reply that says FAIL has three values: its text, the
+// reason as a symbol, and as a sentence. The sentence stands below the text.
 //
 //   const requests = new EyesRequests(connection);
 //   requests.eyes = 'vision-2';                              whom the next one goes to
@@ -7,11 +7,13 @@
 //   requests.button('Find', sym('find'), 'circle')           a button that shows the reply
 
 import { clipped, element, failureText } from './dom.js';
-import { fact } from './live_answers.js';
-import { sym, text } from './datum.js';
 
 /** @import { Connection } from './connection.js' */
 /** @import { Datum } from './messages' */
+
+// Of a reply that says FAIL.
+/** @param {string[]} values */
+export const whyFailed = (values) => values[2] ?? 'no reason was told';
 
 export class EyesRequests {
   #connection;
@@ -27,13 +29,6 @@ export class EyesRequests {
   values(...operation) {
     return this.#connection.request(this.eyes, operation);
   }
-  // Why the eyes gave that reply.
-  /** @param {string} reply */
-  async whyFailed(reply) {
-    const query = [sym('vision-failed'), sym(this.eyes), sym('?'), reply, sym('?'), sym('?sentence')];
-    const answers = await this.#connection.ask(query);
-    return answers.length ? text(fact(answers[0])[5]) : 'no reason was told';
-  }
   /** @param {string} label @param {Datum[]} operation */
   button(label, ...operation) {
     return element('button', { type: 'button', onclick: () => this.#show(operation) }, label);
@@ -45,8 +40,8 @@ export class EyesRequests {
     this.panel.textContent = '…';
     try {
       const values = await this.values(...operation);
-      const why = / FAIL\)/.test(values[0] ?? '') ? `\n${await this.whyFailed(values[0])}` : '';
-      this.panel.textContent = clipped((values.join('\n') || 'ok') + why, 2000);
+      const shown = / FAIL\)/.test(values[0] ?? '') ? [values[0], whyFailed(values)] : values;
+      this.panel.textContent = clipped(shown.join('\n') || 'ok', 2000);
     } catch (failure) {
       this.panel.textContent = failureText(failure);
     }

@@ -6,6 +6,7 @@ import { element, failureText } from './dom.js';
 import { endEffector } from './learned_objects.js';
 import { LearnedWindow, nameRules } from './learned_window.js';
 import { sym } from './datum.js';
+import { whyFailed } from './eyes_requests.js';
 
 /** @import { EyesRequests } from './eyes_requests.js' */
 /** @import { LearnedObjects } from './learned_objects.js' */
@@ -100,7 +101,7 @@ export class Teaching {
     const before = this.#objects.newest(name)?.num ?? 0;
     try {
       const values = await this.#eyes.values(sym('learn'), point.x, point.y, point.frame, name);
-      if (!isLearned(values)) throw { said: `${values[0] ?? 'FAIL'}: ${await this.#eyes.whyFailed(values[0] ?? '')}` };
+      if (!isLearned(values)) throw { said: `${values[0] ?? 'FAIL'}: ${whyFailed(values)}` };
       this.#learned = name;
       this.#window.open({ name, isNew: name === this.#provisional(), before });
       this.#say('Learned. Accept it under a name, or reject it.');
