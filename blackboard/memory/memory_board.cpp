@@ -11,7 +11,7 @@
 #include "blackboard/store/store.hpp"
 #include "blackboard/teller.hpp"
 #include "blackboard/time/latch.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 
 namespace pizarra::memory {
 

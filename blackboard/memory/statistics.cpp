@@ -8,7 +8,7 @@
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/made_up.hpp"
 #include "blackboard/store/store.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra::memory {

@@ -21,7 +21,7 @@ class Postponed {
  public:
   static constexpr std::size_t most = 2048;
   // Of the messages. No more than are remembered, so a client that was cut off can ask for each answer again.
-  static constexpr std::size_t most_requests = Answered::most;
+  static constexpr std::size_t most_requests = KeptReplies::most;
   static constexpr std::size_t most_bytes = 4 << 20;
   static constexpr std::size_t most_waits = 64;  // of a message
 

@@ -4,7 +4,7 @@
 // again: the newest `most`, as far as they take `most_bytes` together.
 //
 //   const std::string text = reply_text(number, result_to_datum(result));
-//   Answered done;
+//   KeptReplies done;
 //   done.add(number, {text});
 //   done.find(number);            // null where it was not answered, or where that is forgotten:
 //   done.forgotten();             // up to this number
@@ -21,7 +21,7 @@ namespace pizarra::server {
 Datum result_to_datum(const Result<Datum>& result);
 std::string reply_text(wire::RequestId id, const Datum& result);
 
-class Answered {
+class KeptReplies {
  public:
   static constexpr std::size_t most = 256;
   static constexpr std::size_t most_bytes = 4 << 20;

@@ -73,7 +73,7 @@ bool Requests::is_to_be_done(wire::SessionId id, Session& session, wire::Request
 
 // And is answered again.
 bool Requests::was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
-  for (const Answered* answered : {&session.done, &session.refused}) {
+  for (const KeptReplies* answered : {&session.done, &session.refused}) {
     const Durability::Reply* again = answered->find(number);
     if (again == nullptr) continue;
     // One that is held comes when it may.

@@ -32,8 +32,8 @@ struct Session {
   Time heard{};
   ServedWatches watches;
   bool holds = false;  // copies of what it watches, from which it answers questions itself
-  Answered done;
-  Answered refused;                // and not done
+  KeptReplies done;
+  KeptReplies refused;             // and not done
   store::IndexTicket awaited = 0;  // by its watches, or the first of what is postponed
   Postponed postponed;
 

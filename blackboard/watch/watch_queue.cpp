@@ -6,7 +6,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/looking.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra::watch {

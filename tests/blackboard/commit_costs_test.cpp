@@ -5,7 +5,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/store.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 #include "tests/blackboard/wall.hpp"
 
 namespace pizarra {

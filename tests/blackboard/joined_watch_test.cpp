@@ -6,7 +6,7 @@
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"
 

@@ -144,7 +144,7 @@ TEST_F(ServerLoad, RepliesAreRememberedUpToABoundOfBytes) {
   };
   ASSERT_EQ(board.lease(60s).value(), 1U);
   constexpr std::size_t heavy = 500'000;
-  const int more = static_cast<int>(server::Answered::most_bytes / heavy) + 2;
+  const int more = static_cast<int>(server::KeptReplies::most_bytes / heavy) + 2;
   for (int i = 1; i <= more; ++i) {
     Transaction told;
     told.tell(list("note"_sym, i, std::string(heavy, 'x')));

@@ -129,7 +129,7 @@ TEST_F(ServerTest, AHelloSaidTwiceIsOneSession) {
 TEST_F(ServerTest, ARequestFarBehindTheOthersIsRefusedAndNotDone) {
   Client client = this->client();
   const std::string session = client.join("alice");
-  const int many = static_cast<int>(server::Answered::most) + 2;
+  const int many = static_cast<int>(server::KeptReplies::most) + 2;
   for (int i = 2; i <= many + 1; ++i) client.ask("(request " + session + " " + std::to_string(i) + " (lease 1000000))");
   const Datum reply = client.ask("(request " + session + " 1 (transact () ((tell (note 1 late) 0))))");
   ASSERT_TRUE(reply.is_form("reply")) << write(reply);

@@ -4,7 +4,7 @@
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/store_model.hpp"
 #include "tests/blackboard/wall.hpp"

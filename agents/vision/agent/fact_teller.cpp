@@ -8,7 +8,7 @@
 
 namespace pizarra::vision {
 
-void VisionFacts::begin_anew() {
+void FactTeller::begin_anew() {
   // What was told under another presence went with it.
   if (lost()) {
     told_tracks_.clear();
@@ -17,27 +17,27 @@ void VisionFacts::begin_anew() {
   told_under_ = service_->presence();
 }
 
-Task<void> VisionFacts::transact(Transaction transaction) {
+Task<void> FactTeller::transact(Transaction transaction) {
   if (transaction.steps.empty()) co_return;
   const Result<Revision> told = co_await context_.board.transact(std::move(transaction));
   if (!told) told_under_ = 0;
 }
 
-void VisionFacts::add(Transaction& transaction, const std::vector<Datum>& facts) const {
+void FactTeller::add(Transaction& transaction, const std::vector<Datum>& facts) const {
   for (const Datum& fact : facts) transaction.tell(told_by(context_.name, fact), {}, service_->presence());
 }
 
-void VisionFacts::retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const {
+void FactTeller::retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const {
   transaction.retract(any_told_by(context_.name, std::move(relation), arguments));
 }
 
-Task<void> VisionFacts::tell(std::vector<Datum> facts) {
+Task<void> FactTeller::tell(std::vector<Datum> facts) {
   Transaction transaction;
   add(transaction, facts);
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_held(std::vector<Datum> facts) {
+Task<void> FactTeller::tell_held(std::vector<Datum> facts) {
   Transaction transaction;
   for (const Datum& fact : told_held_) {
     const bool stays = std::ranges::find(facts, fact) != facts.end();
@@ -48,7 +48,7 @@ Task<void> VisionFacts::tell_held(std::vector<Datum> facts) {
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_objects(std::vector<Datum> facts) {
+Task<void> FactTeller::tell_objects(std::vector<Datum> facts) {
   Transaction transaction;
   retract_all(transaction, "to-accept"_sym, 2);
   retract_all(transaction, "look-alike"_sym, 4);
@@ -59,7 +59,7 @@ Task<void> VisionFacts::tell_objects(std::vector<Datum> facts) {
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings) {
+Task<void> FactTeller::tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings) {
   Transaction transaction;
   // What is followed no more is not seen either.
   std::erase_if(told_tracks_, [&](const auto& told) {
@@ -82,7 +82,7 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_tags(std::uint64_t frame, Time captured, std::vector<FoundMark> seen) {
+Task<void> FactTeller::tell_tags(std::uint64_t frame, Time captured, std::vector<FoundMark> seen) {
   if (seen.empty() && no_tags_told_) co_return;
   no_tags_told_ = seen.empty();
   std::vector<Datum> facts;
@@ -90,7 +90,7 @@ Task<void> VisionFacts::tell_tags(std::uint64_t frame, Time captured, std::vecto
   co_await tell(std::move(facts));
 }
 
-Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& objects) {
+Task<void> FactTeller::follow_found(Renames renames, const LearnedObjects& objects) {
   const Datum any = any_told_by(context_.name, "found"_sym, 7);
   const Result<std::vector<Fact>> standing = co_await context_.board.facts(any);
   if (!standing) co_return;
@@ -116,13 +116,13 @@ Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& obje
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::tell_streams(std::vector<Datum> facts) {
+Task<void> FactTeller::tell_streams(std::vector<Datum> facts) {
   Transaction transaction;
   for (const Datum& fact : facts) transaction.tell(fact, {}, service_->presence());
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::unsay() {
+Task<void> FactTeller::unsay() {
   told_tracks_.clear();
   Transaction transaction;
   retract_all(transaction, "look"_sym, 3);
@@ -130,7 +130,7 @@ Task<void> VisionFacts::unsay() {
   co_await transact(std::move(transaction));
 }
 
-Task<void> VisionFacts::unsay_tags() {
+Task<void> FactTeller::unsay_tags() {
   no_tags_told_ = false;
   Transaction transaction;
   retract_all(transaction, "tags-seen"_sym, 3);

@@ -4,7 +4,7 @@
 // lapsed presence or an absent board took away are lost() until they are told anew. Facts of a single frame are not
 // repeated: the next frame brings its own.
 //
-//   VisionFacts facts(context, service);
+//   FactTeller facts(context, service);
 //   facts.begin_anew();
 //   co_await facts.tell({...});
 //   co_await facts.tell_look(frame.number, sightings);
@@ -20,10 +20,10 @@
 
 namespace pizarra::vision {
 
-class VisionFacts {
+class FactTeller {
  public:
   // Both outlive it; `service` is there before anything is told.
-  VisionFacts(runtime::AgentContext& context, const std::optional<runtime::Service>& service)
+  FactTeller(runtime::AgentContext& context, const std::optional<runtime::Service>& service)
       : context_(context), service_(service) {}
 
   bool lost() const { return told_under_ != service_->presence(); }

@@ -8,7 +8,7 @@
 namespace pizarra::vision {
 
 KnownObjects::KnownObjects(runtime::AgentContext& context, std::string directory, ModeHolders& holders,
-                           ClientPresence& presence, VisionFacts& facts, RenameHandler on_renamed)
+                           ClientPresence& presence, FactTeller& facts, RenameHandler on_renamed)
     : context_(context),
       holders_(holders),
       presence_(presence),

@@ -25,7 +25,7 @@ class KnownObjects {
 
   // All outlive it.
   KnownObjects(runtime::AgentContext& context, std::string directory, ModeHolders& holders, ClientPresence& presence,
-               VisionFacts& facts, RenameHandler on_renamed);
+               FactTeller& facts, RenameHandler on_renamed);
 
   // It stays in its place.
   const LearnedObjects& objects() const { return memory_.objects(); }
@@ -76,7 +76,7 @@ class KnownObjects {
   runtime::AgentContext& context_;
   ModeHolders& holders_;
   ClientPresence& presence_;
-  VisionFacts& facts_;
+  FactTeller& facts_;
   RenameHandler on_renamed_;
   ObjectMemory memory_;
   SamplesToAccept to_accept_;

@@ -19,7 +19,7 @@ class StateTeller {
  public:
   // All outlive it.
   StateTeller(camera::StereoCamera& camera, const CameraFeed& feed, const ModeHolders& holders,
-              const MarkTracker& tracker, const PictureStreams& pictures, VisionFacts& facts)
+              const MarkTracker& tracker, const PictureStreams& pictures, FactTeller& facts)
       : camera_(camera), feed_(feed), holders_(holders), tracker_(tracker), pictures_(pictures), facts_(facts) {}
 
   // idle, capturing, learning, finding, tracking
@@ -35,7 +35,7 @@ class StateTeller {
   const ModeHolders& holders_;
   const MarkTracker& tracker_;
   const PictureStreams& pictures_;
-  VisionFacts& facts_;
+  FactTeller& facts_;
   camera::CameraDrops told_drops_;
 };
 

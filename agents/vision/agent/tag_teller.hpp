@@ -17,7 +17,7 @@ namespace pizarra::vision {
 class TagTeller {
  public:
   // `facts` outlives it.
-  TagTeller(Executor& executor, VisionFacts& facts, std::span<const SizedFamily> families)
+  TagTeller(Executor& executor, FactTeller& facts, std::span<const SizedFamily> families)
       : executor_(executor), facts_(facts), tags_(families) {}
 
   // Nothing is to be told.
@@ -30,7 +30,7 @@ class TagTeller {
   Task<void> read(camera::StereoFrame frame, camera::StereoModel model);
 
   Executor& executor_;
-  VisionFacts& facts_;
+  FactTeller& facts_;
   const TagsInView tags_;
   Job reading_;
 };

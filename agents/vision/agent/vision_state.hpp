@@ -75,7 +75,7 @@ struct VisionAgent::State {
   ModeHolders holders;
   ClientPresence presence{context};
   ClientTurns turns{context, presence, holders};
-  VisionFacts facts{context, service};
+  FactTeller facts{context, service};
   KnownObjects known;
   MarkTracker tracker{known.objects(), known.limits()};
   TrackingTurn tracking_turn{context.executor};

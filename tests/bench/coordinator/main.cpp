@@ -74,7 +74,7 @@ class StillEyes {
 
   runtime::AgentContext context_;
   std::optional<runtime::Service> service_;
-  vision::VisionFacts facts_;
+  vision::FactTeller facts_;
   coordinator::CameraView view_{{}, {}};
   Random random_{7};
   std::uint64_t frame_ = 0;

@@ -1,4 +1,4 @@
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/watch/watch_table.hpp"
 
 #include <algorithm>
 #include <cassert>
