@@ -46,8 +46,9 @@ void ArmObserver::begin() { watching_ = cell_.time().spawn(watch()); }
 void ArmObserver::hear(const Datum& request) {
   if (!request.is_form("arm") || request.size() < 2) return;
   std::erase_if(checks_, [](const Job& job) { return job.done(); });
+  heard_ = cell_.time().now();
   if (!request[1].is_symbol("stop")) return;
-  stop_came_ = cell_.time().now();
+  stop_came_ = heard_;
   checks_.push_back(cell_.time().spawn(check_halt()));
   checks_.push_back(cell_.time().spawn(check_fingers()));
 }
@@ -130,6 +131,22 @@ Task<void> ArmObserver::check_halt() {
   if (arm_motions_ == motions && !heeded) unsafe_("the arm moves on after a stop came to its controller");
 }
 
+void ArmObserver::look_at_silence() {
+  const std::optional<Duration> limit = cell_.world().silence_limit;
+  const bool is_silent = limit && cell_.time().now() > heard_ + *limit + brakes_take();
+  if (!is_silent || silent_since_ == heard_) return;
+  silent_since_ = heard_;
+  checks_.push_back(cell_.time().spawn(check_silence()));
+}
+
+// Once a silence. What came meanwhile has broken it.
+Task<void> ArmObserver::check_silence() {
+  const Reading now = co_await read();
+  if (!now.moves || heard_ != silent_since_) co_return;
+  unsafe_(fmt::format("the arm moves on though its controller has heard nothing for {} ms",
+                      (cell_.time().now() - heard_).count() / 1000));
+}
+
 // Somebody begins to command the arm in the middle of another's motion: its controller is told to stop soon.
 Task<void> ArmObserver::check_handover() {
   const std::uint64_t motions = arm_motions_;
@@ -181,6 +198,7 @@ Task<void> ArmObserver::watch() {
     const Time now = cell_.time().now();
     if (is_impaired()) last_impaired_ = now;
     look_at_board();
+    look_at_silence();
     co_await sleep(cell_.time(), watch_pause);
   }
 }

@@ -6,7 +6,8 @@
 // another client begins to; the robot agent has 100 ms to hear of either. The board must know of each motion. For one
 // request the arm moves once, whichever life of the robot agent moves it, and the fingers do. A stop that comes to the
 // controller is heeded at once: the arm rests when its brakes have taken it from the motion's speed to rest, and the
-// fingers when they are told to stay where they are.
+// fingers when they are told to stay where they are. Where a controller has a silence limit and hears nothing for
+// so long, the motion ends in the same way.
 //
 //   ArmObserver observer(cell, [&](std::string sentence) { ... });
 //   observer.begin();
@@ -55,6 +56,8 @@ class ArmObserver {
   Task<Reading> read();
   Task<void> check_grip(double opening_mm);
   Task<void> check_halt();
+  void look_at_silence();
+  Task<void> check_silence();
   Task<void> check_handover();
   Task<void> check_fingers();
   Task<void> watch();
@@ -72,6 +75,8 @@ class ArmObserver {
   bool fingers_began_last_ = false;
   double speed_ = 1;           // of the newest motion of the arm, of its full speed
   Time stop_came_{};           // to the controller, last
+  Time heard_{};               // the controller anything, last
+  Time silent_since_{};        // at the newest silence that was looked at
   std::set<Datum> moved_for_;  // requests
   std::optional<Standing> stop_;
   std::optional<Standing> commander_;

@@ -12,6 +12,8 @@ namespace {
 constexpr simulated::Network::Delay usual_delay{.least = 50us, .most = 400us};
 // Wall clocks do not begin at 0.
 constexpr Duration epoch = std::chrono::hours(24) * 20'000;
+// Of every second arm's controller. The others move on to the end of their motion.
+constexpr Duration silence_limit = 100ms;
 
 }  // namespace
 
@@ -43,6 +45,7 @@ ChaosCell::ChaosCell(Executor& time, forms::CellDescription description, std::ui
   world_->world =
       std::make_unique<simulation::World>(world_->process, launcher::world_config(description_, seed).value());
   world_->servo_state = [this] { return in_hand(board_.board()).servo_state; };
+  if (random_.split("controller").below(2) == 0) world_->silence_limit = silence_limit;
   disk_.lie(plant_ == "disk-lies");
   network_.let_frames_overtake(plant_ == "frames-overtake");
 }

@@ -67,6 +67,7 @@ class Play {
  private:
   Task<void> play() {
     observers_.begin();
+    tell_silence_limit();
     const Result<void> prepared = co_await prepare();
     if (!prepared) {
       result_.why = describe(prepared.error());
@@ -80,6 +81,13 @@ class Play {
       const bool well = co_await pursue(goal);
       if (!well) co_return;
     }
+  }
+
+  void tell_silence_limit() {
+    const std::optional<Duration> limit = cell_.world().silence_limit;
+    const std::string says = limit ? fmt::format("stops its arm after {} ms of silence", limit->count() / 1000)
+                                   : "moves on to the end of its motion where it hears nothing";
+    narrator_.say(cell_.time().now(), "world", "the arm's controller " + says);
   }
 
   Task<Result<void>> prepare() {

@@ -140,6 +140,18 @@ Task<Result<Message>> ask_frame(WorldProcess& world, Datum request) {
   }
 }
 
+Task<void> stop_arm(WorldProcess& world) {
+  const Datum stop = list("arm"_sym, "stop"_sym);
+  [[maybe_unused]] const Result<Message> stopped = co_await world.world->handle(stop);
+}
+
+void hear_client(WorldProcess& world) {
+  world.process.cancel(world.silence);
+  if (!world.silence_limit || world.plant == "silence-ignored") return;
+  world.silence = world.process.call_at(world.process.now() + *world.silence_limit,
+                                        [&world] { world.jobs.push_back(world.process.spawn(stop_arm(world))); });
+}
+
 // When the motion has ended.
 Task<void> repeat_motion(WorldProcess& world) {
   const Datum again = *std::exchange(world.to_repeat, std::nullopt);
@@ -183,6 +195,7 @@ Task<void> serve(WorldProcess& world, std::string from, Datum request, std::shar
   co_await sleep(world.process, way);
   const bool of_arm = is_arm(request);
   if (of_arm && world.process.now() < world.faults.arm_away_until) co_return;
+  if (of_arm) hear_client(world);
   if (world.on_request) world.on_request(from, request);
   if (is_frame(request)) {
     answer->message = co_await ask_frame(world, request);

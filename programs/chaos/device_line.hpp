@@ -5,6 +5,8 @@
 //
 //   DeviceLine line(process, world, faults, spy);
 //   Result<simulation::Message> answer = co_await line.call(request, 2s);
+//
+// An arm's controller may have a silence limit: where nothing reaches it for so long, it stops its arm.
 
 #include <deque>
 #include <functional>
@@ -34,6 +36,8 @@ struct WorldProcess {
   std::function<int()> servo_state;
   Time stopped_at{};
   std::optional<Datum> to_repeat;
+  std::optional<Duration> silence_limit;  // of the arm's controller
+  Executor::TimerId silence = 0;          // runs out at the limit
   std::deque<std::vector<std::shared_ptr<const Image>>> old_images;
   std::shared_ptr<const Image> frozen_left;
   std::shared_ptr<const Image> frozen_right;

@@ -30,6 +30,7 @@ const std::vector<Plant>& plants() {
       {"stop-swallowed", "the arm's controller takes no stop"},
       {"stop-swallowed-in-state-3", "the arm's controller takes no stop while the servo is in state 3"},
       {"fingers-not-held", "the fingers cannot be told to stand after a stop"},
+      {"silence-ignored", "the arm's controller moves on where it hears nothing"},
       {"motion-repeated", "the arm's controller does each motion twice"},
       {"stop-heeded-late", "the arm's controller heeds a stop 100 ms after it came"},
       {"arrives-at-once", "the arm's controller says at once that a motion has ended"},
