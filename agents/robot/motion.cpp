@@ -40,27 +40,30 @@ Result<Eigen::Vector3d> extension(const arm::ArmModel& model, const arm::Joints&
   return Eigen::Vector3d(std::cos(alpha) * stretch.ahead + std::sin(alpha) * Eigen::Vector3d::UnitZ());
 }
 
-// As far as the links can, and a track that runs the way they stretch.
+// As far as the arm can.
 Result<Motion> clamped_line(const arm::ArmModel& model, const arm::Joints& from, const Eigen::Vector3d& along,
-                            const Datum& distance) {
-  const Result<double> mm = amount_in(distance, 0, max_distance_mm, "mm");
+                            const Datum& distance, ToolPath::Track track) {
+  const Result<double> mm = clamped_amount(distance, max_distance_mm, "mm");
   if (!mm) return fail(mm);
-  ToolPath path(model, from, model.track_along_x ? ToolPath::Track::helps : ToolPath::Track::stays);
+  ToolPath path(model, from, track);
   const LineEnd end = path.line_by(along * *mm);
+  const bool is_singular = end.ended_by && end.ended_by->symbol == "singular";
+  // From the end of an axis a track would have to help at once. The links alone may keep to the line.
+  if (is_singular && track == ToolPath::Track::helps) {
+    return clamped_line(model, from, along, distance, ToolPath::Track::stays);
+  }
   // A singular pose on the way is a failure, and not the end of the reach.
-  if (end.ended_by && end.ended_by->symbol == "singular") return fail(*end.ended_by);
-  return Motion{path.waypoints(), end.ended_by && path.waypoints().empty()};
+  if (is_singular) return fail(*end.ended_by);
+  // Less than a line may be off is no way to go.
+  if (end.ended_by && end.length_mm < ToolPath::deviation_mm) return Motion{{}, true};
+  return Motion{path.waypoints()};
 }
 
-// All the way or not at all.
-Result<Motion> whole_line(const arm::ArmModel& model, const arm::Joints& from, const Eigen::Vector3d& along,
-                          const Datum& distance) {
-  const Result<double> mm = amount_in(distance, 0, max_distance_mm, "mm");
-  if (!mm) return fail(mm);
-  ToolPath path(model, from);
-  const LineEnd end = path.line_by(along * *mm);
-  if (end.ended_by) return fail(*end.ended_by);
-  return Motion{path.waypoints()};
+// What stretches or folds the links is carried on only by a track that runs the same way.
+Result<Motion> stretched(const arm::ArmModel& model, const arm::Joints& from, const Eigen::Vector3d& along,
+                         const Datum& distance) {
+  const auto track = model.track_along_x ? ToolPath::Track::helps : ToolPath::Track::stays;
+  return clamped_line(model, from, along, distance, track);
 }
 
 double to_resolution(double degrees) { return std::round(degrees / turn_resolution_deg) * turn_resolution_deg; }
@@ -69,7 +72,7 @@ double to_resolution(double degrees) { return std::round(degrees / turn_resoluti
 // the same arc, as far as the arm reaches.
 Result<Motion> carried_round(const arm::ArmModel& model, const arm::Joints& from, double sign, const Datum& angle) {
   constexpr double step_deg = 1;
-  const Result<double> degrees = amount_in(angle, 0, max_turn_deg, "degrees");
+  const Result<double> degrees = clamped_amount(angle, max_turn_deg, "degrees");
   if (!degrees) return fail(degrees);
   const double by = to_resolution(*degrees);
   const arm::ToolPose start = arm::forward(model, from);
@@ -114,7 +117,7 @@ Result<Motion> turned(const arm::ArmModel& model, const arm::Joints& from, arm::
   const std::size_t axis = *known;
   const arm::Range range = arm::range_of(model, from, axis);
   const double widest = std::max(max_turn_deg, range.high - range.low);
-  const Result<double> degrees = amount_in(angle, 0, widest, "degrees");
+  const Result<double> degrees = clamped_amount(angle, widest, "degrees");
   if (!degrees) return fail(degrees);
   const double by = to_resolution(*degrees);
   if (by == 0) return Motion{};
@@ -146,13 +149,14 @@ constexpr Direction directions[] = {{"turn", "right", "left"},
 
 Result<Motion> directed(const arm::ArmModel& model, const Datum& operation, const arm::Joints& from) {
   const auto known = std::ranges::find(directions, operation.head(), &Direction::operation);
+  constexpr auto helps = ToolPath::Track::helps;
   const Result<double> sign = sign_of(operation[1], known->positive, known->negative);
   if (!sign) return fail(sign);
   if (operation.is_form("turn")) return turned(model, from, arm::Role::turn, *sign, operation[2]);
   if (operation.is_form("turn-ef")) return turned(model, from, arm::Role::pitch, *sign, operation[2]);
   if (operation.is_form("turn-wrist")) return turned(model, from, arm::Role::spin, *sign, operation[2]);
-  if (operation.is_form("move-h")) return whole_line(model, from, {0, *sign, 0}, operation[2]);
-  return whole_line(model, from, {0, 0, *sign}, operation[2]);
+  if (operation.is_form("move-h")) return clamped_line(model, from, {0, *sign, 0}, operation[2], helps);
+  return clamped_line(model, from, {0, 0, *sign}, operation[2], helps);
 }
 
 }  // namespace
@@ -174,12 +178,12 @@ Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, c
   }
   if (operation.is_form("retract")) {
     const Result<Eigen::Vector3d> out = extension(model, from, "keep-height"_sym);
-    return clamped_line(model, from, -*out, operation[1]);
+    return stretched(model, from, -*out, operation[1]);
   }
   if (operation.is_form("extend")) {
     const Result<Eigen::Vector3d> out = extension(model, from, operation[1]);
     if (!out) return fail(out);
-    return clamped_line(model, from, *out, operation[2]);
+    return stretched(model, from, *out, operation[2]);
   }
   if (operation.is_form("do-action")) {
     Result<std::vector<arm::Joints>> waypoints = script_waypoints(model, operation[1].text(), from, variables);
@@ -221,6 +225,12 @@ Result<double> amount_in(const Datum& given, double low, double high, std::strin
   const double value = given.number();
   if (value >= low && value <= high) return value;
   return fail("out-of-range", fmt::format("{} is not within {:g} to {:g} {}", write(given), low, high, unit), given);
+}
+
+Result<double> clamped_amount(const Datum& given, double high, std::string_view unit) {
+  const double value = given.number();
+  if (value >= 0) return std::min(value, high);
+  return fail("out-of-range", fmt::format("{} is not 0 {} or more", write(given), unit), given);
 }
 
 Duration longest_time(const arm::ArmModel& model, const arm::Joints& from, const std::vector<arm::Joints>& waypoints,

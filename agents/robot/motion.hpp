@@ -3,15 +3,15 @@
 // The meaning of a motion operation for an arm at its present place: the waypoints to follow, or why not. Pure: the
 // same arm, place and variables give the same motion.
 //
-// Extend and retract move in the plane that axis 1 turns, and are clamped to what the arm can reach, as are the turns;
-// move-h and move-v name a place (the current one plus the increment), to which a track may help, and are refused when
-// it cannot be reached. All but the turns keep the tool's direction: the end-effector axis takes back what the links
-// turn (CRS-F3: dj5 = -(dj2 + dj3), UP6: dB = dL - dU), unless the arm does that itself. With the tool down,
-// (turn-wrist left D) takes back what (turn right D) turned the fingers by. An arm that no axis turns, as a gantry,
-// carries its tool round the base instead, where a turn would.
+// Extend and retract move in the plane that axis 1 turns. Move-h and move-v go along the base's y and z, to which a
+// track may help. These, and the turns, are clamped to what the arm can reach, however much is asked for; only a line
+// that the arm cannot be kept on is refused. All but the turns keep the tool's direction: the end-effector axis takes
+// back what the links turn (CRS-F3: dj5 = -(dj2 + dj3), UP6: dB = dL - dU), unless the arm does that itself. With the
+// tool down, (turn-wrist left D) takes back what (turn right D) turned the fingers by. An arm that no axis turns, as a
+// gantry, carries its tool round the base instead, where a turn would.
 //
-// Failures: no-such-axis, out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, singular (the line
-// cannot be kept to), bad-action, too-long.
+// Failures: no-such-axis, out-of-range (an amount below 0), wrong-direction, unknown-variable, singular (the line
+// cannot be kept to), and of places that are named (goto, do-action): unreachable, joint-limit, bad-action, too-long.
 
 #include <map>
 #include <optional>
@@ -52,5 +52,8 @@ Result<arm::Joints> find_variable(const ArmVariables& variables, std::string_vie
 
 // A number given by a caller: at least `low`, at most `high`.
 Result<double> amount_in(const Datum& given, double low, double high, std::string_view unit);
+
+// A distance or an angle given by a caller: at least 0, and `high` where it is more.
+Result<double> clamped_amount(const Datum& given, double high, std::string_view unit);
 
 }  // namespace pizarra::robot

@@ -105,7 +105,7 @@ Task<Result<void>> RobotAgent::State::follow_while_held(std::string client, Dura
 
 Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {
   const Datum operation = request.datum[3];
-  const Result<double> opening_mm = amount_in(operation[1], 0, max_opening_mm, "mm");
+  const Result<double> opening_mm = clamped_amount(operation[1], max_opening_mm, "mm");
   if (!opening_mm) co_return fail(opening_mm);
   const Result<InHand> in_hand = control.take_in_hand(request.datum);
   if (!in_hand) co_return fail(in_hand);

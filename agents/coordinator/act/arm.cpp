@@ -72,6 +72,9 @@ Task<Result<void>> Arm::perform(ServoCommand command) {
   }
   Result<Datum> done = co_await ask(operation);
   if (!done) co_return fail(done);
+  const bool is_line = command.motion != Motion::turn && command.motion != Motion::extend;
+  const bool at_limit = *done == list("false"_sym);
+  if (is_line && at_limit) co_return fail("unreachable", "the arm goes no further this way", operation);
   if (command.motion != Motion::turn) co_return Result<void>();
   const Datum turned_back = list("turn-wrist"_sym, back, amount);
   done = co_await ask(turned_back);

@@ -24,7 +24,8 @@ class Arm {
   // One robot operation. Failures: those of the robot, `absent` when it stays away too long, and `stopped` where
   // another robot stands in for the one that was moving.
   Task<Result<Datum>> ask(Datum operation);
-  // Carries out the servo's decision. A turn is taken back by the wrist, so that the fingers stay along the base's y.
+  // Carries out the servo's decision, as far as the arm goes. A turn is taken back by the wrist, so that the fingers
+  // stay along the base's y. Failure `unreachable`: a line along which the arm goes no further at all.
   Task<Result<void>> perform(ServoCommand command);
   // The robot has a request of ours and has not answered. It answers at once while it moves for somebody else.
   bool is_asked() const { return asked_.has_value(); }

@@ -17,8 +17,8 @@ constexpr double held_mm = 25;
 constexpr int held_looks = 12;
 // Where the arm does not reach as high as it should, it goes inwards by as much, and tries again.
 constexpr double retreat_mm = 20;
-constexpr double least_rise_mm = 15;
-constexpr int most_retreats = 15;
+constexpr double height_tolerance_mm = 2;
+constexpr int most_rises = 30;  // every second one of them after a retreat
 
 }  // namespace
 
@@ -107,29 +107,22 @@ Task<Result<void>> TaskRunner::release() {
   co_return Result<void>();
 }
 
-// Far out it goes up as far as it can first, over what stands behind.
+// Far out it goes up as far as it can first, over what stands behind, and then on from nearer to its foot.
 Task<Result<void>> TaskRunner::go_up(double missing_mm) {
   const ServoCommand inwards{0, ServoCommand::Motion::extend, -retreat_mm};
-  double step_mm = missing_mm;
-  int retreats = 0;
-  while (std::abs(missing_mm) > 2) {
-    const ServoCommand::Motion motion = step_mm > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
-    const ServoCommand command{0, motion, std::abs(step_mm)};
-    const Result<void> moved = co_await arm_.perform(command);
-    if (moved) {
-      missing_mm -= step_mm;
-      continue;
-    }
-    const bool too_high = is_beyond_reach(moved.error());
-    if (!too_high || step_mm < 0 || retreats == most_retreats) co_return moved;
-    step_mm /= 2;
-    if (step_mm > least_rise_mm) continue;
-    const Result<void> retreated = co_await arm_.perform(inwards);
-    if (!retreated) co_return retreated;
-    step_mm = missing_mm;
-    ++retreats;
+  for (int i = 0; i < most_rises; ++i) {
+    const ServoCommand::Motion motion = missing_mm > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
+    const ServoCommand command{0, motion, std::abs(missing_mm)};
+    Result<void> moved = co_await arm_.perform(command);
+    const bool too_high = !moved && missing_mm > 0 && is_beyond_reach(moved.error());
+    if (too_high) moved = co_await arm_.perform(inwards);
+    if (!moved) co_return moved;
+    const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
+    if (!grip) co_return fail(grip);
+    missing_mm = options_.travel_height_mm - grip->z();
+    if (std::abs(missing_mm) <= height_tolerance_mm) co_return Result<void>();
   }
-  co_return Result<void>();
+  co_return fail("unreachable", "the arm does not come up to where it travels", to_datum(missing_mm));
 }
 
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
@@ -138,7 +131,7 @@ Task<Result<void>> TaskRunner::raise() {
     const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
     if (!grip) co_return fail(grip);
     const double missing = options_.travel_height_mm - grip->z();
-    if (std::abs(missing) > 2) {
+    if (std::abs(missing) > height_tolerance_mm) {
       const Result<void> moved = co_await go_up(missing);
       if (!moved) co_return moved;
     }
