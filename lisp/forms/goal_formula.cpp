@@ -190,6 +190,20 @@ void collect_objects(const Datum& form, std::vector<std::string>& names) {
   }
 }
 
+Quantified quantified_in(const Datum& form, bool wanted, std::string_view type) {
+  if (form.is_form("not")) return quantified_in(form[1], !wanted, type);
+  const bool joins = form.is_form("and") || form.is_form("or");
+  if (!joins && !is_quantifier(form)) return Quantified::none;
+  const std::size_t variable = form.is_form("at-least") ? 2 : 1;
+  Quantified most = Quantified::none;
+  const bool of_type = !joins && form[variable][1].is_symbol(type);
+  if (of_type) most = form.is_form("forall") == wanted ? Quantified::all : Quantified::some;
+  for (const Datum& part : form.items().subspan(joins ? 1 : variable + 1)) {
+    most = std::max(most, quantified_in(part, wanted, type));
+  }
+  return most;
+}
+
 }  // namespace
 
 bool literal_holds(const Datum& literal, const std::set<Datum>& facts) {
@@ -231,6 +245,12 @@ std::vector<std::string> objects_in(const std::vector<Datum>& goal) {
   std::vector<std::string> names;
   for (const Datum& form : goal) collect_objects(form, names);
   return names;
+}
+
+Quantified quantified_over(const std::vector<Datum>& goal, std::string_view type) {
+  Quantified most = Quantified::none;
+  for (const Datum& form : goal) most = std::max(most, quantified_in(form, true, type));
+  return most;
 }
 
 Datum without_variables(const Datum& form) {

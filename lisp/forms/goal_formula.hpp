@@ -45,6 +45,11 @@ std::vector<Datum> unmet_parts(const std::vector<Datum>& goal, const std::set<Da
 // The objects that it names, in their order, each once.
 std::vector<std::string> objects_in(const std::vector<Datum>& goal);
 
+// Whether the goal is about all objects of the type, as `forall` and `not exists` are; about some, as `exists` and
+// `at-least`; or quantifies over none.
+enum class Quantified { none, some, all };
+Quantified quantified_over(const std::vector<Datum>& goal, std::string_view type);
+
 // With `<x>` for each variable ?x.
 Datum without_variables(const Datum& form);
 

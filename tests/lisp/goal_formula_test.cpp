@@ -55,6 +55,25 @@ TEST(GoalFormula, QuantifiersAreOverTheObjectsOfTheirType) {
   EXPECT_EQ(ways("((exists (<x> OBJECT) (and (not (= <x> a)) (on <x> a))))"), "(((on b a)) ((on c a)))");
 }
 
+TEST(GoalFormula, AGoalIsAboutAllObjectsOfATypeOrSomeOrNone) {
+  const auto over = [](std::string_view goal) { return quantified_over(all(goal), "OBJECT"); };
+  for (const std::string_view goal :
+       {"((forall (<x> OBJECT) (on-table <x>)))", "((not (exists (<x> OBJECT) (on <x> a))))",
+        "((not (at-least 2 (<x> OBJECT) (on-table <x>))))",
+        "((on a b) (or (on b a) (forall (<x> OBJECT) (clear <x>))))",
+        "((exists (<p> PLACE) (not (exists (<x> OBJECT) (at <x> <p>)))))"}) {
+    EXPECT_EQ(over(goal), Quantified::all) << goal;
+  }
+  for (const std::string_view goal :
+       {"((exists (<x> OBJECT) (on <x> a)))", "((at-least 2 (<x> OBJECT) (on-table <x>)))",
+        "((not (forall (<x> OBJECT) (on-table <x>))))", "((forall (<p> PLACE) (exists (<x> OBJECT) (at <x> <p>))))"}) {
+    EXPECT_EQ(over(goal), Quantified::some) << goal;
+  }
+  for (const std::string_view goal : {"((on a b))", "((not (on a b)))", "((forall (<p> PLACE) (at a <p>)))"}) {
+    EXPECT_EQ(over(goal), Quantified::none) << goal;
+  }
+}
+
 TEST(GoalFormula, SoManyOfThemAreAnyOfThem) {
   EXPECT_EQ(ways("((at-least 2 (<x> OBJECT) (on-table <x>)))"),
             "(((on-table a) (on-table b)) ((on-table a) (on-table c)) ((on-table b) (on-table c)))");

@@ -53,6 +53,8 @@ Task<Result<std::vector<std::string>>> Eyes::objects() {
   co_return names;
 }
 
+bool Eyes::knows(const std::string& name) const { return known_ && std::ranges::find(*known_, name) != known_->end(); }
+
 Task<Result<bool>> Eyes::find(std::string name) {
   const Datum operation = list("find"_sym, name);
   const Result<Datum> found = co_await answer_to(operation);

@@ -25,6 +25,8 @@ class Eyes {
 
   // Step a: the objects that vision has learned, without the end effector, as they are spelled there. A goal asks once.
   Task<Result<std::vector<std::string>>> objects();
+  // Whether it was one of them when that was asked last.
+  bool knows(const std::string& name) const;
   // Step b: whether the object is found in the image now.
   Task<Result<bool>> find(std::string name);
   // Step g: the end effector and the objects that were asked for last are tracked, and looks come in that tell of each.

@@ -32,7 +32,7 @@ struct Life {
         goal(context, story, vigil),
         plan(planning, story),
         differences(surroundings, story),
-        search(context, options, surroundings, story, eyes, plan, runner, rescues, vigil),
+        search(context, options, domain, surroundings, story, eyes, plan, runner, rescues, vigil),
         replanning(context, surroundings, planning, plan, search, runner, rescues, vigil),
         pursuit(context, options, domain, surroundings, story, eyes, planning, plan, differences, search, replanning,
                 runner, rescues, survey, vigil),

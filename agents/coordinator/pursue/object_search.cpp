@@ -2,6 +2,7 @@
 
 #include "agents/coordinator/perceive/missing_objects.hpp"
 #include "agents/coordinator/pursue/hold_up.hpp"
+#include "lisp/forms/goal_formula.hpp"
 
 namespace pizarra::coordinator {
 
@@ -28,12 +29,19 @@ void ObjectSearch::begin() {
   hid_.clear();
 }
 
+Task<Result<void>> ObjectSearch::look_for(Goal goal) {
+  const Result<void> there = co_await look_for_named(goal);
+  const bool of_all = forms::quantified_over(goal.facts, domain_.perception().sees()) == forms::Quantified::all;
+  if (!there || !of_all) co_return there;
+  co_return co_await look_for_others(goal);
+}
+
 // Each object is found, whatever was seen of it lately, and all that are missing are named.
-Task<Result<void>> ObjectSearch::look_for(std::int64_t goal, std::vector<std::string> objects) {
+Task<Result<void>> ObjectSearch::look_for_named(Goal goal) {
   std::vector<std::string> missing;
-  for (const std::string& name : objects) {
+  for (const std::string& name : domain_.objects_in(goal.facts)) {
     const Time deadline = context_.executor.now() + options_.missing_patience;
-    const Result<void> there = co_await look_once_for(goal, name, deadline);
+    const Result<void> there = co_await look_once_for(goal.number, name, deadline);
     const bool unseen = !there && there.error().symbol == "missing-object";
     if (!there && !unseen) co_return there;
     if (unseen) missing.push_back(name);
@@ -44,6 +52,37 @@ Task<Result<void>> ObjectSearch::look_for(std::int64_t goal, std::vector<std::st
   if (missing.empty()) co_return Result<void>();
   const Failure why = missing_objects(missing);
   co_return fail(why);
+}
+
+std::vector<std::string> ObjectSearch::others_unseen() const {
+  const Sightings& sightings = surroundings_.scene().sightings();
+  std::vector<std::string> names;
+  for (const auto& [name, sighting] : sightings.all()) {
+    const bool here = sightings.remembered(name, options_.grace_looks);
+    if (!here && eyes_.knows(name) && !away_.contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
+Task<Result<void>> ObjectSearch::look_for_others(Goal goal) {
+  if (forms::quantified_over(goal.facts, domain_.perception().sees()) == forms::Quantified::none) {
+    co_return Result<void>();
+  }
+  if (goal.number != away_for_) away_.clear();
+  away_for_ = goal.number;
+  const Sightings& sightings = surroundings_.scene().sightings();
+  std::erase_if(away_, [&](const std::string& name) { return sightings.remembered(name, options_.grace_looks); });
+  for (const std::string& name : others_unseen()) {
+    const Time deadline = context_.executor.now() + options_.missing_patience;
+    const Result<void> there = co_await look_once_for(goal.number, name, deadline);
+    if (there) continue;
+    if (there.error().symbol != "missing-object") co_return there;
+    away_.insert(name);
+    const std::string sentence = name + " is not seen and counts as away: the goal is about what is there";
+    const Datum subject = Datum::symbol(name);
+    co_await story_.tell("missing", sentence, subject);
+  }
+  co_return Result<void>();
 }
 
 bool ObjectSearch::arm_stands_low() const {

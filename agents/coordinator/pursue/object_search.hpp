@@ -3,9 +3,13 @@
 // Looks for the objects of a goal (steps b and c): the eyes find each one; where it does not show, what may hide it is
 // set aside, one thing after another, and the table beside the images is swept.
 //
-//   ObjectSearch search(context, options, surroundings, story, eyes, plan, runner, rescues, vigil);
-//   search.begin();                                                     // a goal, or a stage of it
-//   Result<void> there = co_await search.look_for(goal, objects);       // missing-object names all that are missing
+// An object that the goal only quantifies over is looked for once it has been seen in this life. Where that is in vain
+// it counts as away, until it is seen again or another goal comes.
+//
+//   ObjectSearch search(context, options, domain, surroundings, story, eyes, plan, runner, rescues, vigil);
+//   search.begin();                                            // a goal, or a stage of it
+//   Result<void> there = co_await search.look_for(goal);       // missing-object names all that it names and are
+//   missing
 
 #include <map>
 #include <optional>
@@ -14,16 +18,19 @@
 #include <vector>
 
 #include "agents/coordinator/act/rescues.hpp"
+#include "agents/coordinator/pursue/goal_facts.hpp"
 #include "agents/coordinator/pursue/plan_in_hand.hpp"
 
 namespace pizarra::coordinator {
 
 class ObjectSearch {
  public:
-  ObjectSearch(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings,
-               Story& story, Eyes& eyes, const PlanInHand& plan, TaskRunner& runner, Rescues& rescues, Vigil& vigil)
+  ObjectSearch(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+               Surroundings& surroundings, Story& story, Eyes& eyes, const PlanInHand& plan, TaskRunner& runner,
+               Rescues& rescues, Vigil& vigil)
       : context_(context),
         options_(options),
+        domain_(domain),
         surroundings_(surroundings),
         story_(story),
         eyes_(eyes),
@@ -35,7 +42,9 @@ class ObjectSearch {
   // Forgets what was set aside.
   void begin();
   // Failures: missing-object, interrupted, camera-doubtful, hold-ups, and the eyes'.
-  Task<Result<void>> look_for(std::int64_t goal, std::vector<std::string> objects);
+  Task<Result<void>> look_for(Goal goal);
+  // Of a goal about some objects of a type: any other might do. Failures as look_for(), but missing-object.
+  Task<Result<void>> look_for_others(Goal goal);
   // Tries once to set something aside that may hide the object.
   Task<Result<void>> clear_view_of(std::int64_t goal, std::string missing);
   // A hand may be at work: what is planned on should have come to rest. Not for ever.
@@ -53,6 +62,9 @@ class ObjectSearch {
     std::size_t sweeps = 0;
   };
 
+  Task<Result<void>> look_for_named(Goal goal);
+  // Seen before, not seen now, and not known to be away.
+  std::vector<std::string> others_unseen() const;
   Task<Result<void>> look_once_for(std::int64_t goal, std::string object, Time deadline);
   // Whether it was tried to set something aside that may hide the missing object, or to sweep the object into view. The
   // second time that the same thing hides it, what that stood on goes too: there the plan would put it again.
@@ -63,6 +75,7 @@ class ObjectSearch {
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
   Surroundings& surroundings_;
   Story& story_;
   Eyes& eyes_;
@@ -73,6 +86,8 @@ class ObjectSearch {
   int set_aside_ = 0;                                  // how often something was, since the search began
   int swept_ = 0;                                      // the same of sweeps
   std::set<std::pair<std::string, std::string>> hid_;  // a missing object, and what was set aside before it
+  std::set<std::string> away_;                         // looked for in vain, for this goal
+  std::int64_t away_for_ = 0;
 };
 
 // What ends a search, and rescues on its way. A rescue that fails otherwise has been tried.

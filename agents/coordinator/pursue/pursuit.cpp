@@ -63,7 +63,7 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
   const Result<void> found = co_await find_camera();
   if (!found) co_return found;
   const std::vector<std::string> objects = objects_of(goal);
-  const Result<void> there = co_await search_.look_for(goal.number, objects);
+  const Result<void> there = co_await search_.look_for(goal);
   const bool goes_on = there || is_of_the_camera(there.error());
   if (!goes_on) co_return there;
   co_await search_.await_steady(objects);
@@ -120,6 +120,9 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     if (!*chosen) continue;
     const NextOperation& next = **chosen;
     if (next.rest.empty()) {
+      const bool is_outgrown = outgrows_plan(goal);
+      if (is_outgrown) plan_.forget();
+      if (is_outgrown) continue;
       const bool settled = co_await settles(goal);
       if (settled) co_return Result<void>();
       progress.expected.reset();
@@ -212,6 +215,11 @@ Task<Result<void>> Pursuit::do_operation(NextOperation next) {
     co_await story_.tell("operation", sentence, failure_to_datum(why));
   }
   co_return done;
+}
+
+bool Pursuit::outgrows_plan(const Goal& goal) const {
+  const bool quantifies = forms::quantified_over(goal.facts, domain_.perception().sees()) != forms::Quantified::none;
+  return quantifies && !forms::goal_holds(goal.facts, surroundings_.beliefs(), planning_.objects());
 }
 
 Task<bool> Pursuit::settles(Goal goal) {

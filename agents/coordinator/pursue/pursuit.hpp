@@ -71,6 +71,8 @@ class Pursuit {
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(std::int64_t goal, GroundOperation operation, Failure why);
   Task<Result<void>> do_operation(NextOperation next);
+  // Whether it is about an object that came after the plan was made, and does not hold of that.
+  bool outgrows_plan(const Goal& goal) const;
   // Whether the goal still held after the time to settle.
   Task<bool> settles(Goal goal);
   std::vector<std::string> objects_of(const Goal& goal) const { return domain_.objects_in(goal.facts); }

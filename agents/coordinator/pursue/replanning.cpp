@@ -16,7 +16,7 @@ bool is_verdict(const Failure& failure) {
 }  // namespace
 
 Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) {
-  const Result<void> there = co_await search_.look_for(goal.number, objects);
+  const Result<void> there = co_await search_.look_for(goal);
   if (!there) co_return fail(there);
   co_await search_.await_steady(objects);
   // Whoever disturbed may have put things right again.
@@ -40,6 +40,8 @@ Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) 
     if (proved) co_await search_.await_put_down();
     Result<void> shown;
     if (proved) shown = co_await show_what_is_hidden(objects);
+    const bool looks_on = proved && shown;
+    if (looks_on) shown = co_await search_.look_for_others(goal);
     if (!shown && ends_search(shown.error())) co_return fail(shown);
     // There may be no plan only because something stays hidden.
     if (!shown) proved = false;
@@ -48,7 +50,7 @@ Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) 
     co_await sleep(context_.executor, pause);
     co_await search_.await_steady(objects);
     if (surroundings_.beliefs() != planned_on) proved = false;
-    const Result<void> still_there = co_await search_.look_for(goal.number, objects);
+    const Result<void> still_there = co_await search_.look_for(goal);
     if (!still_there) co_return fail(still_there);
   }
   co_return fail("gave-up", "the cell does not come to rest, and none of the states it was seen in has a plan");

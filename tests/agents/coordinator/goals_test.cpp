@@ -44,6 +44,78 @@ TEST_F(Goals, AQuantifierIsAboutWhatIsSeen) {
   for (const auto& [name, centre] : cell.cubes) EXPECT_NEAR(centre.z(), 30, 1) << name;
 }
 
+TEST_F(Goals, AllOfATypeAreLookedForThatWereSeenBeforeAndAreNotSeenNow) {
+  cell.cubes["circle"] = {445, 50, 90};
+  want("(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.cubes["triangle"] = {505, 50, 30};
+  cell.covered = [this](const std::string& name) {
+    const Eigen::Vector3d& before = cell.cubes["triangle"];
+    return name == "circle" && before.x() > 480 && std::abs(before.y() - 50) < 70 && before.z() < 60;
+  };
+  cell.run_for(3s);
+  want("(goal (forall (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 1);
+  EXPECT_NEAR(cell.cubes["circle"].z(), 30, 1) << "reached is said of all that is there";
+}
+
+TEST_F(Goals, WhatIsLookedForInVainCountsAsAwayUntilItIsSeenAgain) {
+  want("(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.hidden = {"circle"};
+  cell.run_for(3s);
+  want("(goal (forall (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 200s));
+  const std::string_view away =
+      "(event ? missing \"circle is not seen and counts as away: the goal is about what is "
+      "there\" circle)";
+  EXPECT_EQ(cell.times_told(away), 1);
+  // Somebody brings it back.
+  cell.cubes["circle"] = cell.cubes["triangle"] + Eigen::Vector3d(0, 0, 60);
+  cell.hidden.clear();
+  want("(goal (forall (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 3 reached ?)", 120s));
+  for (const auto& [name, centre] : cell.cubes) EXPECT_NEAR(centre.z(), 30, 1) << name;
+  EXPECT_EQ(cell.times_told(away), 1);
+}
+
+TEST_F(Goals, AQuantifierIsAboutWhatCameAfterThePlanWasMadeToo) {
+  cell.cubes["square"] = {455, -50, 90};
+  cell.hidden = {"circle"};
+  want("(goal (forall (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(operation 1 (PUT-DOWN square) running)", 60s));
+  cell.cubes["circle"] = {455, -50, 90};
+  cell.hidden.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  for (const auto& [name, centre] : cell.cubes) EXPECT_NEAR(centre.z(), 30, 1) << name;
+}
+
+TEST_F(Goals, WhatWasNeverSeenIsNotLookedForByAQuantifier) {
+  cell.hidden = {"circle"};
+  want("(goal (forall (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 10s));
+  EXPECT_EQ(cell.times_told("(event ? missing ? ?)"), 0);
+}
+
+TEST_F(Goals, SomeOfATypeAreLookedForOnlyWhereThoseThatAreSeenDoNotDo) {
+  want("(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.cubes["triangle"] = {505, -150, 30};
+  cell.covered = [this](const std::string& name) {
+    const Eigen::Vector3d& before = cell.cubes["triangle"];
+    return name == "circle" && before.x() > 480 && std::abs(before.y() + 150) < 70 && before.z() < 60;
+  };
+  cell.run_for(3s);
+  const std::string_view aside = "(event ? servo \"setting triangle aside, to see what it hides\" ?)";
+  want("(goal (at-least 2 (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 30s));
+  EXPECT_EQ(cell.times_told(aside), 0);
+  want("(goal (at-least 3 (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 3 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told(aside), 1);
+}
+
 TEST_F(Goals, ANumberOfThemIsEnough) {
   want("(goal (at-least 1 (<x> OBJECT) (on <x> circle)) (at-least 2 (<x> OBJECT) (on-table <x>)))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
