@@ -179,7 +179,8 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 5;
   if (!reads) co_return answer;
   const bool rests = answer->head[1].is_symbol("no");
-  if (world.to_repeat && rests) co_await repeat_motion(world);
+  const bool repeats = world.to_repeat && rests;
+  if (repeats) co_await repeat_motion(world);
   if (now >= world.faults.sensor_stuck_until) world.faults.stuck_at_mm.reset();
   if (now < world.faults.sensor_stuck_until && !world.faults.stuck_at_mm) {
     world.faults.stuck_at_mm = answer->head[3].number();
