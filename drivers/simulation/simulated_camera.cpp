@@ -9,6 +9,7 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr Duration image_time = 2s;
+constexpr Duration ask_again_after = 1ms;
 constexpr std::size_t plain_model = 6;  // numbers, before those of a lens
 constexpr std::size_t bent_model = plain_model + LensDistortion().size();
 
@@ -59,12 +60,29 @@ Task<Result<camera::StereoModel>> SimulatedCamera::open() {
   const Datum& head = answer->head;
   if (!is_model(head)) co_return fail("disconnected", "the camera answered nonsense", head);
   geometry_.reset();
+  last_grey_ = 0;
+  last_coloured_ = 0;
   if (head.size() > plain_model) geometry_.emplace(calibration_in(head));
   if (geometry_) co_return geometry_->model();
   co_return model_in(head);
 }
 
 Task<Result<camera::StereoFrame>> SimulatedCamera::next(Time after, bool colour) {
+  const Time deadline = executor_.now() + image_time;
+  std::uint64_t& last = colour ? last_coloured_ : last_grey_;
+  while (executor_.now() < deadline) {
+    const Result<camera::StereoFrame> frame = co_await ask(after, colour);
+    if (!frame) co_return frame;
+    if (frame->number != last) {
+      last = frame->number;
+      co_return frame;
+    }
+    co_await sleep(executor_, ask_again_after);
+  }
+  co_return fail("disconnected", "the camera gives the same frame again and again");
+}
+
+Task<Result<camera::StereoFrame>> SimulatedCamera::ask(Time after, bool colour) {
   const Datum kind = colour ? "colour"_sym : "grey"_sym;
   const Datum request = list("camera"_sym, "next"_sym, after.time_since_epoch().count(), kind);
   const Time asked = executor_.now();

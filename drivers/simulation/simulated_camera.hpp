@@ -1,7 +1,8 @@
 #pragma once
 
 // The simulated cell's stereo pair as a StereoCamera. Frames are taken only when asked for; those of lenses that bend
-// are straightened by what the cameras say of themselves, as a calibrated pair's are.
+// are straightened by what the cameras say of themselves, as a calibrated pair's are. A frame that the line gives once
+// more is not a new one: the next is asked for.
 //
 //   SimulatedCamera eyes(executor, link);
 //   Result<StereoModel> model = co_await eyes.open();
@@ -24,9 +25,14 @@ class SimulatedCamera : public camera::StereoCamera {
   Task<Result<camera::StereoFrame>> next(Time after, bool colour) override;
 
  private:
+  Task<Result<camera::StereoFrame>> ask(Time after, bool colour);
+
   Executor& executor_;
   Link& link_;
   std::optional<camera::StereoGeometry> geometry_;  // of lenses that bend
+  // The numbers of the newest frames since it was opened.
+  std::uint64_t last_grey_ = 0;
+  std::uint64_t last_coloured_ = 0;
 };
 
 }  // namespace pizarra::simulation
