@@ -1,27 +1,11 @@
 #include "drivers/simulation/socket_link.hpp"
 
-#include <cassert>
-
 #include "drivers/simulation/link_wire.hpp"
 
 namespace pizarra::simulation {
 
-struct SocketLink::Waiting {
-  Waiting(SocketLink& the_link, std::uint64_t the_id) : link(the_link), id(the_id), answered(the_link.executor_) {
-    link.waiting_[id] = this;
-  }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-  ~Waiting() { link.waiting_.erase(id); }
-
-  SocketLink& link;
-  std::uint64_t id;
-  Event answered;
-  Result<Message> answer;
-};
-
 SocketLink::SocketLink(Executor& executor, zmq::context_t& context, const std::string& address)
-    : executor_(executor), socket_(context, zmq::socket_type::dealer) {
+    : executor_(executor), calls_(executor), socket_(context, zmq::socket_type::dealer) {
   link_wire::limit(socket_);
   // Calls to a world that is away fail at once instead of being kept for the next one.
   socket_.set(zmq::sockopt::immediate, 1);
@@ -29,10 +13,7 @@ SocketLink::SocketLink(Executor& executor, zmq::context_t& context, const std::s
   executor_.watch_readable(socket_.get(zmq::sockopt::fd), [this] { receive(); });
 }
 
-SocketLink::~SocketLink() {
-  assert(waiting_.empty());
-  executor_.unwatch_readable(socket_.get(zmq::sockopt::fd));
-}
+SocketLink::~SocketLink() { executor_.unwatch_readable(socket_.get(zmq::sockopt::fd)); }
 
 Result<void> SocketLink::send(std::uint64_t id, const Datum& request) {
   const std::string text = link_wire::call_text({id, request});
@@ -45,33 +26,27 @@ Result<void> SocketLink::send(std::uint64_t id, const Datum& request) {
 }
 
 Task<Result<Message>> SocketLink::call(Datum request, Duration timeout) {
-  if (waiting_.size() >= link_wire::most_calls) co_return fail("busy", "too many calls wait on the device link");
+  if (calls_.size() >= link_wire::most_calls) co_return fail("busy", "too many calls wait on the device link");
   const Time deadline = executor_.now() + timeout;
-  const std::uint64_t id = ++last_id_;
-  Waiting waiting(*this, id);
-  Result<void> sent = send(id, request);
+  OpenCalls::Call waiting(calls_);
+  Result<void> sent = send(waiting.number(), request);
   // The world may be about to come up, or only just gone.
   while (!sent) {
     const bool away = sent.error().symbol == "disconnected";
     if (!away) co_return fail(sent);
     if (executor_.now() + reconnect_poll > deadline) co_return fail(sent);
     co_await sleep(executor_, reconnect_poll);
-    sent = send(id, request);
+    sent = send(waiting.number(), request);
   }
-  const bool answered = co_await waiting.answered.wait(deadline);
-  if (!answered) co_return fail("disconnected", "the world did not answer in time", request);
-  co_return std::move(waiting.answer);
+  std::optional<Result<Message>> answer = co_await waiting.answer(deadline);
+  if (!answer) co_return fail("disconnected", "the world did not answer in time", request);
+  co_return std::move(*answer);
 }
 
 void SocketLink::receive() {
   while (auto parts = link_wire::receive_parts(socket_)) {
     Result<link_wire::WireAnswer> answer = link_wire::read_answer(*parts);
-    if (!answer) continue;
-    const auto found = waiting_.find(answer->id);
-    // Nobody waits for it any more: it came after its deadline.
-    if (found == waiting_.end()) continue;
-    found->second->answer = std::move(answer->message);
-    found->second->answered.set();
+    if (answer) calls_.take(answer->id, std::move(answer->message));
   }
 }
 

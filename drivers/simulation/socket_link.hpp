@@ -8,11 +8,9 @@
 // The world may start later, end and come back: calls meanwhile wait for it and fail with `disconnected` when their
 // time is over, later ones work again. At most 64 calls wait at once.
 
-#include <map>
 #include <zmq.hpp>
 
-#include "blackboard/time/latch.hpp"
-#include "drivers/simulation/link.hpp"
+#include "drivers/simulation/open_calls.hpp"
 
 namespace pizarra::simulation {
 
@@ -25,14 +23,12 @@ class SocketLink : public Link {
 
  private:
   static constexpr Duration reconnect_poll = 20ms;
-  struct Waiting;
   Result<void> send(std::uint64_t id, const Datum& request);
   void receive();
 
   Executor& executor_;
+  OpenCalls calls_;
   zmq::socket_t socket_;
-  std::uint64_t last_id_ = 0;
-  std::map<std::uint64_t, Waiting*> waiting_;
 };
 
 }  // namespace pizarra::simulation
