@@ -16,21 +16,46 @@ Process::~Process() {
 }
 
 Time Process::now() const {
-  const Duration passed = time_.now() - begun_;
+  const Duration passed = shared_now() - begun_;
   const auto gained = static_cast<Duration::rep>(static_cast<double>(passed.count()) * clock_.drift);
-  return time_.now() + clock_.ahead + Duration(gained);
+  return shared_now() + clock_.ahead + Duration(gained);
 }
 
 Executor::TimerId Process::call_at(Time when, Callback callback) {
   const TimerId timer = next_++;
-  const Duration left = std::max(when - now(), Duration::zero());
+  Waiting& waiting = waiting_[timer];
+  waiting.when = when;
+  waiting.callback = std::move(callback);
+  if (alive_) wait_for(timer, waiting);
+  return timer;
+}
+
+void Process::wait_for(TimerId timer, Waiting& waiting) {
+  const Duration left = std::max(waiting.when - now(), Duration::zero());
   // Rounded up, so that its own clock has come that far.
   const auto real = static_cast<Duration::rep>(static_cast<double>(left.count()) / (1 + clock_.drift));
   const Duration wait = left == Duration::zero() || clock_.drift == 0 ? left : Duration(real + 1);
-  Waiting& waiting = waiting_[timer];
-  waiting.callback = std::move(callback);
-  if (alive_) waiting.at = time_.call_at(time_.now() + wait, [this, timer] { become_due(timer); });
-  return timer;
+  waiting.at = time_.call_at(time_.now() + wait, [this, timer] { become_due(timer); });
+}
+
+// The clock is another now than it was when they began to wait.
+void Process::wait_anew() {
+  if (!alive_) return;
+  for (auto& [timer, waiting] : waiting_) {
+    if (waiting.at == 0) continue;
+    time_.cancel(waiting.at);
+    wait_for(timer, waiting);
+  }
+}
+
+void Process::jump(Duration ahead) {
+  clock_.ahead += ahead;
+  wait_anew();
+}
+
+void Process::suspend() {
+  pause();
+  suspended_since_ = time_.now();
 }
 
 void Process::cancel(TimerId timer) {
@@ -56,20 +81,31 @@ void Process::run(TimerId timer) {
   if (node.empty()) return;
   node.mapped().callback();
   if (++steps_ >= last_step_) kill();
+  if (alive_ && steps_ >= held_step_ && when_held_) std::exchange(when_held_, nullptr)();
 }
 
 void Process::resume() {
   paused_ = false;
+  if (suspended_since_) {
+    const Time stood_at = now();
+    suspended_since_.reset();
+    clock_.ahead += stood_at - now();
+    wait_anew();
+  }
   for (const TimerId timer : std::exchange(held_up_, {})) {
     const auto found = waiting_.find(timer);
-    if (found == waiting_.end()) continue;
-    found->second.at = time_.call_at(time_.now(), [this, timer] { become_due(timer); });
+    if (found != waiting_.end()) wait_for(timer, found->second);
   }
 }
 
 void Process::kill_at(std::uint64_t steps, Callback then) {
   last_step_ = std::max(steps, steps_ + 1);
   then_ = std::move(then);
+}
+
+void Process::hold_at(std::uint64_t steps, Callback then) {
+  held_step_ = steps;
+  when_held_ = std::move(then);
 }
 
 void Process::kill() {

@@ -122,5 +122,18 @@ TEST_F(SimulatedBoard, AProcessEndsAtItsSuspensionPoint) {
   EXPECT_TRUE(ended);
 }
 
+TEST_F(SimulatedBoard, AProcessIsHeldUpAtItsSuspensionPoint) {
+  Process& board = *board_.process();
+  const std::uint64_t last = board.steps() + 3;
+  board.hold_at(last, [&] { board.pause(); });
+  time_.call_at(time_.now() + 1s, [&] {
+    EXPECT_EQ(board.steps(), last);
+    board.resume();
+  });
+  const Time begun = time_.now();
+  ASSERT_TRUE(tell("(goal 1)").has_value());
+  EXPECT_GE(time_.now() - begun, 1s);
+}
+
 }  // namespace
 }  // namespace pizarra::simulated
