@@ -82,7 +82,7 @@ Result<void> ChaosCell::start(const std::string& kind) {
   const std::string life = kind + std::to_string(++lives_[kind]);
   Board* seen = agent->board.get();
   if (kind == "vision") {
-    agent->mistaken = std::make_unique<MistakenEyes>(*seen, time_, names_);
+    agent->mistaken = std::make_unique<MistakenEyes>(*seen, time_, mistakes_);
     seen = agent->mistaken.get();
   }
   if (!plant_.empty()) {
@@ -120,32 +120,51 @@ void ChaosCell::kill(const std::string& kind, Duration away, std::uint64_t after
   });
 }
 
-void ChaosCell::kill_board(Duration away, bool power) {
+void ChaosCell::kill_board(Duration away, bool power, std::uint64_t after_steps) {
   if (!board_.lives()) return;
-  board_away_until_ = time_.now() + away;
-  if (power) {
-    board_.cut_power();
-  } else {
-    board_.kill();
-  }
+  simulated::Process& process = *board_.process();
+  process.kill_at(process.steps() + after_steps, [this, away, power] {
+    board_away_until_ = time_.now() + away;
+    if (power) {
+      board_.cut_power();
+    } else {
+      board_.kill();
+    }
+  });
 }
 
-void ChaosCell::pause(const std::string& kind, Duration length) {
+void ChaosCell::pause(const std::string& kind, Duration length, std::uint64_t after_steps) {
+  simulated::Process* process = process_of(kind);
+  if (process == nullptr) return;
+  process->hold_at(process->steps() + after_steps, [this, kind, process, length] {
+    process->pause();
+    resume_after(length, kind);
+  });
+}
+
+void ChaosCell::jump_clock(const std::string& kind, Duration ahead) {
   simulated::Process* process = process_of(kind);
   if (process == nullptr || process->paused()) return;
-  process->pause();
-  time_.call_at(time_.now() + length, [this, kind, process] {
+  if (ahead >= Duration::zero()) return process->jump(ahead);
+  process->suspend();
+  resume_after(-ahead, kind);
+}
+
+void ChaosCell::resume_after(Duration length, const std::string& kind) {
+  time_.call_at(time_.now() + length, [this, kind, process = process_of(kind)] {
     // It may be another by now.
     if (process_of(kind) == process) process->resume();
   });
 }
 
 void ChaosCell::exchange_names(std::string one, std::string other, Duration length) {
-  names_ = {.until = time_.now() + length, .one = std::move(one), .other = std::move(other)};
+  mistakes_.names = {.until = time_.now() + length, .one = std::move(one), .other = std::move(other)};
 }
 
+void ChaosCell::invent_sighting(InventedSighting invented) { mistakes_.invented = std::move(invented); }
+
 void ChaosCell::heal() {
-  names_ = {};
+  mistakes_ = {};
   network_.set_delay(usual_delay);
   disk_.fail(false);
   disk_.set_capacity(simulated::SimulatedDisk::plenty);
@@ -156,12 +175,15 @@ void ChaosCell::heal() {
   world_->faults.alarm = alarm;
   for (auto& [kind, until] : away_until_) until = {};
   board_away_until_ = {};
+  for (auto& [kind, agent] : agents_) let_live(agent->process);
+  if (board_.lives()) let_live(*board_.process());
+}
+
+void ChaosCell::let_live(simulated::Process& process) {
   constexpr std::uint64_t never = ~std::uint64_t{0};
-  for (auto& [kind, agent] : agents_) {
-    if (agent->process.alive()) agent->process.kill_at(never, {});
-    if (agent->process.paused()) agent->process.resume();
-  }
-  if (board_.lives() && board_.process()->paused()) board_.process()->resume();
+  if (process.alive()) process.kill_at(never, {});
+  process.hold_at(never, {});
+  if (process.paused()) process.resume();
 }
 
 void ChaosCell::start_board() {

@@ -42,10 +42,15 @@ class ChaosCell {
   Result<void> start_all();
   // As by SIGKILL, after so many more suspension points.
   void kill(const std::string& kind, Duration away, std::uint64_t after_steps = 1);
-  void kill_board(Duration away, bool power);
-  void pause(const std::string& kind, Duration length);
+  void kill_board(Duration away, bool power, std::uint64_t after_steps);
+  // As by SIGSTOP, after so many more suspension points.
+  void pause(const std::string& kind, Duration length, std::uint64_t after_steps);
+  // A negative number: its host is suspended for so long, and so its clock is behind by that from then on.
+  void jump_clock(const std::string& kind, Duration ahead);
   // The eyes take one object for the other meanwhile.
   void exchange_names(std::string one, std::string other, Duration length);
+  // The eyes tell of an object that they do not see, as soon as they do not see it.
+  void invent_sighting(InventedSighting invented);
   void heal();
 
   Executor& time() { return time_; }
@@ -83,6 +88,8 @@ class ChaosCell {
   void take_down(const std::string& kind);
   void start_board();
   void supervise();
+  void resume_after(Duration length, const std::string& kind);
+  static void let_live(simulated::Process& process);
   simulated::Process* process_of(const std::string& kind);
 
   Executor& time_;
@@ -91,7 +98,7 @@ class ChaosCell {
   Random clock_draws_;
   const Clocks clocks_;
   const std::string plant_;
-  ExchangedNames names_;
+  Mistakes mistakes_;
   simulated::Network network_;
   simulated::SimulatedDisk disk_;
   std::unique_ptr<WorldProcess> world_;

@@ -53,7 +53,6 @@ std::vector<std::string> all_points() {
   for (const char* difference : differences) points.push_back(fmt::format("difference {}", difference));
   for (const char* failure : failures) points.push_back(fmt::format("failure {}", failure));
   for (const FaultClass& kind : fault_classes()) {
-    if (std::string_view(kind.name) == "clock") continue;
     for (const char* operation : operations) {
       for (int state = 0; state < servo_states; ++state) points.push_back(pair_point(kind.name, operation, state));
     }

@@ -1,27 +1,17 @@
 #include "programs/chaos/device_line.hpp"
 
-#include <algorithm>
-#include <span>
 #include <utility>
 
-#include "blackboard/time/latch.hpp"
+#include "programs/chaos/disturbed_frames.hpp"
 
 namespace pizarra::chaos {
 
 namespace {
 
 using simulation::Message;
+using simulation::OpenCalls;
 
 constexpr Duration way = 100us;
-// A client that asks so long after a frame was taken is given the next one.
-constexpr Duration behind_a_frame = 1ms;
-
-struct Answer {
-  explicit Answer(Executor& asking) : executor(asking), come(asking) {}
-  Executor& executor;
-  Event come;
-  std::optional<Result<Message>> message;
-};
 
 std::unexpected<Failure> disconnected() { return fail("disconnected", "the device's line is silent"); }
 
@@ -58,39 +48,6 @@ Message with_alarm(const Message& reading) {
   return {Datum::list(std::move(items)), reading.images};
 }
 
-void brighten(std::span<std::uint8_t> pixels, double light) {
-  for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(std::min(255.0, pixel * light));
-}
-
-// As far as they are told of the world, both images of a pair.
-std::shared_ptr<const Image> disturbed(const Image& image, const DeviceFaults& faults, Time now) {
-  auto out = std::make_shared<Image>(image);
-  if (now < faults.light_until) brighten(out->pixels, faults.light);
-  const auto row_bytes = static_cast<std::ptrdiff_t>(image.width) * image.channels;
-  for (int y = 0; y < image.height; ++y) {
-    const auto row = out->pixels.begin() + y * row_bytes;
-    if (now < faults.jumps_until) {
-      std::rotate(row, row + static_cast<std::ptrdiff_t>(faults.jump_px) * image.channels, row + row_bytes);
-    }
-    if (now < faults.hidden_until) {
-      const auto from = static_cast<std::ptrdiff_t>(faults.hidden_at * image.width) * image.channels;
-      const std::ptrdiff_t to = std::min(from + row_bytes / 5, row_bytes);
-      std::fill(row + from, row + to, std::uint8_t{120});
-    }
-  }
-  return out;
-}
-
-void plant_into(Message& frame, WorldProcess& world) {
-  constexpr std::size_t two_seconds = 20;
-  if (world.plant == "eyes-crossed") std::swap(frame.images[0], frame.images[1]);
-  if (world.plant != "images-old") return;
-  world.old_images.push_back(frame.images);
-  if (world.old_images.size() > two_seconds) world.old_images.pop_front();
-  const bool alike = world.old_images.front()[0]->channels == frame.images[0]->channels;
-  if (alike) frame.images = world.old_images.front();
-}
-
 bool swallows(const WorldProcess& world, const Datum& request) {
   if (!is_arm(request) || !request[1].is_symbol("stop")) return false;
   if (world.plant == "stop-swallowed") return true;
@@ -104,40 +61,6 @@ bool ignores_hold(WorldProcess& world, const Datum& request) {
   const Time now = world.process.now();
   if (request[1].is_symbol("stop")) world.stopped_at = now;
   return request[1].is_symbol("gripper") && now - world.stopped_at < follows;
-}
-
-void disturb(Message& frame, WorldProcess& world, Time now) {
-  if (frame.images.size() != 2) return;
-  plant_into(frame, world);
-  if (now < world.faults.frames_frozen_until) {
-    const bool fits = world.frozen_left != nullptr && world.frozen_left->channels == frame.images[0]->channels;
-    if (!fits) {
-      world.frozen_left = frame.images[0];
-      world.frozen_right = frame.images[1];
-    }
-    frame.images = {world.frozen_left, world.frozen_right};
-    return;
-  }
-  world.frozen_left.reset();
-  world.frozen_right.reset();
-  const Time changed = std::max({world.faults.jumps_until, world.faults.hidden_until, world.faults.light_until});
-  if (now >= changed) return;
-  for (auto& image : frame.images) image = disturbed(*image, world.faults, now);
-}
-
-Task<Result<Message>> ask_frame(WorldProcess& world, Datum request) {
-  while (true) {
-    Result<Message> frame = co_await world.world->handle(request);
-    const Time now = world.process.now();
-    if (now < world.faults.frames_dropped_until) {
-      co_await sleep(world.process, behind_a_frame);
-      continue;
-    }
-    const Duration late = now < world.faults.frames_late_until ? world.faults.frame_delay : Duration::zero();
-    if (late > Duration::zero()) co_await sleep(world.process, late);
-    if (frame) disturb(*frame, world, now);
-    co_return frame;
-  }
 }
 
 Task<void> stop_arm(WorldProcess& world) {
@@ -191,38 +114,53 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   co_return answer;
 }
 
+Task<Result<Message>> ask(WorldProcess& world, Datum request) {
+  if (is_frame(request)) return ask_frame(world, std::move(request));
+  if (is_arm(request)) return ask_arm(world, std::move(request));
+  return world.world->handle(std::move(request));
+}
+
+// An answer of the world on its way back, by the number of its call.
+struct Answer {
+  std::weak_ptr<OpenCalls> calls;
+  std::uint64_t number = 0;
+  bool of_arm = false;
+};
+
+Task<void> deliver(WorldProcess& world, Answer answer, Result<Message> message, Duration way_back) {
+  co_await sleep(world.process, way_back);
+  const bool lost = answer.of_arm && world.process.now() < world.faults.arm_away_until;
+  const std::shared_ptr<OpenCalls> calls = answer.calls.lock();
+  if (calls && !lost) calls->take(answer.number, std::move(message));
+}
+
 // In the world's process.
-Task<void> serve(WorldProcess& world, std::string from, Datum request, std::shared_ptr<Answer> answer) {
+Task<void> serve(WorldProcess& world, std::string from, Datum request, Answer answer) {
   co_await sleep(world.process, way);
-  const bool of_arm = is_arm(request);
-  if (of_arm && world.process.now() < world.faults.arm_away_until) co_return;
-  if (of_arm) hear_client(world);
+  if (answer.of_arm && world.process.now() < world.faults.arm_away_until) co_return;
+  if (answer.of_arm) hear_client(world);
   if (world.on_request) world.on_request(from, request);
-  if (is_frame(request)) {
-    answer->message = co_await ask_frame(world, request);
-  } else if (of_arm) {
-    answer->message = co_await ask_arm(world, request);
-  } else {
-    answer->message = co_await world.world->handle(request);
-  }
-  const bool acknowledges = of_arm && !request[1].is_symbol("read");
-  const bool late = acknowledges && world.process.now() < world.faults.acks_late_until;
+  const bool acknowledges = answer.of_arm && !request[1].is_symbol("read");
+  const Result<Message> message = co_await ask(world, std::move(request));
+  const Time now = world.process.now();
+  const bool late = acknowledges && now < world.faults.acks_late_until;
+  const bool twice = acknowledges && now < world.faults.acks_twice_until;
   const Duration back = way + (late ? world.faults.ack_delay : Duration::zero());
-  co_await sleep(world.process, back);
-  if (of_arm && world.process.now() < world.faults.arm_away_until) co_return;
-  answer->come.set();
+  co_await deliver(world, answer, message, back);
+  if (twice) co_await deliver(world, answer, message, world.faults.second_ack_after);
 }
 
 }  // namespace
 
 Task<Result<Message>> DeviceLine::call(Datum request, Duration timeout) {
-  const auto answer = std::make_shared<Answer>(process_);
+  OpenCalls::Call call(*calls_);
   std::erase_if(world_.jobs, [](const Job& job) { return job.done(); });
+  const Answer answer{calls_, call.number(), is_arm(request)};
   world_.jobs.push_back(world_.process.spawn(serve(world_, name_, std::move(request), answer)));
   const Time deadline = process_.now() + timeout;
-  const bool come = co_await answer->come.wait(deadline);
+  std::optional<Result<Message>> come = co_await call.answer(deadline);
   if (!come) co_return disconnected();
-  co_return std::move(*answer->message);
+  co_return std::move(*come);
 }
 
 }  // namespace pizarra::chaos

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "blackboard/simulated/process.hpp"
+#include "drivers/simulation/open_calls.hpp"
 #include "drivers/simulation/world.hpp"
 #include "programs/chaos/device_faults.hpp"
 
@@ -41,21 +42,28 @@ struct WorldProcess {
   std::deque<std::vector<std::shared_ptr<const Image>>> old_images;
   std::shared_ptr<const Image> frozen_left;
   std::shared_ptr<const Image> frozen_right;
+  // A frame that is to come once more.
+  std::optional<simulation::Message> given_once;
   // Requests in hand, of whoever asked.
   std::list<Job> jobs;
 };
 
 class DeviceLine : public simulation::Link {
  public:
-  // All outlive it.
+  // All outlive it. It outlives its calls.
   DeviceLine(std::string name, simulated::Process& process, WorldProcess& world)
-      : name_(std::move(name)), process_(process), world_(world) {}
+      : name_(std::move(name)),
+        process_(process),
+        world_(world),
+        calls_(std::make_shared<simulation::OpenCalls>(process)) {}
   Task<Result<simulation::Message>> call(Datum request, Duration timeout) override;
 
  private:
   const std::string name_;
   simulated::Process& process_;
   WorldProcess& world_;
+  // Answers under way find it gone when their process has ended.
+  const std::shared_ptr<simulation::OpenCalls> calls_;
 };
 
 }  // namespace pizarra::chaos

@@ -31,6 +31,8 @@ struct Draw {
     while (other == one) other = cube();
     return {one, other};
   }
+  // After how many suspension points of a process.
+  std::uint64_t steps() { return random.below(400) + 1; }
   double x() { return seconds(cell.row.x_mm - 25, cell.row.x_mm + 25); }
   double y() { return seconds(cell.row.y_low_mm, cell.row.y_high_mm); }
   // At any time of the phase, or when the servo is in some state during some operation.
@@ -147,18 +149,32 @@ Datum bump(Draw& draw) {
   return Datum::list(std::move(parts));
 }
 
-Datum what(const std::string& kind, Draw& draw) {
+Datum board(Draw& draw, Draw& own) {
+  const double away_s = draw.seconds(0.3, 4);
+  return list(word(draw.random.below(2) == 0 ? "kill" : "power-cut"), own.steps(), away_s);
+}
+
+// Which way it jumps, by some tenths of a second or some seconds.
+Datum clock(Draw& draw) {
+  const Datum who = draw.one_of(with_board);
+  const double most_s = draw.random.below(2) == 0 ? 1 : 5;
+  const double by_s = draw.seconds(0.1, most_s);
+  return list(word("jump"), who, draw.random.below(2) == 0 ? by_s : -by_s);
+}
+
+// Some numbers come from a stream of their own, so that each seed draws the others as it would without these.
+Datum what(const std::string& kind, Draw& draw, Draw& own) {
   if (kind == "network") return network(draw);
   if (kind == "reply") return list(word("lose-reply"), draw.one_of(agents));
   if (kind == "agent") {
     const Datum who = draw.one_of(agents);
-    return list(word("kill"), who, draw.random.below(400) + 1, draw.seconds(0.3, 5));
+    return list(word("kill"), who, draw.steps(), draw.seconds(0.3, 5));
   }
   if (kind == "pause") {
     const Datum who = draw.one_of(with_board);
-    return list(word("pause"), who, draw.seconds(0.05, 5));
+    return list(word("pause"), who, own.steps(), draw.seconds(0.05, 5));
   }
-  if (kind == "board") return list(word(draw.random.below(2) == 0 ? "kill" : "power-cut"), draw.seconds(0.3, 4));
+  if (kind == "board") return board(draw, own);
   if (kind == "disk") return disk(draw);
   if (kind == "frames") return frames(draw);
   if (kind == "sight") return sight(draw);
@@ -170,9 +186,32 @@ Datum what(const std::string& kind, Draw& draw) {
   if (kind == "hand") return hand(draw);
   if (kind == "stop") return list(word(draw.random.below(3) == 0 ? "command" : "stop"), draw.seconds(0.3, 5));
   if (kind == "swap") return swap(draw);
+  if (kind == "clock") return clock(draw);
   if (kind == "alarm") return list(word("alarm"), draw.seconds(0.3, 5));
   if (kind == "bump") return bump(draw);
   return list(word("light"), draw.seconds(0.5, 1.5), draw.seconds(0.5, 6));
+}
+
+// A cube that is not seen is told of beside another, in one to a few looks.
+Datum invented(Draw& draw) {
+  constexpr std::uint64_t most_looks = 4;
+  const auto [one, other] = draw.two_cubes();
+  const double aside_px = draw.seconds(30, 80);
+  const bool left = draw.random.below(2) == 0;
+  return list(word("invented"), one, other, left ? -aside_px : aside_px, draw.random.below(most_looks) + 1);
+}
+
+// Drawn in place of another.
+Datum or_instead(const std::string& kind, Datum drawn, Draw& own) {
+  constexpr std::uint64_t instead_in = 4;
+  if (own.random.below(instead_in) != 0) return drawn;
+  if (kind == "frames") return list(word("doubled"), own.seconds(0.3, 5));
+  if (kind == "sight") return invented(own);
+  if (kind == "arm") {
+    const double after_s = own.seconds(0.01, 0.3);
+    return list(word("acks-twice"), after_s, own.seconds(1, 6));
+  }
+  return drawn;
 }
 
 }  // namespace
@@ -180,14 +219,14 @@ Datum what(const std::string& kind, Draw& draw) {
 std::vector<Fault> draw_faults(const std::string& kind, const forms::CellDescription& cell,
                                const std::vector<Datum>& goal, double phase_s, Random random) {
   std::vector<Fault> faults;
-  // It is drawn for the whole run.
-  if (kind == "clock") return faults;
+  Random instead = random.split("instead");
+  Draw own{cell, goal, phase_s, instead};
   Draw draw{cell, goal, phase_s, random};
   // More than one bump might take the gripper's mark out of the view.
   const std::uint64_t most = kind == "hand" ? 5 : kind == "bump" ? 1 : 3;
   for (std::uint64_t left = random.below(most) + 1; left > 0; --left) {
     Fault::When when = draw.when();
-    Datum drawn = what(kind, draw);
+    Datum drawn = or_instead(kind, what(kind, draw, own), own);
     faults.push_back({kind, std::move(when), std::move(drawn)});
   }
   return faults;

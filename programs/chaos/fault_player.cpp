@@ -20,6 +20,9 @@ constexpr Duration camera_is_found = 90s;
 Duration seconds(double s) { return Duration(static_cast<Duration::rep>(std::llround(s * 1e6))); }
 Duration seconds(const Datum& s) { return seconds(s.number()); }
 
+std::string name_in(const Datum& what) { return std::string(what[1].text()); }
+std::uint64_t steps_in(const Datum& number) { return static_cast<std::uint64_t>(number.integer()); }
+
 Datum camera_pose_on(const memory::MemoryBoard* board) {
   const std::vector<Datum> poses = facts_of(board, "(camera-pose ? ? ? ? ? ? ? ? ?)");
   return poses.empty() ? Datum() : poses.front();
@@ -29,7 +32,8 @@ Datum camera_pose_on(const memory::MemoryBoard* board) {
 // done. The rest is done at once.
 Duration length_of(const Fault& fault) {
   const Datum& last = fault.what[fault.what.size() - 1];
-  const bool at_once = fault.kind == "bump" || fault.kind == "misplace" || fault.kind == "hand" || !last.is_number();
+  const bool at_once = fault.what.is_form("invented") || fault.kind == "clock" || fault.kind == "bump" ||
+                       fault.kind == "misplace" || fault.kind == "hand" || !last.is_number();
   return at_once ? Duration::zero() : seconds(last);
 }
 
@@ -93,20 +97,24 @@ void FaultPlayer::happen(const Fault& fault) {
   ++happened_;
   disturbed_until_ = std::max(disturbed_until_, cell_.time().now() + length_of(fault));
   tell_(write(fault_to_datum(fault)));
-  const InHand now = in_hand(cell_.board());
-  if (!now.operation.empty()) coverage_.hit(pair_point(fault.kind, now.operation, now.servo_state));
   const Datum& what = fault.what;
+  if (what.is_form("slip")) return acting_.push_back(cell_.time().spawn(let_slip()));
+  count(fault.kind, in_hand(cell_.board()));
   if (fault.kind == "network" || fault.kind == "reply") return do_to_network(what);
   if (fault.kind == "disk") return do_to_disk(what);
+  if (what.is_form("invented")) {
+    return cell_.invent_sighting({.object = name_in(what),
+                                  .beside = std::string(what[2].text()),
+                                  .aside_px = what[3].number(),
+                                  .looks_left = static_cast<int>(what[4].integer())});
+  }
   if (fault.kind == "frames" || fault.kind == "sight" || fault.kind == "light") return do_to_camera(what);
   if (fault.kind == "bump") return bump_camera(what);
   if (fault.kind == "arm" || fault.kind == "pendant" || fault.kind == "sensor") return do_to_arm(what);
-  if (fault.kind == "agent") {
-    const auto steps = static_cast<std::uint64_t>(what[2].integer());
-    return cell_.kill(std::string(what[1].text()), seconds(what[3]), steps);
-  }
-  if (fault.kind == "pause") return cell_.pause(std::string(what[1].text()), seconds(what[2]));
-  if (fault.kind == "board") return cell_.kill_board(seconds(what[1]), what.is_form("power-cut"));
+  if (fault.kind == "agent") return cell_.kill(name_in(what), seconds(what[3]), steps_in(what[2]));
+  if (fault.kind == "pause") return cell_.pause(name_in(what), seconds(what[3]), steps_in(what[2]));
+  if (fault.kind == "board") return cell_.kill_board(seconds(what[2]), what.is_form("power-cut"), steps_in(what[1]));
+  if (fault.kind == "clock") return cell_.jump_clock(name_in(what), seconds(what[2]));
   if (what.is_form("stop")) {
     return acting_.push_back(cell_.time().spawn(say(list("stop"_sym, "bystander"_sym, "chaos"), seconds(what[1]))));
   }
@@ -116,21 +124,24 @@ void FaultPlayer::happen(const Fault& fault) {
   }
   if (fault.kind == "alarm") return acting_.push_back(cell_.time().spawn(alarm_for(seconds(what[1]))));
   if (fault.kind == "swap") {
-    return cell_.exchange_names(std::string(what[1].text()), std::string(what[2].text()), seconds(what[3]));
+    return cell_.exchange_names(name_in(what), std::string(what[2].text()), seconds(what[3]));
   }
   if (what.is_form("borrow")) return acting_.push_back(cell_.time().spawn(borrow(what)));
   if (what.is_form("hand")) return acting_.push_back(cell_.time().spawn(move_hand(what)));
-  if (what.is_form("slip")) return acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "slip"_sym))));
   if (what.is_form("misplace")) {
     acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "misplace"_sym, what[1]))));
   }
 }
 
+void FaultPlayer::count(const std::string& kind, const InHand& during) {
+  if (!during.operation.empty()) coverage_.hit(pair_point(kind, during.operation, during.servo_state));
+}
+
 void FaultPlayer::do_to_network(const Datum& what) {
   simulated::Network& network = cell_.network();
-  if (what.is_form("break")) return network.break_connections(std::string(what[1].text()));
-  if (what.is_form("stall")) return network.stall(std::string(what[1].text()), seconds(what[2]));
-  if (what.is_form("lose-reply")) return network.lose_next_reply(std::string(what[1].text()));
+  if (what.is_form("break")) return network.break_connections(name_in(what));
+  if (what.is_form("stall")) return network.stall(name_in(what), seconds(what[2]));
+  if (what.is_form("lose-reply")) return network.lose_next_reply(name_in(what));
   network.set_delay({.least = 50us, .most = seconds(what[1])});
   cell_.time().call_at(cell_.time().now() + seconds(what[2]),
                        [this] { cell_.network().set_delay({.least = 50us, .most = 400us}); });
@@ -154,6 +165,7 @@ void FaultPlayer::do_to_camera(const Datum& what) {
   const Time until = cell_.world().process.now() + seconds(what[what.size() - 1]);
   if (what.is_form("dropped")) faults.frames_dropped_until = until;
   if (what.is_form("frozen")) faults.frames_frozen_until = until;
+  if (what.is_form("doubled")) faults.frames_doubled_until = until;
   if (what.is_form("late")) {
     faults.frames_late_until = until;
     faults.frame_delay = seconds(what[1]);
@@ -200,13 +212,25 @@ void FaultPlayer::do_to_arm(const Datum& what) {
     faults.acks_late_until = until;
     faults.ack_delay = seconds(what[1]);
   }
+  if (what.is_form("acks-twice")) {
+    faults.acks_twice_until = until;
+    faults.second_ack_after = seconds(what[1]);
+  }
   if (what.is_form("pendant")) {
     faults.pendant_until = until;
     acting_.push_back(cell_.time().spawn(ask_world(stop)));
   }
 }
 
-// The request may be impossible just then: nothing is held that could slip, or nothing moves.
+// It counts only where something was held.
+Task<void> FaultPlayer::let_slip() {
+  const InHand during = in_hand(cell_.board());
+  const Datum slip = list("fingers"_sym, "slip"_sym);
+  const Result<simulation::Message> slipped = co_await cell_.world().world->handle(slip);
+  if (slipped) count("slip", during);
+}
+
+// The request may be impossible just then, as where nothing moves.
 Task<void> FaultPlayer::ask_world(Datum request) {
   [[maybe_unused]] const Result<simulation::Message> done = co_await cell_.world().world->handle(std::move(request));
 }

@@ -15,6 +15,7 @@
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
 #include "programs/chaos/fault.hpp"
+#include "programs/chaos/peek.hpp"
 
 namespace pizarra::chaos {
 
@@ -46,6 +47,7 @@ class FaultPlayer {
   Task<void> happen_in_time(const Fault& fault);
   Task<void> await_servo(const Fault::When& when);
   void happen(const Fault& fault);
+  void count(const std::string& kind, const InHand& during);
   void do_to_network(const Datum& what);
   void do_to_disk(const Datum& what);
   void do_to_camera(const Datum& what);
@@ -57,6 +59,7 @@ class FaultPlayer {
   // The bystander says a fact, and takes it back.
   Task<void> say(Datum fact, Duration length);
   Task<void> alarm_for(Duration length);
+  Task<void> let_slip();
   Task<void> ask_world(Datum request);
 
   ChaosCell& cell_;

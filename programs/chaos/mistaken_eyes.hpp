@@ -1,10 +1,13 @@
 #pragma once
 
-// A board between the eyes and their session on which two objects change names for a while: each look says of the one
-// what was seen of the other, in its text and in its list.
+// A board between the eyes and their session on which looks are mistaken. Two objects change names for a while: each
+// look says of the one what was seen of the other, in its text and in its list. Or a few looks tell of an object that
+// is not seen, as if it stood beside one that is.
 //
-//   ExchangedNames names{.until = time.now() + 2s, .one = "circle", .other = "cross"};     // until then
-//   MistakenEyes board(*session, time, names);
+//   Mistakes mistakes;
+//   mistakes.names = {.until = time.now() + 2s, .one = "circle", .other = "cross"};                   // until then
+//   mistakes.invented = {.object = "square", .beside = "cross", .aside_px = 50, .looks_left = 2};
+//   MistakenEyes board(*session, time, mistakes);
 
 #include <string>
 
@@ -19,11 +22,24 @@ struct ExchangedNames {
   std::string other = {};
 };
 
+// Looks that show the one and not the other are used up.
+struct InventedSighting {
+  std::string object = {};
+  std::string beside = {};
+  double aside_px = 0;
+  int looks_left = 0;
+};
+
+struct Mistakes {
+  ExchangedNames names;
+  InventedSighting invented;
+};
+
 class MistakenEyes : public Board {
  public:
   // All outlive it.
-  MistakenEyes(Board& board, const Executor& time, const ExchangedNames& names)
-      : board_(board), time_(time), names_(names) {}
+  MistakenEyes(Board& board, const Executor& time, Mistakes& mistakes)
+      : board_(board), time_(time), mistakes_(mistakes) {}
 
   Task<Result<void>> declare(std::vector<Relation> relations) override { return board_.declare(std::move(relations)); }
   Task<Result<Revision>> transact(Transaction transaction) override;
@@ -37,9 +53,11 @@ class MistakenEyes : public Board {
   Task<Result<void>> release(LeaseId lease) override { return board_.release(lease); }
 
  private:
+  void mistake(Datum& look);
+
   Board& board_;
   const Executor& time_;
-  const ExchangedNames& names_;
+  Mistakes& mistakes_;
 };
 
 }  // namespace pizarra::chaos

@@ -39,5 +39,49 @@ TEST(ChaosStory, LeavesCubesThatHaveSizesOfTheirOwnAsTheyAre) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) EXPECT_EQ(draw_story(sized, seed, {}).cell.cube_mm, 60);
 }
 
+// Each kind by its first word.
+TEST(ChaosStory, DrawsEachKindOfFaultThatAClassHas) {
+  const std::pair<const char*, std::set<std::string>> classes[] = {
+      {"frames", {"dropped", "frozen", "late", "doubled"}},
+      {"arm", {"away", "acks-late", "acks-twice", "stops-short"}},
+      {"sight", {"hidden", "jumps", "invented"}},
+      {"board", {"kill", "power-cut"}},
+      {"clock", {"jump"}}};
+  for (const auto& [kind, words] : classes) {
+    std::set<std::string> drawn;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      for (const Fault& fault : draw_story(programs::four_cubes(), seed, {kind}).faults)
+        drawn.emplace(fault.what.head());
+    }
+    EXPECT_EQ(drawn, words) << kind;
+  }
+}
+
+// (pause WHO K S), (kill WHO K S), (kill K S), (power-cut K S)
+TEST(ChaosStory, DrawsTheSuspensionPointAtWhichAProcessEndsOrIsHeldUp) {
+  for (const auto& [kind, place] : {std::pair("pause", 2), std::pair("agent", 2), std::pair("board", 1)}) {
+    std::set<std::int64_t> points;
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      for (const Fault& fault : draw_story(programs::four_cubes(), seed, {kind}).faults) {
+        points.insert(fault.what[static_cast<std::size_t>(place)].integer());
+      }
+    }
+    EXPECT_GT(points.size(), 20U) << kind;
+    EXPECT_GE(*points.begin(), 1) << kind;
+  }
+}
+
+TEST(ChaosStory, DrawsJumpsOfTheClocksBothWays) {
+  std::set<bool> ahead;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    for (const Fault& fault : draw_story(programs::four_cubes(), seed, {"clock"}).faults) {
+      const double by_s = fault.what[2].number();
+      EXPECT_LE(std::abs(by_s), 5);
+      ahead.insert(by_s > 0);
+    }
+  }
+  EXPECT_EQ(ahead.size(), 2U);
+}
+
 }  // namespace
 }  // namespace pizarra::chaos

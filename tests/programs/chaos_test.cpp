@@ -72,7 +72,7 @@ TEST(Chaos, AHeadThatIsTurnedByHandIsFoundOutAndTheGoalIsReached) {
 // In this run its power is cut as the last goal ends.
 TEST(Chaos, ABoardThatIsAwayAtTheEndIsAskedForWhatItKeepsWhenItIsBack) {
   const Said said = run("--replay 6200084");
-  EXPECT_TRUE(contains(said, "(power-cut 1.67)")) << said.text;
+  EXPECT_TRUE(contains(said, "(power-cut 76 1.67)")) << said.text;
   EXPECT_FALSE(contains(said, "UNSAFE")) << said.text;
 }
 
