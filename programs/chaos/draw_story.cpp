@@ -5,6 +5,7 @@
 
 #include "drivers/simulation/world_config.hpp"
 #include "lisp/writer.hpp"
+#include "programs/chaos/draw_camera.hpp"
 #include "programs/chaos/draw_faults.hpp"
 #include "programs/story/random_story.hpp"
 
@@ -109,6 +110,7 @@ ChaosStory draw_story(const forms::CellDescription& cell, std::uint64_t seed, co
   const forms::CellDescription drawn = draw_cell(cell, of_cell);
   const story::RandomStory first = story::random_story(drawn, random.split("story"));
   story.cell = first.cell;
+  guess_camera(story.cell, random.split("camera"));
   story.goals.push_back(first.scenario.goal);
   for (std::uint64_t more = of_goals.below(5); more >= 3 && story.goals.size() < 3; --more) {
     const auto next = random.split("goal " + std::to_string(story.goals.size()));
@@ -132,6 +134,7 @@ std::vector<std::string> describe(const ChaosStory& story) {
   const forms::CellNoise& noise = story.cell.noise;
   lines.push_back(fmt::format("cubes of {} mm: {}; noise: sensor {:.1f}, blur {:.2f}, gradient {:.2f}",
                               story.cell.cube_mm, cubes, noise.sensor_grey, noise.blur_px, noise.gradient));
+  lines.push_back(describe_camera(story.cell));
   for (const std::vector<Datum>& goal : story.goals) lines.push_back("goal: " + facts_text(goal));
   std::string classes;
   for (const std::string& kind : story.classes) classes += " " + kind;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lisp/writer.hpp"
+#include "programs/chaos/draw_camera.hpp"
 #include "programs/chaos/peek.hpp"
 
 namespace pizarra::chaos {
@@ -51,6 +52,7 @@ FaultPlayer::FaultPlayer(ChaosCell& cell, ChaosCell::Client& bystander, runtime:
 FaultPlayer::~FaultPlayer() = default;
 
 void FaultPlayer::begin() {
+  if (is_camera_guessed(cell_.description())) camera_sought_since_ = cell_.time().now();
   for (const Fault& fault : faults_) waiting_.push_back(cell_.time().spawn(happen_in_time(fault)));
 }
 
@@ -80,9 +82,9 @@ bool FaultPlayer::is_quiet() const {
 }
 
 bool FaultPlayer::camera_is_sought() const {
-  if (!bumped_at_ || cell_.time().now() > *bumped_at_ + camera_is_found) return false;
+  if (!camera_sought_since_ || cell_.time().now() > *camera_sought_since_ + camera_is_found) return false;
   const Datum told = camera_pose_on(cell_.board());
-  return told == told_at_bump_ || told == Datum() || !told[7].is_symbol("measured");
+  return told == told_before_ || told == Datum() || !told[7].is_symbol("measured");
 }
 
 Task<void> FaultPlayer::await_servo(const Fault::When& when) {
@@ -185,8 +187,8 @@ void FaultPlayer::do_to_camera(const Datum& what) {
 }
 
 void FaultPlayer::bump_camera(const Datum& what) {
-  bumped_at_ = cell_.time().now();
-  told_at_bump_ = camera_pose_on(cell_.board());
+  camera_sought_since_ = cell_.time().now();
+  told_before_ = camera_pose_on(cell_.board());
   if (what.is_form("nudge")) return request_from_world("head"_sym, what);
   for (std::size_t axis = 0; axis < 3; ++axis) camera_.at_mm[axis] += what[axis + 1].number();
   camera_.pan_deg += what[4].number();

@@ -37,10 +37,9 @@ class FaultPlayer {
   // When a hand last moved something.
   Time hand_moved() const { return hand_moved_; }
   bool hand_is_busy() const { return hands_ > 0; }
-  // Whether no fault is under way. A bump is, until the cell has measured where its camera stands.
+  // Whether no fault is under way. A bump is, and a wrong guess of where the camera stands, until the cell has measured
+  // that.
   bool is_quiet() const;
-  // Where the camera truly stands.
-  const forms::CameraPose& camera() const { return camera_; }
 
  private:
   bool camera_is_sought() const;
@@ -68,8 +67,8 @@ class FaultPlayer {
   const std::vector<Fault> faults_;
   const std::function<void(const std::string&)> tell_;
   forms::CameraPose camera_;
-  std::optional<Time> bumped_at_;
-  Datum told_at_bump_;  // of the camera
+  std::optional<Time> camera_sought_since_;  // it stands elsewhere than the agents take it to
+  Datum told_before_;                        // of the camera
   Coverage coverage_;
   std::size_t happened_ = 0;
   int hands_ = 0;

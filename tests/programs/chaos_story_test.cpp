@@ -1,6 +1,8 @@
 // What a run under faults draws from its seed.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -81,6 +83,43 @@ TEST(ChaosStory, DrawsJumpsOfTheClocksBothWays) {
     }
   }
   EXPECT_EQ(ahead.size(), 2U);
+}
+
+TEST(ChaosStory, TellsTheAgentsAGuessOfTheCameraThatIsOffBy20MillimetresAnd2Degrees) {
+  std::set<std::array<bool, 3>> directions;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const forms::CellDescription cell = draw_story(programs::four_cubes(), seed, {}).cell;
+    const forms::CameraPose& truth = cell.world_camera;
+    const forms::CameraPose& guess = cell.camera.pose;
+    std::array<double, 3> off{};
+    for (std::size_t axis = 0; axis < off.size(); ++axis) off[axis] = guess.at_mm[axis] - truth.at_mm[axis];
+    EXPECT_NEAR(std::hypot(off[0], off[1], off[2]), 20, 1e-9) << "seed " << seed;
+    const double panned = guess.pan_deg - truth.pan_deg;
+    EXPECT_NEAR(std::hypot(panned, guess.tilt_deg - truth.tilt_deg, guess.roll_deg - truth.roll_deg), 2, 1e-9);
+    EXPECT_EQ(cell.camera.sure_mm, 20);
+    EXPECT_EQ(cell.camera.sure_deg, 2);
+    EXPECT_EQ(truth, programs::four_cubes().world_camera);
+    directions.insert({off[0] > 0, off[1] > 0, off[2] > 0});
+  }
+  EXPECT_EQ(directions.size(), 8U);
+}
+
+TEST(ChaosStory, KeepsTheGuessThatACellsFileHas) {
+  forms::CellDescription guessed = programs::four_cubes();
+  guessed.camera.pose.at_mm[2] += 7;
+  EXPECT_EQ(draw_story(guessed, 1, {}).cell.camera.pose, guessed.camera.pose);
+  forms::CellDescription unknown = programs::four_cubes();
+  unknown.camera.unknown = true;
+  EXPECT_TRUE(draw_story(unknown, 1, {}).cell.camera.unknown);
+}
+
+TEST(ChaosStory, SaysWhereTheCameraStandsAndWhereTheAgentsTakeItToStand) {
+  const std::vector<std::string> lines = describe(draw_story(programs::four_cubes(), 1, {}));
+  const auto says = [](const std::string& line) {
+    return line.starts_with("camera at 1330.0 0.0 200.0 mm, pan 0.00, tilt 0.00, roll 0.00; taken to be at ") &&
+           line.ends_with(", sure to 20 mm and 2 degrees");
+  };
+  EXPECT_EQ(std::ranges::count_if(lines, says), 1);
 }
 
 }  // namespace
