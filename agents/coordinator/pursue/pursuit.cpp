@@ -12,6 +12,7 @@ namespace pizarra::coordinator {
 namespace {
 
 // Bounds of one goal. A tower of four takes about ten operations; every disturbance costs a few more.
+constexpr int most_pauses = 3;
 constexpr int most_rounds = 150;
 constexpr int most_plans = 30;
 constexpr int most_failures = 25;
@@ -223,16 +224,27 @@ bool Pursuit::outgrows_plan(const Goal& goal) const {
 }
 
 Task<bool> Pursuit::settles(Goal goal) {
-  const Time settled = context_.executor.now() + options_.settle;
-  for (int looks = 0; looks < options_.settle_looks || context_.executor.now() < settled; ++looks) {
+  Time since = context_.executor.now();
+  Time last = since;
+  int pauses = 0;
+  for (int looks = 0; looks < options_.settle_looks || last < since + options_.settle; ++looks) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
     if (vigil_.interrupted()) co_return false;
     const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
-    if (lost.empty()) continue;
-    co_await differences_.tell(lost, "the goal");
-    co_await search_.await_steady(objects_of(goal));
-    co_return false;
+    if (!lost.empty()) {
+      co_await differences_.tell(lost, "the goal");
+      co_await search_.await_steady(objects_of(goal));
+      co_return false;
+    }
+    const Time now = context_.executor.now();
+    const bool paused = now - last > options_.settle;
+    // What happened in the pause was not seen: the time to settle begins anew. Eyes may always be as slow as that.
+    if (paused && pauses++ < most_pauses) {
+      looks = 0;
+      since = now;
+    }
+    last = now;
   }
   co_return true;
 }

@@ -339,6 +339,19 @@ TEST_F(Coordinator, CallsNoGoalReachedWhileNobodySeesWhetherItHolds) {
   expect_on("circle", "triangle");
 }
 
+TEST_F(Coordinator, CallsNoGoalReachedByLooksFromBeforeAPause) {
+  cell.cubes["circle"] = {455, -50, 90};
+  cell.run_for(3s);
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(event ? plan ? ?)", 20s));
+  cell.run_for(1s);
+  cell.look_late = 3s;
+  cell.run_for(150ms);
+  cell.cubes["circle"] = {450, -150, 30};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+}
+
 TEST_F(Coordinator, TellsWhyWithTheFrameThatShowedTheDifference) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(operation ? (PICK-UP circle) running)", 30s));
