@@ -73,7 +73,7 @@ void BoardProcess::cut_power() {
   disk_.cut_power();
 }
 
-Process* BoardProcess::process() { return lives() ? &life_->process : nullptr; }
+Process* BoardProcess::process() const { return lives() ? &life_->process : nullptr; }
 
 memory::MemoryBoard* BoardProcess::board() { return lives() ? &life_->kept->board() : nullptr; }
 

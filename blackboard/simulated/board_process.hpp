@@ -35,7 +35,7 @@ class BoardProcess {
   void kill();
   void cut_power();
   bool lives() const { return life_ != nullptr; }
-  Process* process();
+  Process* process() const;
   memory::MemoryBoard* board();
   const std::string& address() const { return address_; }
   int lives_begun() const { return lives_; }

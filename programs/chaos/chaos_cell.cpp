@@ -223,6 +223,7 @@ int ChaosCell::lives(const std::string& kind) const {
 }
 
 bool ChaosCell::runs(const std::string& kind) const {
+  if (kind == simulated::BoardProcess::name) return board_.lives() && !board_.process()->paused();
   const auto found = agents_.find(kind);
   return found != agents_.end() && found->second->process.alive() && !found->second->process.paused();
 }

@@ -131,13 +131,18 @@ Task<void> deliver(WorldProcess& world, Answer answer, Result<Message> message, 
   co_await sleep(world.process, way_back);
   const bool lost = answer.of_arm && world.process.now() < world.faults.arm_away_until;
   const std::shared_ptr<OpenCalls> calls = answer.calls.lock();
-  if (calls && !lost) calls->take(answer.number, std::move(message));
+  if (lost) world.arm_lost_at = world.process.now();
+  if (!calls || lost) co_return;
+  if (answer.of_arm) world.arm_answered_at = world.process.now();
+  calls->take(answer.number, std::move(message));
 }
 
 // In the world's process.
 Task<void> serve(WorldProcess& world, std::string from, Datum request, Answer answer) {
   co_await sleep(world.process, way);
-  if (answer.of_arm && world.process.now() < world.faults.arm_away_until) co_return;
+  const bool lost = answer.of_arm && world.process.now() < world.faults.arm_away_until;
+  if (lost) world.arm_lost_at = world.process.now();
+  if (lost) co_return;
   if (answer.of_arm) hear_client(world);
   if (world.on_request) world.on_request(from, request);
   const bool acknowledges = answer.of_arm && !request[1].is_symbol("read");

@@ -37,6 +37,9 @@ struct WorldProcess {
   std::function<int()> servo_state;
   Time stopped_at{};
   std::optional<Datum> to_repeat;
+  // When a request to the arm or its answer was last lost, and when it last answered.
+  Time arm_lost_at{};
+  Time arm_answered_at{};
   std::optional<Duration> silence_limit;  // of the arm's controller
   Executor::TimerId silence = 0;          // runs out at the limit
   std::deque<std::vector<std::shared_ptr<const Image>>> old_images;

@@ -78,7 +78,12 @@ Task<void> FaultPlayer::happen_in_time(const Fault& fault) {
 
 bool FaultPlayer::is_quiet() const {
   const bool nobody_acts = hands_ == 0 && said_ == 0 && alarms_ == 0;
-  return cell_.time().now() > disturbed_until_ && nobody_acts && !camera_is_sought();
+  return cell_.time().now() > disturbed_until_ && nobody_acts && arm_answers() && !camera_is_sought();
+}
+
+bool FaultPlayer::arm_answers() const {
+  const WorldProcess& world = cell_.world();
+  return world.arm_answered_at >= world.arm_lost_at;
 }
 
 bool FaultPlayer::camera_is_sought() const {

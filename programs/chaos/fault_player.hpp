@@ -38,10 +38,12 @@ class FaultPlayer {
   Time hand_moved() const { return hand_moved_; }
   bool hand_is_busy() const { return hands_ > 0; }
   // Whether no fault is under way. A bump is, and a wrong guess of where the camera stands, until the cell has measured
-  // that.
+  // that. A silent line is, until the arm has answered again.
   bool is_quiet() const;
 
  private:
+  // Whether the robot agent has had an answer since the arm's line was silent last.
+  bool arm_answers() const;
   bool camera_is_sought() const;
   Task<void> happen_in_time(const Fault& fault);
   Task<void> await_servo(const Fault::When& when);

@@ -115,8 +115,8 @@ void Observers::look_at_beliefs(double opening_mm) {
 }
 
 bool Observers::are_all_present() const {
-  return std::ranges::all_of(cell_.kinds(),
-                             [&](const std::string& kind) { return cell_.runs(kind) && present_.contains(kind); });
+  const auto is_present = [&](const std::string& kind) { return cell_.runs(kind) && present_.contains(kind); };
+  return cell_.runs(simulated::BoardProcess::name) && std::ranges::all_of(cell_.kinds(), is_present);
 }
 
 bool Observers::showed_lately(const std::vector<Datum>& goal) const {
