@@ -234,13 +234,17 @@ TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOneAlsoWhereTheBoardBreaksOf
   EXPECT_NE(refused.error().sentence.find("--key"), std::string::npos) << refused.error().sentence;
 }
 
-// The board may close the line before the client has read why. The client then tries again, more and more seldom.
+// The board may close the line before a client has read why, and each client tries again more and more seldom. So
+// another one asks after two seconds.
 TEST_F(SecurityTest, AKeyForABoardThatAsksForNoneIsSaidToBeInTheWay) {
   const auto open = server::BoardServer::open(executor_, board_, {.addresses = {"tcp://127.0.0.1:*"}}).value();
-  const auto board = client::RemoteBoard::connect(executor_, open->addresses().front(), "robot", 60s,
-                                                  wire::read_client_keys(secret_of("robot")).value())
-                         .value();
-  EXPECT_EQ(symbol_of(run(board->ask(query("(arm ?x)")))), "not-permitted");
+  const wire::ClientKeys keys = wire::read_client_keys(secret_of("robot")).value();
+  std::string symbol;
+  for (int clients = 0; clients < 10 && symbol != "not-permitted"; ++clients) {
+    const auto board = client::RemoteBoard::connect(executor_, open->addresses().front(), "robot", 2s, keys).value();
+    symbol = symbol_of(run(board->ask(query("(arm ?x)"))));
+  }
+  EXPECT_EQ(symbol, "not-permitted");
 }
 
 TEST_F(SecurityTest, AnotherBoardsKeyLetsNobodySpeakToIt) {

@@ -49,8 +49,9 @@ TEST_F(Speech, PlacesAreRememberedByName) {
 }
 
 TEST_F(Speech, WhatTheArmRefusesIsAnsweredAsTheArmSaysIt) {
-  EXPECT_EQ(robot::form(say("move up 5 metres"))[1].text(), "joint-limit");
   EXPECT_EQ(robot::form(say("go to nowhere"))[1].text(), "unknown-variable");
+  EXPECT_EQ(say("move up 5 metres"), "(ok \"(move-v up 5000)\" true)") << "it goes as far as it can";
+  EXPECT_EQ(say("move up 5 metres"), "(ok \"(move-v up 5000)\" false)") << "it stands there already";
 }
 
 TEST_F(Speech, WhatIsNotUnderstoodMovesNothingAndNamesTheWord) {
