@@ -20,7 +20,7 @@ struct BoardProcess::Life {
 };
 
 BoardProcess::BoardProcess(Executor& time, Network& network, SimulatedDisk& disk, Random random, std::string address)
-    : time_(time), network_(network), disk_(disk), random_(std::move(random)), address_(std::move(address)) {}
+    : time_(time), network_(network), disk_(disk), random_(random), address_(std::move(address)) {}
 
 BoardProcess::~BoardProcess() {
   if (lives()) kill();
