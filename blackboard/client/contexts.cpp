@@ -77,7 +77,8 @@ Task<Result<void>> Contexts::add(std::string root, std::string name, std::string
   };
   if (std::ranges::any_of(way_up, is_above)) {
     const std::string where = address == root ? "itself" : "a board above it";
-    co_return fail("context-loop", fmt::format("{} cannot name {}", root, where), to_datum(address));
+    co_return fail("context-loop", fmt::format("{} cannot name {}: the names would lead back to it", root, where),
+                   to_datum(address));
   }
   const Result<Pairs> named_so_far = co_await pairs_of(root, "context-board");
   if (!named_so_far) co_return fail(of_board(named_so_far.error(), "", root));

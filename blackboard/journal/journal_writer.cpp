@@ -104,7 +104,7 @@ Result<void> JournalWriter::check_room(Change change, std::size_t bytes) const {
   if (waiting_bytes() + bytes <= most[static_cast<std::size_t>(change)]) return {};
   if (failure_) return fail(*failure_);
   if (room_.is_scarce) return fail("journal-full", log_->path() + ": the disk has too little space left for this");
-  return fail("journal-full", "more waits to be written to " + log_->path() + " than is allowed to wait");
+  return fail("journal-full", "too much waits to be written to " + log_->path());
 }
 
 // On a full disk it must leave room for the removals that come after it.

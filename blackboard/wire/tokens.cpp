@@ -58,7 +58,7 @@ Result<std::string> make_token(const std::string& folder, const std::string& nam
   const std::string base = folder + "/" + name;
   std::error_code error;
   if (name == board_key_name || !std::filesystem::exists(base + ".secret", error)) {
-    return fail("no-key", "a token is made where the secret of its key is, and there is none of this name here",
+    return fail("no-key", "there is no secret of this name here: make the token where the secret of its key is",
                 Datum::symbol(name));
   }
   const std::string secret = random_secret();

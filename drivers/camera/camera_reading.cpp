@@ -67,7 +67,7 @@ class Reading {
       if (!going && going.error().symbol == "corrupt-frame") going = leave_out(describe(going.error()));
     }
     reader_.close();
-    return going ? Failure{"disconnected", "the camera was let go, for nobody asked for its images", {}, {}}
+    return going ? Failure{"disconnected", "the camera was closed: nobody asked for its images", {}, {}}
                  : going.error();
   }
 

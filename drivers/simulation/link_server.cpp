@@ -50,7 +50,7 @@ void LinkServer::accept(std::string peer, std::uint64_t id, Datum request) {
     jobs_.push_back(executor_.spawn(answer(std::move(peer), id, std::move(request))));
     return;
   }
-  reply(peer, id, fail("busy", "the devices have too much to do"));
+  reply(peer, id, fail("busy", "too many requests wait for the simulated devices"));
 }
 
 Task<void> LinkServer::answer(std::string peer, std::uint64_t id, Datum request) {

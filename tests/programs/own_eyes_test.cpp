@@ -163,7 +163,7 @@ TEST(OwnEyes, ACheckSaysWhichRecordingsAreNotHere) {
 TEST(OwnEyes, ACheckRefusesWhatWouldHaveNoEffectOnTheCamera) {
   const Said exposed = run("check " + cell_with("exposed", "(single (images \"shots\")) (exposure 8)"));
   EXPECT_EQ(exposed.status, 2) << exposed.text;
-  EXPECT_TRUE(contains(exposed, "only a (device ...) can be told how long to expose")) << exposed.text;
+  EXPECT_TRUE(contains(exposed, "only a (device ...) has (exposure MS)")) << exposed.text;
   const Said skewed = run("check " + cell_with("skewed", "(single (device 0)) (skew 8)"));
   EXPECT_EQ(skewed.status, 2) << skewed.text;
 }

@@ -122,7 +122,7 @@ Task<Result<void>> TaskRunner::go_up(double missing_mm) {
     missing_mm = options_.travel_height_mm - grip->z();
     if (std::abs(missing_mm) <= height_tolerance_mm) co_return Result<void>();
   }
-  co_return fail("unreachable", "the arm does not come up to where it travels", to_datum(missing_mm));
+  co_return fail("unreachable", "the arm does not reach its travel height", to_datum(missing_mm));
 }
 
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.

@@ -29,7 +29,7 @@ Task<Result<std::unique_ptr<ClientTurns::Turn>>> ClientTurns::take(std::string c
 
 Result<bool> ClientTurns::begin(const Turn& turn) {
   if (!queue_.waits(turn.number_)) {
-    return fail("busy", fmt::format("{} asks for so much that this made room for others", turn.client_),
+    return fail("busy", fmt::format("{} has the most requests waiting: this one made room for others", turn.client_),
                 Datum::symbol(turn.client_));
   }
   const std::string tracking_for = holders_.tracker();
@@ -54,7 +54,7 @@ Task<Result<void>> ClientTurns::wait_for(const Turn& turn) {
     in_time = co_await changed_.wait(deadline);
   }
   const std::string served = queue_.served();
-  co_return fail("busy", fmt::format("vision is there for {} first, and no turn came in 6 s", served),
+  co_return fail("busy", fmt::format("the eyes serve {} first, and no turn came within 6 s", served),
                  Datum::symbol(served));
 }
 

@@ -36,7 +36,7 @@ Failure KnownObjects::not_known(const std::string& name) const {
 Result<void> KnownObjects::check_untracked(const std::string& client, const std::string& name) const {
   const std::string holder = holders_.other_tracker(client, name);
   if (holder.empty()) return {};
-  return fail("busy", fmt::format("{} tracks it, which is then not changed by others", holder), Datum::symbol(holder));
+  return fail("busy", fmt::format("{} tracks it: nobody else can change it meanwhile", holder), Datum::symbol(holder));
 }
 
 Task<Result<void>> KnownObjects::check_judged(std::string client, std::string name) {

@@ -227,7 +227,7 @@ Task<Result<void>> MotomanArm::look_at_gripper() {
 Task<void> MotomanArm::hold_if_nobody_ordered(MotomanStatus status) {
   const bool stray = status.running && status.remote && !status.teaching && !stopping_;
   if (!stray) co_return;
-  why_stopped_ = Failure{"stopped", "the arm ran although nobody had ordered it, and was held", {}, {}};
+  why_stopped_ = Failure{"stopped", "the arm moved although nobody had ordered it, and was stopped", {}, {}};
   stopped_ = true;
   // Where the controller did not hear it, the next look finds it running still.
   const Result<void> held = co_await stop();

@@ -110,7 +110,7 @@
                 (stops (section-in found 'stops)))
            (unless (section-in found 'speed) (complain! inside 'malformed "the axis has no (speed S)"))
            (when (and stops (not (section-in found 'from)))
-             (complain! stops 'malformed "(stops LOW HIGH) are of an axis that a linkage holds: (from base)"))
+             (complain! stops 'malformed "only an axis that a linkage holds, (from base), has (stops LOW HIGH)"))
            (and pair speed
                 (list role (first pair) (second pair) (* unit speed)
                       (sense-of found)
@@ -136,12 +136,13 @@
         (complain! (first nodes) 'malformed "the axis ~a is missing" (first missing))))
     (let ((wrist (filter (lambda (role) (memq role '(roll pitch spin))) roles)))
       (unless (or (null? nodes) (any (lambda (known) (lset= eq? known wrist)) wrists))
-        (complain! (first nodes) 'malformed "a wrist has (axis spin), with it (axis pitch), and with both (axis roll)")))))
+        (complain! (first nodes) 'malformed
+                   "the axes of a wrist are spin alone, pitch and spin, or roll, pitch and spin")))))
 
 ;; Links beside axis 1, or a tool beside its pitch axis, ask for a wrist that stays in the links' plane.
 (define (check-beside node axes sizes)
   (when (and (assq 'roll axes) (not (every zero? (list-tail sizes 7))))
-    (complain! node 'malformed "(side ...) and (across ...) are of arms without an axis of roll")))
+    (complain! node 'malformed "only an arm without an axis of roll has (side ...) and (across ...)")))
 
 ;; With an axis of roll before it, the tool's elevation is not the pitch axis' alone.
 (define (check-coupling nodes axes)

@@ -57,7 +57,7 @@
            (let ((sources (map source-of given)))
              (cond ((not (every pair? sources)) #f)
                    ((not (= 1 (length (delete-duplicates (map first sources)))))
-                    (complain! (second given) 'malformed "both cameras of a pair are of one kind, here ~a"
+                    (complain! (second given) 'malformed "both cameras of a pair must be of one kind, here ~a"
                                (first (first sources))))
                    ((not (= wanted (length (delete-duplicates sources))))
                     (complain! (second given) 'repeated "the left camera is this one already"))
@@ -83,9 +83,9 @@
   (let ((exposure (section-in found 'exposure))
         (skew (section-in found 'skew)))
     (when (and exposure (not (eq? (first (first sources)) 'device)))
-      (complain! exposure 'malformed "only a (device ...) can be told how long to expose"))
+      (complain! exposure 'malformed "only a (device ...) has (exposure MS)"))
     (when (and skew (not (eq? arrangement 'pair)))
-      (complain! skew 'malformed "only the images of a (pair ...) come at two moments"))))
+      (complain! skew 'malformed "only a (pair ...) has (skew MS)"))))
 
 ;; The size of a pixel in mm must be known, by a calibration or by the numbers of a rectified pair.
 (define (check-geometry node arrangement found)
@@ -128,7 +128,8 @@
 (define (camera-of-plugin node)
   (let ((file (plugin-at (node-ref node 1))))
     (when (> (length (node-items node)) 2)
-      (complain! (node-ref node 2) 'malformed "a camera's plug-in says all of itself: nothing follows it"))
+      (complain! (node-ref node 2) 'malformed
+                 "nothing may follow a camera's plug-in, which tells its size and geometry by itself"))
     (list 'plugin (list (list 'plugin (or file ""))) '(0 0) 0 0 'colour 0 "" 0 0 0)))
 
 (define (camera-of-section section)

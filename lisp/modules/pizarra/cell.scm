@@ -61,7 +61,7 @@
          (given (if lens (length (node-rest lens)) 0))
          (numbers (cond ((not lens) '())
                         ((<= 1 given lens-numbers) (or (numbers-of lens (make-list given distortion-range)) '()))
-                        (else (complain! lens 'malformed "(lens K1 K2 P1 P2 K3) takes one number to ~a" lens-numbers)
+                        (else (complain! lens 'malformed "(lens K1 K2 P1 P2 K3) takes 1 to ~a numbers" lens-numbers)
                               '()))))
     (append numbers (make-list (- lens-numbers (length numbers)) 0))))
 
@@ -84,7 +84,8 @@
   (let* ((section (section-in found 'camera-pose))
          (head (and section (find (lambda (item) (eq? (node-head item) 'head)) (node-rest section)))))
     (when head
-      (complain! head 'malformed "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))))
+      (complain! head 'malformed
+                 "the cell has no pan-tilt unit: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))))
 
 (define (noise-of found)
   (let* ((noise (section-in found 'noise))
@@ -106,7 +107,7 @@
   (let* ((picture (section-in found name))
          (file (and picture (string-at picture 1 "the picture's file"))))
     (cond ((not file) '())
-          ((string-null? file) (complain! (node-ref picture 1) 'malformed "the picture's file has a name") '())
+          ((string-null? file) (complain! (node-ref picture 1) 'malformed "the name of this file is empty") '())
           ((> (length (node-items picture)) 2) (complain! (node-ref picture 2) 'malformed "(~a ...) takes one file" name) '())
           (else (list file (path-to (node-ref picture 1)))))))
 
@@ -152,7 +153,7 @@
          (span-of (lambda (name)
                     (let ((span (numbers-in parts name '((-10000 10000) (-10000 10000)) '(-10000 10000))))
                       (when (> (first span) (second span))
-                        (complain! (section-in parts name) 'malformed "a span has its low end first"))
+                        (complain! (section-in parts name) 'malformed "the low end comes first: (~a LOW HIGH)" name))
                       span))))
     (if room (map span-of '(x y z)) '())))
 
@@ -207,7 +208,7 @@
     (refuse-idle agent-nodes agents hosts)
     (unless has-unit
       (refuse-agent named-hosts 'pan-tilt
-                    "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))
+                    "the cell has no pan-tilt unit: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))
     (unless has-unit (refuse-axes found))
     (unless slave
       (for-each (lambda (kind) (refuse-agent named-hosts kind "there is no second arm: (slave ARM) is not given"))

@@ -36,7 +36,7 @@
                (lines (filter-map door-line-of (at-most (sections-in parts 'serial) 16 "serial lines")))
                (keys (text-of-section parts 'keys "the folder of the devices' keys" board-keys)))
           (unless (or (section-in parts 'tcp) (pair? (sections-in parts 'serial)))
-            (complain! door 'malformed "the door is reached at (tcp PORT) or (serial FILE BAUD)"))
+            (complain! door 'malformed "the door needs (tcp PORT) or (serial \"FILE\" BAUD), or both"))
           (when (string-null? keys)
             (complain! door 'malformed "the door needs the folder of its devices' keys: (keys \"DIR\")"))
           (list port lines keys)))))

@@ -122,7 +122,7 @@
 (define (only-form root head)
   (let ((items (node-items root)))
     (cond ((null? items)
-           (complain! root 'malformed "nothing is written here; a form (~a ...) must be" head))
+           (complain! root 'malformed "nothing is written here: (~a ...) is missing" head))
           ((not (node-form? (car items) head)) #f)
           (else
            (when (pair? (cdr items))

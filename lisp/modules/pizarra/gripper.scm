@@ -44,7 +44,7 @@
 (define (refuse-far-apart node places names what)
   (let ((numbers (map second (filter (lambda (place) (assq (first place) names)) places))))
     (when (>= (- (apply max numbers) (apply min numbers)) most-registers)
-      (complain! node 'out-of-range "what the gripper ~a lies within ~a registers" what most-registers))))
+      (complain! node 'out-of-range "the registers to ~a must lie within ~a of each other" what most-registers))))
 
 (define (refuse-overflow node counts places)
   (for-each (lambda (name)
@@ -55,7 +55,7 @@
 
 (define (refuse-same node values what)
   (when (= (first values) (second values))
-    (complain! node 'malformed "~a differ, closed and open" what)))
+    (complain! node 'malformed "~a of the closed and of the open gripper must differ" what)))
 
 (define (gripper-of-section node)
   (let* ((inside (node-within node "in the gripper"))
@@ -63,7 +63,7 @@
          (driver (section-in found 'driver))
          (reached (if driver
                       (driver-of-section driver protocols)
-                      (or (complain! inside 'malformed "the gripper is reached by (driver modbus HOST PORT)") '())))
+                      (or (complain! inside 'malformed "the gripper needs (driver modbus \"HOST\" PORT)") '())))
          (unit (whole-numbers-in found 'unit '((0 255)) '(9)))
          (opening (numbers-in found 'opening '((0 1000) (0 1000)) '(0 100)))
          (counts (whole-numbers-in found 'counts '((0 65535) (0 65535)) '(255 0)))
@@ -75,8 +75,8 @@
     (refuse-same (section-in found 'counts) counts "the counts")
     (refuse-overflow (or (section-in found 'counts) registers inside) counts places)
     (when registers
-      (refuse-far-apart registers places orders "is told")
-      (refuse-far-apart registers places states "tells"))
+      (refuse-far-apart registers places orders "write")
+      (refuse-far-apart registers places states "read"))
     (if (null? reached)
         '()
         (list (first reached) (first (second reached)) (first (third reached))

@@ -97,7 +97,7 @@
           ((not (eq? (node-datum (car nodes)) '-))
            (loop (cdr nodes) (cons (car nodes) waiting) found))
           ((or (null? waiting) (null? (cdr nodes)))
-           (complain! (car nodes) 'malformed "names stand before a `-` and their type behind it")
+           (complain! (car nodes) 'malformed "names come before a `-`, and their type after it")
            (loop (cdr nodes) waiting found))
           (else (loop (cddr nodes) '() (with-type (type-of (cadr nodes))))))))
 

@@ -39,14 +39,14 @@
     ((slips) (ranged '((0 1) (1 10) (0 600))))
     ((misplace) (ranged '((0 1))))
     ((#f) #f)
-    (else (complain! node 'unknown-action "fingers know slip, slips and misplace"))))
+    (else (complain! node 'unknown-action "what fingers do is slip, slips or misplace"))))
 
 ;; The same of the camera, and of the pan-tilt unit under it, which somebody may knock against.
 (define (knock? node operation count form)
   (let ((what (symbol-at node 1 "what happens to it"))
         (numbers (map node-datum (drop (node-items node) (min 2 (length (node-items node)))))))
     (cond ((not what) #f)
-          ((not (eq? what operation)) (complain! node 'unknown-action "it is ~a alone" form))
+          ((not (eq? what operation)) (complain! node 'unknown-action "only ~a is possible here" form))
           ((and (= (length numbers) count) (every (lambda (number) (and (real? number) (<= -200 number 200))) numbers))
            #t)
           (else (complain! node 'malformed "it is ~a" form)))))

@@ -71,6 +71,6 @@
                                    ("in operator LIFT"))))
 (check "a delete in another language's words, and a variable's"
        (map cadr (cdr (domain types predicates '(operator LIFT (params (?ob OBJECT)) (effects (not (clear place-1)))))))
-       '("a parameter is written <ob>" "no fact is negated here: an effect that ends one is (del FACT)"))
+       '("a parameter is written <ob>" "`not` cannot stand here: an effect that ends a fact is (del FACT)"))
 
 (finish-checks)

@@ -111,7 +111,8 @@
          (name (and head (find-it head names))))
     (cond ((not head) (complain! node 'malformed "a fact is written (PREDICATE ARGUMENT ...)"))
           ((and (not name) (eq? head 'not))
-           (complain! (car items) 'unknown-predicate "no fact is negated here: an effect that ends one is (del FACT)"))
+           (complain! (car items) 'unknown-predicate
+                      "`not` cannot stand here: an effect that ends a fact is (del FACT)"))
           ((not name)
            (complain! (car items) 'unknown-predicate "there is no predicate ~a~a" head (suggestion head names)))
           (else (read-arguments node (cdr items) name (assq-ref predicates name) term)))))

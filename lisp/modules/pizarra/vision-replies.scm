@@ -63,7 +63,7 @@
           (cond ((not items) '())
                 ((not (and (= (length items) (length wanted))
                            (every number? (map node-datum items))))
-                 (complain! node 'malformed "here must stand the numbers (~a)" (string-join wanted ", "))
+                 (complain! node 'malformed "the numbers (~a) must stand here" (string-join wanted ", "))
                  '())
                 (else (map node-datum items))))
         (begin (complain! reply 'malformed "the numbers (~a) are missing" (string-join wanted ", "))
