@@ -23,13 +23,13 @@ namespace {
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
 
 std::string cell_with(const std::string& name, const std::string& camera) {
-  const std::string file = scratch_folder() + name + ".scm";
+  std::string file = scratch_folder() + name + ".scm";
   std::ofstream(file) << "(cell " << name << " (camera " << camera << ") (host \"localhost\" (agents vision)))";
   return file;
 }
 
 std::string folder_of_photographs() {
-  const std::string folder = scratch_folder() + "photographs/";
+  std::string folder = scratch_folder() + "photographs/";
   std::filesystem::create_directories(folder);
   Random random(3);
   for (int i = 0; i < 4; ++i) {
@@ -104,7 +104,7 @@ TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {
 
 // The last word of the line that tells where the logs are.
 std::string log_folder_of(const std::string& said) {
-  const std::size_t at = said.find("/", said.find("logs"));
+  const std::size_t at = said.find('/', said.find("logs"));
   return said.substr(at, said.find('\n', at) - at);
 }
 
@@ -333,7 +333,7 @@ TEST_F(OwnPair, WhoseImagesDoNotBelongTogetherGetsNoFile) {
 
 // Of one side's pictures, in a folder of their own.
 std::string copies_of(const std::string& side, const std::string& folder_name) {
-  const std::string folder = scratch_folder() + folder_name + "/";
+  std::string folder = scratch_folder() + folder_name + "/";
   std::filesystem::create_directory(folder);
   for (int number = 10; number < 24; ++number) {
     const std::string name = fmt::format("{}{}.png", side, number);
@@ -396,7 +396,7 @@ TEST_F(OwnPair, WhoseCornersNobodyCanTellGetsNoFile) {
 
 // Copies of one pair, and of one camera's image.
 std::string repeated(const std::string& name, int times) {
-  const std::string folder = scratch_folder() + name + "-repeated/";
+  std::string folder = scratch_folder() + name + "-repeated/";
   std::filesystem::create_directory(folder);
   for (int i = 0; i < times; ++i) {
     std::filesystem::copy_file(scratch_folder() + name, fmt::format("{}{:02}.png", folder, i));
@@ -440,7 +440,7 @@ TEST_F(OwnPair, WhoseBoardIsNowhereIsToldSoAtOnce) {
 
 // The board at all its places, and then at rest for minutes.
 std::string resting_folder() {
-  const std::string folder = copies_of("left", "resting");
+  std::string folder = copies_of("left", "resting");
   for (int i = 0; i < 3000; ++i) {
     std::filesystem::create_hard_link(folder + "left10.png", fmt::format("{}rest{:04}.png", folder, i));
   }
