@@ -82,6 +82,11 @@ Result<void> begin_hand(Cell& cell, const Datum& request) {
     if (!cell.physics().present(*on)) return fail("unknown-object", "that cube is gone", request[3]);
     return hand.stack(*cube, *on);
   }
+  if (what == "turn") {
+    const bool sound = request.size() == 4 && is_within(request, 3, -180, 180);
+    if (!sound) return bad_request(request);
+    return hand.turn(*cube, request[3].number());
+  }
   if (request.size() != 3) return bad_request(request);
   if (what == "steal") return hand.steal(*cube);
   if (what == "remove") return hand.remove(*cube);

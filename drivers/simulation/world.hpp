@@ -45,6 +45,7 @@
 //
 //   (hand place NAME X Y)             puts it down there, straight
 //   (hand stack NAME ON)              puts it on another cube
+//   (hand turn NAME DEG)              turns it where it is, anticlockwise from above, 180 either way
 //   (hand hold NAME X Y Z S)          holds it there, in the way, for S seconds, 60 at most, and puts it back
 //
 // It takes cubes, brings them, and strikes them:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lisp/numbers.hpp"
+
 namespace pizarra::simulation {
 
 namespace {
@@ -20,6 +22,7 @@ constexpr double slip_mm = 45;       // a cube that lags this far is out of the 
 constexpr double lead_limit_mm_s = 1500;
 constexpr double straighten_s = 0.12;
 constexpr double straighten_limit_rad_s = 6;
+constexpr double turn_s = 1;
 constexpr double strike_run_up_mm = 140;
 constexpr double strike_through_mm = 60;
 const Vector3d fist_half_mm(26, 26, 26);
@@ -29,8 +32,8 @@ constexpr double gravity_mm_s2 = 9810;
 // From 0 to 1 with zero speed at both ends.
 double smooth(double part) { return part * part * (3 - 2 * part); }
 
-// The turn (axis times angle) to the nearest pose in which the cube stands square on the table.
-Vector3d to_straight(const Eigen::Matrix3d& rotation) {
+// The nearest pose in which the cube stands square on the table.
+Eigen::Matrix3d straightened(const Eigen::Matrix3d& rotation) {
   // Each axis of the cube goes to the base axis it is nearest; the third follows from the first two.
   Eigen::Matrix3d straight = Eigen::Matrix3d::Zero();
   int taken = -1;
@@ -43,7 +46,12 @@ Vector3d to_straight(const Eigen::Matrix3d& rotation) {
     taken = best;
   }
   straight.col(1) = straight.col(2).cross(straight.col(0));
-  const Eigen::AngleAxisd turn(straight * rotation.transpose());
+  return straight;
+}
+
+// Axis times angle.
+Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  const Eigen::AngleAxisd turn(to * from.transpose());
   return turn.axis() * turn.angle();
 }
 
@@ -60,6 +68,7 @@ Result<void> Hand::begin(Job job, std::optional<CubeId> cube, const Vector3d& fr
   job_ = job;
   cube_ = cube.value_or(0);
   takes_away_ = false;
+  turned_.reset();
   from_mm_ = from_mm;
   legs_.clear();
   leg_ = 0;
@@ -142,6 +151,20 @@ Result<void> Hand::hold(CubeId cube, const Vector3d& at_mm, double seconds) {
   add_leg(above, carry_speed_mm_s);
   const double support = support_height(cube, from.x(), from.y());
   add_leg({from.x(), from.y(), support + physics_.edge_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
+  return {};
+}
+
+Result<void> Hand::turn(CubeId cube, double anticlockwise_deg) {
+  const Pose pose = physics_.pose(cube);
+  const Vector3d from = pose.translation();
+  Result<void> begun = begin(Job::carry, cube, from);
+  if (!begun) return begun;
+  const Vector3d above(from.x(), from.y(), std::max(carry_height(cube), from.z()));
+  add_leg(above, carry_speed_mm_s);
+  legs_.push_back({above, turn_s});
+  const double support = support_height(cube, from.x(), from.y());
+  add_leg({from.x(), from.y(), support + physics_.edge_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
+  turned_ = Eigen::AngleAxisd(radians(anticlockwise_deg), Vector3d::UnitZ()) * straightened(pose.linear());
   return {};
 }
 
@@ -231,7 +254,8 @@ void Hand::lead(double seconds) {
     return;
   }
   velocity.z() += gravity_mm_s2 * seconds;  // what the step is about to take away
-  Vector3d spin = to_straight(pose.linear()) / straighten_s;
+  const bool is_turned = turned_ && leg_ > 0;
+  Vector3d spin = turn_between(pose.linear(), is_turned ? *turned_ : straightened(pose.linear())) / straighten_s;
   if (spin.norm() > straighten_limit_rad_s) spin *= straighten_limit_rad_s / spin.norm();
   physics_.set_velocity(cube_, velocity, spin);
   fist_seen_ = at + Vector3d(-15, 0, physics_.edge_mm(cube_) / 2 + 0.8 * fist_half_mm.z());

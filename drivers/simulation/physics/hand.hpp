@@ -22,6 +22,8 @@ class Hand {
   Result<void> slide(CubeId cube, double dx_mm, double dy_mm, double speed_mm_s);
   Result<void> place(CubeId cube, double x_mm, double y_mm);
   Result<void> stack(CubeId cube, CubeId on);
+  // About the vertical, where it is: it shows another face then.
+  Result<void> turn(CubeId cube, double anticlockwise_deg);
   Result<void> steal(CubeId cube);
   // In the way: it is lifted to that place, held there, and put back.
   Result<void> hold(CubeId cube, const Eigen::Vector3d& at_mm, double seconds);
@@ -62,6 +64,8 @@ class Hand {
   Job job_ = Job::none;
   CubeId cube_ = 0;
   bool takes_away_ = false;  // the cube is gone at the end
+  // How a carried cube is to be turned once it has been lifted; none: as it stands straight.
+  std::optional<Eigen::Matrix3d> turned_ = {};
   Eigen::Vector3d from_mm_ = Eigen::Vector3d::Zero();
   std::vector<Leg> legs_;
   std::size_t leg_ = 0;

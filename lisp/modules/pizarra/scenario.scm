@@ -12,7 +12,7 @@
   #:export (interpret))
 
 (define hand-operations
-  '((push . 3) (slide . 4) (place . 3) (stack . 2) (hold . 5) (steal . 1) (remove . 1) (add . 4) (knock . 1)))
+  '((push . 3) (slide . 4) (place . 3) (stack . 2) (hold . 5) (turn . 2) (steal . 1) (remove . 1) (add . 4) (knock . 1)))
 
 ;; Whether the items of NODE from its second on are an operation of the hand; complains where not.
 (define (hand-operation? node)

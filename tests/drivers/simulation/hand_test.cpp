@@ -1,4 +1,5 @@
 #include <cmath>
+#include <fmt/format.h>
 
 #include "lisp/reader.hpp"
 #include "tests/drivers/simulation/bench.hpp"
@@ -73,6 +74,24 @@ TEST(Hand, HoldsACubeInTheWayAndPutsItBack) {
   ASSERT_TRUE(answer);
   EXPECT_TRUE(*answer);
   EXPECT_EQ(bench.outcome("(hand hold circle 450 0 250 61)"), "bad-request");
+}
+
+TEST(Hand, TurnsACubeWhereItStandsAlsoOnAnother) {
+  WorldConfig config = four_cubes();
+  config.cubes.push_back({.name = "top", .on = "square"});
+  Bench bench(config);
+  for (const char* cube : {"circle", "top"}) {
+    const TruthOf before = bench.truth(cube);
+    bench.ask(fmt::format("(hand turn {} 90)", cube));
+    bench.ask(fmt::format("(hand turn {} -30)", cube));
+    const TruthOf after = bench.truth(cube);
+    EXPECT_NEAR(after.x_mm, before.x_mm, 3) << cube;
+    EXPECT_NEAR(after.y_mm, before.y_mm, 3) << cube;
+    EXPECT_NEAR(std::remainder(after.yaw_deg - before.yaw_deg - 60, 90), 0, 2) << cube;
+    EXPECT_EQ(after.state, before.state) << cube;
+  }
+  EXPECT_EQ(bench.outcome("(hand turn circle 181)"), "bad-request");
+  EXPECT_EQ(bench.outcome("(hand turn circle)"), "bad-request");
 }
 
 TEST(Hand, KnocksATowerOver) {
