@@ -202,6 +202,19 @@ bool has_pan_tilt(const forms::CellDescription& description) {
   return !description.head.empty() || !description.pan_tilt.kind.empty();
 }
 
+Result<void> put_faces(simulation::CubeConfig& config, const forms::CubePlacement& cube) {
+  for (const auto& [face_name, mark_name] : cube.faces) {
+    const std::optional<simulation::CubeFace> face = simulation::cube_face_from_name(face_name);
+    const std::optional<simulation::FaceMark> mark = simulation::face_mark_from_name(mark_name);
+    if (!face || !mark) {
+      return fail("bad-cell", fmt::format("no simulated cube bears {} on its {}", mark_name, face_name),
+                  Datum::string(cube.name));
+    }
+    config.faces[static_cast<std::size_t>(*face)] = *mark;
+  }
+  return {};
+}
+
 bool needs_world(const std::string& agent, const forms::CellDescription& description) {
   const std::string kind = kind_of_agent(agent);
   if (!plugin_of(kind, description).library.empty()) return true;
@@ -242,6 +255,8 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
     if (!mark)
       return fail("bad-cell", fmt::format("{} is no mark of the simulated world", cube.mark), Datum::string(cube.name));
     config.cubes.push_back({cube.name, *mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on, cube.edge_mm});
+    const Result<void> faced = put_faces(config.cubes.back(), cube);
+    if (!faced) return fail(faced);
   }
   const Result<void> sound = simulation::check(config);
   if (!sound) return fail(sound);

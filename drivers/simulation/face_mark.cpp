@@ -13,6 +13,8 @@ constexpr std::array<std::string_view, 12> names_of_marks = {"circle",   "square
                                                              "arrow",    "hourglass", "house",    "star",
                                                              "letter-h", "letter-t",  "letter-y", "letter-z"};
 
+constexpr std::array<std::string_view, 6> names_of_faces = {"front", "back", "right", "left", "top", "bottom"};
+
 struct PrintedFamily {
   std::string_view name;
   cv::aruco::PREDEFINED_DICTIONARY_NAME dictionary;
@@ -68,6 +70,18 @@ std::optional<FaceMark> face_mark_from_name(std::string_view name) {
   const std::optional<Mark> shape = mark_from_name(name);
   if (shape) return *shape;
   return tag_from_name(name);
+}
+
+std::optional<CubeFace> cube_face_from_name(std::string_view name) {
+  const auto* const found = std::ranges::find(names_of_faces, name);
+  if (found == names_of_faces.end()) return std::nullopt;
+  return static_cast<CubeFace>(found - names_of_faces.begin());
+}
+
+CubeMarks on_each_face(const FaceMark& mark) {
+  CubeMarks out;
+  out.fill(mark);
+  return out;
 }
 
 std::string face_mark_name(const FaceMark& mark) {

@@ -5,6 +5,7 @@
 //   const std::optional<FaceMark> mark = face_mark_from_name("apriltag-36h11-17");      // or "letter-h"
 //   face_mark_name(*mark);                                                              // the same again
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,6 +54,16 @@ struct TagMark {
 inline constexpr double tag_part_of_edge = 0.6;
 
 using FaceMark = std::variant<Mark, TagMark>;
+
+// As the camera sees an unturned cube; its x looks out of the front, its y out of the right one.
+enum class CubeFace : std::uint8_t { front, back, right, left, top, bottom };
+
+// Such as "front"; nothing for another word.
+std::optional<CubeFace> cube_face_from_name(std::string_view name);
+
+// What is on each CubeFace.
+using CubeMarks = std::array<FaceMark, 6>;
+CubeMarks on_each_face(const FaceMark& mark);
 
 // Nothing for a word that is no shape's and no tag's, and for a number that a family does not have.
 std::optional<FaceMark> face_mark_from_name(std::string_view name);

@@ -91,6 +91,12 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
 
 }  // namespace
 
+CubeMarks CubeConfig::marks() const {
+  CubeMarks out = on_each_face(mark);
+  for (std::size_t face = 0; face < out.size(); ++face) out[face] = faces[face].value_or(out[face]);
+  return out;
+}
+
 Result<void> check(const WorldConfig& config) {
   const TableConfig& table = config.table;
   if (!(table.x_low_mm < table.x_high_mm && table.y_low_mm < table.y_high_mm && table.thickness_mm > 0)) {

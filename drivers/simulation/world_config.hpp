@@ -33,12 +33,14 @@ inline constexpr double gripper_opening_mm = 100;
 
 struct CubeConfig {
   std::string name;              // [A-Za-z][A-Za-z0-9-]*, told apart without case
-  FaceMark mark = Mark::circle;  // on each of its faces
+  FaceMark mark = Mark::circle;  // on each face that bears no other
   double x_mm = 450;
   double y_mm = 0;
   double yaw_deg = 0;
   std::string on = "";                 // the cube that it stands on, listed before; empty: the table, at x, y
   std::optional<double> edge_mm = {};  // none: as large as the cell's cubes are
+  std::array<std::optional<FaceMark>, 6> faces = {};  // marks of their own, each at its CubeFace
+  CubeMarks marks() const;
 };
 
 // A plate with its upper face at z = 0.

@@ -212,6 +212,12 @@ Result<BelievedCamera> believed_camera(const Datum& datum, const std::string& ce
   return believed_camera_from_datum(*measured);
 }
 
+std::vector<std::pair<std::string, std::string>> faces_from(std::span<const Datum> faces) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const Datum& face : faces) out.emplace_back(face[0].text(), face[1].text());
+  return out;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -284,7 +290,8 @@ CubePlacement cube_from_datum(const Datum& normalised) {
           normalised[3].number(),
           normalised[4].number(),
           std::string(normalised[5].text()),
-          normalised[6].number()};
+          normalised[6].number(),
+          faces_from(normalised.items().subspan(7))};
 }
 
 Result<CellDescription> read_cell(std::string_view text, const std::string& file) {

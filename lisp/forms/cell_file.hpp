@@ -79,6 +79,8 @@ struct CubePlacement {
   double yaw_deg = 0;
   std::string on;  // the cube it stands on, empty: the table
   double edge_mm = 60;
+  // Of faces with a mark of their own: front, back, right, left, top or bottom, and that mark.
+  std::vector<std::pair<std::string, std::string>> faces = {};
   bool operator==(const CubePlacement&) const = default;
 };
 

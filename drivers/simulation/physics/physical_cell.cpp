@@ -68,7 +68,7 @@ void Cell::place_cubes() {
       pose = standing(under.x(), under.y(), under.z() + above_mm, cube.yaw_deg);
     }
     physics_.add_cube(pose, edge_mm);
-    cubes_.push_back({cube.name, cube.mark});
+    cubes_.push_back({cube.name, cube.marks()});
   }
 }
 
@@ -124,7 +124,7 @@ Snapshot Cell::snapshot() const {
   Snapshot snapshot{
       .cubes = {}, .joints = arm_.joints(), .opening_mm = gripper_.opening_mm(), .fist_mm = hand_.fist_mm()};
   for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
-    snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].mark, physics_.present(cube), physics_.edge_mm(cube)});
+    snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].marks, physics_.present(cube), physics_.edge_mm(cube)});
   }
   return snapshot;
 }
@@ -144,7 +144,7 @@ Result<CubeId> Cell::prepare(std::string_view name, const FaceMark& mark) {
   }
   if (cubes_.size() == max_cubes) return fail("bad-request", fmt::format("a cell has at most {} cubes", max_cubes));
   if (!is_plain_name(name)) return fail("bad-request", fmt::format("{} is no name for an object", name));
-  cubes_.push_back({std::string(name), mark});
+  cubes_.push_back({std::string(name), on_each_face(mark)});
   const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0), config_.cube_mm);
   physics_.take_away(cube);
   return cube;

@@ -36,7 +36,8 @@ class Cell {
   // A cube of that name, away until the hand brings it; one that is away already is answered. Failure: bad-request.
   Result<CubeId> prepare(std::string_view name, const FaceMark& mark);
   const std::string& name(CubeId cube) const { return cubes_[cube].name; }
-  const FaceMark& mark(CubeId cube) const { return cubes_[cube].mark; }
+  // Of its front.
+  const FaceMark& mark(CubeId cube) const { return cubes_[cube].marks.front(); }
 
   const Physics& physics() const { return physics_; }
   ArmMotion& arm() { return arm_; }
@@ -49,7 +50,7 @@ class Cell {
  private:
   struct CubeInfo {
     std::string name;
-    FaceMark mark;
+    CubeMarks marks;
   };
   struct Load {
     double force_n = 0;

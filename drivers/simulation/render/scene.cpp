@@ -130,10 +130,11 @@ Solid cube_solid(const Snapshot::Cube& cube, std::size_t number) {
     const Vector3d centre = cube.pose.translation() + face.normal * half;
     const Vector3d up = side < 4 ? cube.pose.linear().col(2) : Vector3d(-cube.pose.linear().col(0));
     const int id = mark_id(number, side);
-    if (const auto* tag = std::get_if<TagMark>(&cube.mark)) {
+    const FaceMark& mark = cube.marks[static_cast<std::size_t>(side)];
+    if (const auto* tag = std::get_if<TagMark>(&mark)) {
       paint_tag(face, centre, up, tag->print, tag_part_of_edge * cube.edge_mm, mark_black, id);
     } else {
-      paint_mark(face, centre, up, std::get<Mark>(cube.mark), cube.edge_mm / marked_cube_mm, mark_black, id);
+      paint_mark(face, centre, up, std::get<Mark>(mark), cube.edge_mm / marked_cube_mm, mark_black, id);
     }
   }
   return solid;

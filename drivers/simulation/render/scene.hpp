@@ -15,7 +15,7 @@ namespace pizarra::simulation {
 struct Snapshot {
   struct Cube {
     Eigen::Isometry3d pose;
-    FaceMark mark;
+    CubeMarks marks;
     bool present;
     double edge_mm;
   };

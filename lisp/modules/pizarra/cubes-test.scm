@@ -54,6 +54,14 @@
        '((1 malformed (0 2 1 2)) (1 malformed (0 2 1 2 2)) (1 malformed (0 2 1 2 3))))
 (check "an unknown family is refused" (complaint '(world (cube a (mark apriltag-36h12 1) (at 450 0))))
        '(1 unknown-name (0 2 1 2 1)))
+(check "faces may have marks of their own"
+       (cubes-in '(cube lid (mark apriltag-36h11 1) (faces (top cross) (left apriltag-36h11 2)) (at 450 0)))
+       '((lid apriltag-36h11-1 450 0 0 "" 60 (left apriltag-36h11-2) (top cross))))
+(check "a face that no cube has is refused, and one that is said twice, and one without a mark"
+       (list (complaint '(world (cube circle (faces (lid cross)) (at 450 0))))
+             (complaint '(world (cube circle (faces (top cross) (top star)) (at 450 0))))
+             (complaint '(world (cube circle (faces (top)) (at 450 0)))))
+       '((1 unknown-section (0 2 1 2 1)) (1 repeated (0 2 1 2 2)) (1 malformed (0 2 1 2 1))))
 (check "what cannot be reached is refused" (complaint '(world (cube circle (at 4500 0)))) '(1 out-of-range (0 2 1 2 1)))
 
 (finish-checks)

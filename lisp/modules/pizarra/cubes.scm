@@ -1,8 +1,10 @@
 ;; The cubes of a cell or a scenario, and what their size asks of the gripper and the table: see
 ;; lisp/forms/cell_file.hpp.
 ;;
-;; (cubes-of NODES SIZE), NODES the sections (cube NAME PART ...), answers ((NAME MARK X Y YAW ON EDGE) ...).
-;;   No EDGE is above SIZE mm. ON is the cube below, or the empty string for the table.
+;; (cubes-of NODES SIZE), NODES the sections (cube NAME PART ...), answers
+;;   ((NAME MARK X Y YAW ON EDGE (FACE FACE-MARK) ...) ...).
+;;   No EDGE is above SIZE mm. ON is the cube below, or the empty string for the table. MARK is on each face that has no
+;;   FACE-MARK of its own.
 ;; The others take FOUND, the sections of a world, and answer the default where it says nothing.
 ;; (cube-size-of FOUND) answers the edge in mm.
 ;; (openings-of FOUND SIZE) answers how wide the gripper opens, (NARROW NORMAL WIDE).
@@ -18,6 +20,8 @@
 ;; Smaller marks are not recognised, and the fingers do not open wider.
 (define cube-sizes-mm '(40 64))
 (define most-opening-mm 100)
+;; As the camera sees an unturned cube.
+(define faces '(front back right left top bottom))
 (define most-cubes 16)
 
 ;; Where a cube on the table can be seen and reached.
@@ -55,15 +59,25 @@
           (on (place-on on known))
           (else (complain! node 'malformed "the cube has no place: (at X Y) or (on CUBE)")))))
 
-;; Whether (mark ...) says a family of tags.
-(define (tag? mark)
-  (let ((word (node-ref mark 1)))
-    (and word (memq (node-datum word) dark-families))))
+;; What (mark ...) or (FACE ...) says: a shape or a tag, or #f.
+(define (mark-of node)
+  (let ((word (node-ref node 1)))
+    (if (and word (memq (node-datum word) dark-families))
+        (tag-at node)
+        (choice-at node 1 "a mark" (append marks dark-families)))))
+
+;; The marks of faces that have their own, ((FACE MARK) ...).
+(define (faces-of found)
+  (let* ((node (section-in found 'faces))
+         (parts (if node (sections (node-rest (node-within node "in the faces")) faces) '())))
+    (filter-map (lambda (face)
+                  (let* ((part (section-in parts face)) (mark (and part (mark-of part))))
+                    (and mark (list face mark))))
+                faces)))
 
 (define (cube-mark node found name)
   (let ((mark (section-in found 'mark)))
-    (cond ((and mark (tag? mark)) (tag-at mark))
-          (mark (choice-at mark 1 "a mark" (append marks dark-families)))
+    (cond (mark (mark-of mark))
           ((memq name marks) name)
           (else (complain! node 'malformed "the cube ~a needs a (mark ...)~a" name (suggestion #f marks))))))
 
@@ -80,14 +94,15 @@
   (let ((name (and (node-form? node 'cube) (plain-name-at node 1 "the cube's name"))))
     (and name
          (let* ((inside (node-within node (string-append "in cube " (symbol->string name))))
-                (found (sections (drop (node-items inside) 2) '(at on yaw mark size)))
+                (found (sections (drop (node-items inside) 2) '(at on yaw mark faces size)))
                 (mark (cube-mark inside found name))
                 (place (cube-place inside found known))
                 (yaw (numbers-in found 'yaw '((-180 180)) '(0)))
                 ;; A place for the cell's cubes has room for smaller ones.
                 (edge (numbers-in found 'size (list (list (first cube-sizes-mm) size)) (list size))))
            (and mark place
-                (let ((cube (list name mark (first place) (second place) (first yaw) (third place) (first edge))))
+                (let ((cube (cons* name mark (first place) (second place) (first yaw) (third place) (first edge)
+                                   (faces-of found))))
                   (refuse-collisions cube node known)
                   cube))))))
 

@@ -30,5 +30,21 @@ TEST(TaggedCubes, ACellMayNameEveryTagWithADarkSquareThatTheEyesReadAndNoOther) 
   }
 }
 
+TEST(TaggedCubes, FacesMayHaveMarksOfTheirOwn) {
+  const Result<forms::CellDescription> cell = forms::read_cell(
+      "(cell c (world (cube lid (mark apriltag-36h11 1) (faces (top cross) (left apriltag-36h11 2)) (at 450 0))))",
+      "c.scm");
+  ASSERT_TRUE(cell) << describe(cell.error());
+  const Result<simulation::WorldConfig> world = world_config(*cell, 1);
+  ASSERT_TRUE(world) << describe(world.error());
+  std::vector<std::string> names;
+  for (const simulation::FaceMark& mark : world->cubes.front().marks()) {
+    names.push_back(simulation::face_mark_name(mark));
+  }
+  const std::string usual = "apriltag-36h11-1";
+  EXPECT_EQ(names, (std::vector<std::string>{usual, usual, usual, "apriltag-36h11-2", "cross", usual}))
+      << "front, back, right, left, top, bottom";
+}
+
 }  // namespace
 }  // namespace pizarra::launcher

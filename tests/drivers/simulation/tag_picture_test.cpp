@@ -100,5 +100,21 @@ TEST(TagPicture, ATagIsReadWhereItIs) {
   }
 }
 
+TEST(TagPicture, ACubeThatIsTurnedShowsTheMarkOfItsOtherFace) {
+  WorldConfig config = tagged_cube("aruco-4x4-50-1");
+  const auto face_mark = [&](CubeFace face, const char* mark) {
+    config.cubes.front().faces[static_cast<std::size_t>(face)] = face_mark_from_name(mark);
+  };
+  face_mark(CubeFace::left, "aruco-4x4-50-2");
+  face_mark(CubeFace::back, "aruco-4x4-50-3");
+  face_mark(CubeFace::right, "aruco-4x4-50-4");
+  Bench bench(config);
+  for (const int shown : {1, 2, 3, 4}) {
+    const std::vector<vision::SeenMark> seen = vision::find_tags(left_image(bench), {"aruco-4x4-50", shown});
+    EXPECT_EQ(seen.size(), 1U) << "tag " << shown;
+    bench.ask("(hand turn it 90)");
+  }
+}
+
 }  // namespace
 }  // namespace pizarra::simulation
