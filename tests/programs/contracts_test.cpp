@@ -33,8 +33,8 @@ const Occasions told_on_occasion = {{"coordinator", {"camera-pose", "leans"}},
                                     {"pan-tilt", {"head-speed", "looking-at"}},
                                     {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},
                                     {"vision",
-                                     {"camera-drops", "found", "look-alike", "looked-at-most", "objects-damaged",
-                                      "searched-in", "tags-seen", "vision-failed"}}};
+                                     {"body", "camera-drops", "found", "look-alike", "looked-at-most",
+                                      "objects-damaged", "searched-in", "tags-seen", "vision-failed"}}};
 
 Names with(Names names, const Occasions& occasions, const std::string& agent) {
   const auto more = occasions.find(agent);

@@ -32,25 +32,37 @@ Task<Result<LearnedSample>> MarkSearch::learn(std::string name, cv::Point2d clic
   co_return learner_->sample();
 }
 
-Task<Result<FoundMark>> MarkSearch::find(std::string name, Time asked) {
-  if (known_.objects().find(name) == nullptr) co_return fail(known_.not_known(name));
+Result<FoundMark> MarkSearch::find_in(const camera::StereoFrame& frame, const std::string& name,
+                                      const std::set<std::string>& marks) {
+  StereoSight sight(frame, *feed_.model());
+  ConfinedSights sights(sight);
+  // They may have been forgotten meanwhile.
+  Result<FoundMark> out = fail(known_.not_known(name));
+  for (const std::string& mark : marks) {
+    const LearnedObject* object = known_.objects().find(mark);
+    if (object == nullptr) continue;
+    const std::optional<cv::Rect> area = known_.limits().of(object->name).area;
+    Result<FoundMark> found = finder_.find(sights.of(area), *object, executor_.now());
+    if (!found && area) found.error().sentence += "; it was looked for in its area alone";
+    const bool is_surer = !out || (found && found->confidence > out->confidence);
+    if (is_surer) out = std::move(found);
+  }
+  return out;
+}
+
+Task<Result<FoundMark>> MarkSearch::find(std::string name, std::set<std::string> marks, Time asked) {
+  const auto is_known = [&](const std::string& mark) { return known_.objects().find(mark) != nullptr; };
+  if (std::ranges::none_of(marks, is_known)) co_return fail(known_.not_known(name));
   Failure why;
   Time after = asked;
   for (int i = 0; i < frames_to_find; ++i) {
     const Result<camera::StereoFrame> frame = co_await feed_.next(after, longest_frame_wait);
     if (!frame) co_return fail(frame);
     after = frame->captured;
-    // It may have been forgotten meanwhile.
-    const LearnedObject* object = known_.objects().find(name);
-    if (object == nullptr) co_return fail(known_.not_known(name));
-    StereoSight sight(*frame, *feed_.model());
-    ConfinedSights sights(sight);
-    const std::optional<cv::Rect> area = known_.limits().of(object->name).area;
-    Result<FoundMark> found = finder_.find(sights.of(area), *object, executor_.now());
+    const Result<FoundMark> found = find_in(*frame, name, marks);
     on_find_look_(*frame);
     if (found) co_return found;
     why = found.error();
-    if (area) why.sentence += "; it was looked for in its area alone";
   }
   co_return fail(why);
 }

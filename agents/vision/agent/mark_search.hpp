@@ -4,7 +4,7 @@
 //
 //   MarkSearch search(executor, feed, known, [&](const camera::StereoFrame& frame) { ... });
 //   Result<LearnedSample> sample = co_await search.learn("circle", {160, 120}, std::nullopt, asked);
-//   Result<FoundMark> found = co_await search.find("circle", asked);
+//   Result<FoundMark> found = co_await search.find("circle", {"circle"}, asked);
 
 #include "agents/vision/agent/camera_feed.hpp"
 #include "agents/vision/agent/known_objects.hpp"
@@ -27,9 +27,9 @@ class MarkSearch {
   Task<Result<LearnedSample>> learn(std::string name, cv::Point2d click, std::optional<std::uint64_t> clicked,
                                     Time asked);
   void forget_learning() { learner_.reset(); }
-  // In up to three frames that were captured after it was asked. Failures: not-learned, damaged, full, no-image, those
-  // of MarkFinder.
-  Task<Result<FoundMark>> find(std::string name, Time asked);
+  // In up to three frames that were captured after it was asked, the surest of its marks: of an object itself.
+  // Failures: not-learned, damaged, full, no-image, those of MarkFinder.
+  Task<Result<FoundMark>> find(std::string name, std::set<std::string> marks, Time asked);
   // Where it was found last, in whatever image.
   std::optional<cv::Point2d> place_of(const std::string& name) const { return finder_.place_of(name); }
   void rename(const Renames& renames) { finder_.rename(renames); }
@@ -37,6 +37,9 @@ class MarkSearch {
   void add_to(Annotation& annotation) const;
 
  private:
+  Result<FoundMark> find_in(const camera::StereoFrame& frame, const std::string& name,
+                            const std::set<std::string>& marks);
+
   Executor& executor_;
   CameraFeed& feed_;
   const KnownObjects& known_;

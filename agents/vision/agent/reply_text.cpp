@@ -18,6 +18,12 @@ void add_pose(std::vector<Datum>& parts, const MarkPose& pose) {
   parts.push_back(Datum::list(std::move(out)));
 }
 
+Datum by_datum(std::span<const std::string> marks) {
+  std::vector<Datum> out{"by"_sym};
+  for (const std::string& mark : marks) out.push_back(Datum::string(mark));
+  return Datum::list(std::move(out));
+}
+
 // The parts of a found fact that say where the mark is.
 std::vector<Datum> parts_of(const FoundMark& found) {
   const SeenPair& pair = found.pair;
@@ -120,6 +126,7 @@ Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
       one.push_back(list("captured"_sym, s.captured.time_since_epoch().count()));
       one.push_back(list("second"_sym, s.second, rounded(s.margin, 1000)));
       if (s.pose) add_pose(one, *s.pose);
+      if (!s.by.empty()) one.push_back(by_datum(s.by));
     }
     if (s.bridged) add(places_datum({.left = s.centre, .right = {}, .range_mm = s.range_mm}));
     objects.push_back(Datum::list(std::move(one)));
@@ -127,12 +134,16 @@ Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
   return list("look"_sym, frame, track_reply(sightings), Datum::list(std::move(objects)));
 }
 
+std::string get_reply(std::span<const std::string> names) {
+  std::string listed;
+  for (const std::string& name : names) listed += fmt::format("{}\"{}\"", listed.empty() ? "" : ", ", name);
+  return fmt::format("(GET {} ({}))", names.size(), listed);
+}
+
 std::string get_reply(const LearnedObjects& objects) {
-  std::string names;
-  for (const LearnedObject& object : objects.all()) {
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", object.name);
-  }
-  return fmt::format("(GET {} ({}))", objects.all().size(), names);
+  std::vector<std::string> names;
+  for (const LearnedObject& object : objects.all()) names.push_back(object.name);
+  return get_reply(names);
 }
 
 }  // namespace pizarra::vision

@@ -15,6 +15,7 @@ std::string learn_reply(const std::string& name, bool ok);
 // `place`: px, absent when it was not found.
 std::string find_reply(const std::string& name, const std::optional<cv::Point2d>& place);
 std::string track_reply(std::span<const TrackSighting> sightings);
+std::string get_reply(std::span<const std::string> names);
 std::string get_reply(const LearnedObjects& objects);
 
 // ((left X Y) (right X Y) (range D SPREAD)): where both images show it, px, and how far away it is, mm. `right` and
@@ -44,7 +45,8 @@ Datum tags_fact(std::uint64_t frame, Time captured, std::span<const FoundMark> s
 // is track_reply(). Each PART begins with its name: those of places_datum(); (face DEGREES), how far its face looks to
 // the right of the camera; (captured US), the frame that says so; (second NAME MARGIN), what it is most like otherwise
 // and by how much less; and pose_datum(), where it is known, with (flipped RX RY RZ SHARE) where the other tilt may be
-// it. Of one that was lost a moment ago the place is where it should be.
+// it, and (by "mark" ...) where it is that of a body. Of one that was lost a moment ago the place is where it should
+// be.
 Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
 // seen, bridged or lost.

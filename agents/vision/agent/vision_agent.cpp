@@ -71,6 +71,9 @@ Task<Result<void>> VisionAgent::State::run() {
   const Result<void> recalled = co_await known.recall();
   if (!recalled) co_return recalled;
   co_await know_tagged();
+  co_await define_bodies();
+  const Result<void> defined = co_await bodies.recall();
+  if (!defined) co_return defined;
   co_await state.tell();
   co_await known.tell();
   if (!tags.empty()) feed.start();
@@ -91,6 +94,15 @@ Task<void> VisionAgent::State::know_tagged() {
   }
 }
 
+Task<void> VisionAgent::State::define_bodies() {
+  for (const DefinedBody& body : options.bodies) {
+    const Result<Datum> defined = co_await bodies.define(body.marks, body.name);
+    if (defined) continue;
+    std::string text = learn_reply(body.name, false);
+    [[maybe_unused]] const Result<Datum> told = co_await answer_failed(std::move(text), defined.error());
+  }
+}
+
 Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   std::vector<TrackSighting> sightings;
   const bool tracks = !holders.finding() && !tracker.empty() && tracking_turn.is_due(frame);
@@ -106,7 +118,8 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   // The arm waits for what is told; whoever looks on may wait for the picture.
   const auto is_new = [&](const TrackSighting& sighting) { return sighting.captured == frame.captured; };
   const bool tells = tracks && holders.connected() && std::ranges::any_of(sightings, is_new);
-  if (tells) co_await facts.tell_look(frame.number, sightings);
+  const std::vector<TrackSighting> told = bodies.told(sightings);
+  if (tells) co_await facts.tell_look(frame.number, told);
   if (is_shown_here) show(frame, std::move(sightings));
 }
 
@@ -132,7 +145,7 @@ Task<void> VisionAgent::State::tell_silence() {
 
 Task<void> VisionAgent::State::tell_missed() {
   if (holders.finding()) co_return;
-  const std::vector<TrackSighting> sightings = tracker.miss_all(context.executor.now());
+  const std::vector<TrackSighting> sightings = bodies.told(tracker.miss_all(context.executor.now()));
   if (sightings.empty() || !holders.connected()) co_return;
   co_await facts.tell_look(feed.frame_number(), sightings);
 }
@@ -156,7 +169,7 @@ Task<void> VisionAgent::State::camera_changed() {
 }
 
 Task<void> VisionAgent::State::follow_holders() {
-  tracker.keep_only(holders.tracked());
+  tracker.keep_only(bodies.marks_of(holders.tracked()));
   if (tracker.empty()) tracking_turn.let_go();
   turns.wake();
   co_await rest_or_go_on();

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "agents/runtime/agent.hpp"
+#include "agents/vision/agent/known_bodies.hpp"
 #include "agents/vision/agent/printed_tag.hpp"
 #include "agents/vision/sight/tags_in_view.hpp"
 #include "blackboard/stream.hpp"
@@ -34,6 +35,8 @@ struct VisionOptions {
   std::vector<SizedFamily> tags = {};
   // Objects that are known by their tags from the beginning. An object that is known already stays as it is.
   std::vector<TaggedObject> tagged = {};
+  // Bodies of which several faces bear these, defined at the beginning.
+  std::vector<DefinedBody> bodies = {};
 };
 
 class VisionAgent : public runtime::Agent {

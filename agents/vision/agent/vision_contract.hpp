@@ -27,7 +27,9 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (search-in (x number) (y number) (width number) (height number) (name string))
     (search-everywhere (name string))
     (look-at-most (times number) (name string))
-    (look-always (name string)))
+    (look-always (name string))
+    (define-body (marks list) (name string))
+    (forget-body (name string)))
   (posts
     (relation vision-mode ((eyes symbol) (mode symbol) (connected symbol)) (key eyes))
     (relation vision-held ((eyes symbol) (client symbol) (mode symbol)) (key eyes client mode))
@@ -48,6 +50,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation look-alike ((eyes symbol) (name string) (other string) (error number) (sentence string))
                          (key eyes name other))
     (relation objects-damaged ((eyes symbol) (file string) (symbol symbol) (sentence string)) (key eyes file))
+    (relation body ((eyes symbol) (name string) (marks list)) (key eyes name) (durable))
     (relation searched-in ((eyes symbol) (name string) (x integer) (y integer) (width integer) (height integer))
                           (key eyes name))
     (relation looked-at-most ((eyes symbol) (name string) (times number)) (key eyes name))
@@ -56,9 +59,9 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
     (relation camera-drops ((eyes symbol) (late integer) (skewed integer) (corrupt integer)) (key eyes))
     (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
-  (reads learned learned-template learned-focal found)
+  (reads learned learned-template learned-focal found body)
   (configures (learn learn-from accept reject forget rename connect disconnect keep search-in search-everywhere
-               look-at-most look-always))
+               look-at-most look-always define-body forget-body))
   (monitors (vision-mode camera-state objects-damaged)))
 )scheme";
 

@@ -42,6 +42,8 @@ const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::s
       {.word = "search-everywhere", .turn = beside, .run = &State::search_everywhere},
       {.word = "look-at-most", .turn = beside, .run = &State::look_at_most},
       {.word = "look-always", .turn = beside, .run = &State::look_always},
+      {.word = "define-body", .turn = brief, .run = &State::define_body},
+      {.word = "forget-body", .turn = brief, .run = &State::forget_body},
   };
   const auto found = std::ranges::find(operations, word, &Operation::word);
   assert(found != std::end(operations) && "the contract offers no others");
@@ -73,6 +75,8 @@ Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure 
 
 Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
   const auto& [client, operation, name, came] = asked;
+  const Result<void> free = bodies.check_name(name);
+  if (!free) co_return fail(free);
   holders.begin_learning(client);
   feed.start();
   co_await state.tell();
@@ -100,7 +104,8 @@ Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
   co_await state.tell();
   // Another agent may just have forgotten or renamed it.
   co_await known.follow_memory();
-  const Result<FoundMark> found = co_await search.find(name, came);
+  const std::set<std::string> marks = bodies.marks_of({name});
+  const Result<FoundMark> found = co_await search.find(name, marks, came);
   if (found) {
     std::vector<Datum> told{found_fact(feed.frame_number(), *found)};
     co_await facts.tell(std::move(told));
@@ -115,20 +120,37 @@ Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
 
 Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
   const std::string holder = co_await presence.holder_for(asked.client);
-  const LearnedObject* object = known.objects().find(asked.name);
-  if (object == nullptr) co_return fail(known.not_known(asked.name));
-  if (!holders.tracked().contains(object->name)) tracking_turn.look_only_after(asked.came);
-  const LearnedObject* end_effector = known.objects().find(end_effector_name);
-  for (const LearnedObject* each : {end_effector, object}) {
-    if (each == nullptr) continue;
+  const Result<std::vector<const LearnedObject*>> objects = meant_by(asked.name);
+  if (!objects) co_return fail(objects);
+  const std::set<std::string> tracked = bodies.marks_of(holders.tracked());
+  for (const LearnedObject* each : *objects) {
+    if (!tracked.contains(each->name)) tracking_turn.look_only_after(asked.came);
     const Result<void> added = tracker.add(*each, search.place_of(each->name));
     if (!added) co_return fail(added);
-    holders.track(holder, each->name);
+  }
+  const Body* body = bodies.find(asked.name);
+  if (body != nullptr) holders.track(holder, body->name);
+  for (const LearnedObject* each : *objects) {
+    const bool is_of_body = body != nullptr && body->mark(each->name) != nullptr;
+    if (!is_of_body) holders.track(holder, each->name);
   }
   holders.connect(holder);
   feed.start();
   co_await state.tell();
   co_return Datum();
+}
+
+Result<std::vector<const LearnedObject*>> VisionAgent::State::meant_by(const std::string& name) const {
+  std::vector<const LearnedObject*> out;
+  const std::set<std::string> marks = bodies.marks_of({name});
+  for (const std::string& mark : marks) {
+    const LearnedObject* object = known.objects().find(mark);
+    if (object != nullptr) out.push_back(object);
+  }
+  if (out.empty()) return fail(known.not_known(name));
+  const LearnedObject* end_effector = known.objects().find(end_effector_name);
+  if (end_effector != nullptr) out.insert(out.begin(), end_effector);
+  return out;
 }
 
 Task<Result<Datum>> VisionAgent::State::end_track(Asked asked) {
@@ -165,11 +187,33 @@ Task<Result<Datum>> VisionAgent::State::keep_modes(Asked asked) {
 
 Task<Result<Datum>> VisionAgent::State::get_objects(Asked) {
   co_await known.follow_memory();
-  co_return list(get_reply(known.objects()));
+  co_return list(get_reply(bodies.names()));
+}
+
+// A body goes by the names of its marks.
+Task<Result<Datum>> VisionAgent::State::forget(Asked asked) {
+  const Result<void> free = bodies.check_no_mark(asked.name);
+  if (!free) co_return fail(free);
+  const Result<Datum> forgotten = co_await known.forget(asked.client, asked.name);
+  co_return forgotten;
 }
 
 Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
-  return known.rename(asked.client, std::string(asked.operation[1].text()), asked.name);
+  const std::string was(asked.operation[1].text());
+  const Result<void> free = bodies.check_no_mark(was);
+  if (!free) co_return fail(free);
+  const Result<void> unused = bodies.check_name(asked.name);
+  if (!unused) co_return fail(unused);
+  const Result<Datum> renamed = co_await known.rename(asked.client, was, asked.name);
+  co_return renamed;
+}
+
+Task<Result<Datum>> VisionAgent::State::learn_from(Asked asked) {
+  const Result<Datum> learned = co_await known.learn_from(asked.name);
+  if (!learned) co_return learned;
+  const Result<void> defined = co_await bodies.learn_from(asked.name);
+  if (!defined) co_return fail(defined);
+  co_return learned;
 }
 
 Task<Result<Datum>> VisionAgent::State::search_in(Asked asked) {

@@ -5,6 +5,7 @@
 
 #include "agents/vision/agent/camera_feed.hpp"
 #include "agents/vision/agent/client_turns.hpp"
+#include "agents/vision/agent/known_bodies.hpp"
 #include "agents/vision/agent/known_objects.hpp"
 #include "agents/vision/agent/mark_search.hpp"
 #include "agents/vision/agent/picture_streams.hpp"
@@ -46,16 +47,21 @@ struct VisionAgent::State {
   Task<Result<Datum>> keep_modes(Asked asked);
   Task<Result<Datum>> accept(Asked asked) { return known.accept(asked.client, asked.name); }
   Task<Result<Datum>> reject(Asked asked) { return known.reject(asked.client, asked.name); }
-  Task<Result<Datum>> forget(Asked asked) { return known.forget(asked.client, asked.name); }
+  Task<Result<Datum>> forget(Asked asked);
   Task<Result<Datum>> rename(Asked asked);
-  Task<Result<Datum>> learn_from(Asked asked) { return known.learn_from(asked.name); }
+  Task<Result<Datum>> learn_from(Asked asked);
   Task<Result<Datum>> search_in(Asked asked);
   Task<Result<Datum>> search_everywhere(Asked asked);
   Task<Result<Datum>> look_at_most(Asked asked);
   Task<Result<Datum>> look_always(Asked asked);
+  Task<Result<Datum>> define_body(Asked asked) { return bodies.define(asked.operation[1], asked.name); }
+  Task<Result<Datum>> forget_body(Asked asked) { return bodies.forget(asked.name); }
+  // What is tracked for a name: an object, or those of a body that are known; and the end-effector with them.
+  Result<std::vector<const LearnedObject*>> meant_by(const std::string& name) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
 
   Task<void> know_tagged();
+  Task<void> define_bodies();
   Task<void> on_frame(camera::StereoFrame frame);
   // While something is tracked and no frame comes, that nothing is seen.
   Task<void> tell_silence();
@@ -77,6 +83,7 @@ struct VisionAgent::State {
   ClientTurns turns{context, presence, holders};
   FactTeller facts{context, service};
   KnownObjects known;
+  KnownBodies bodies{context, known.objects(), holders};
   MarkTracker tracker{known.objects(), known.limits()};
   TrackingTurn tracking_turn{context.executor};
   TagTeller tags{context.executor, facts, options.tags};

@@ -49,7 +49,8 @@ struct TrackSighting {
   double margin = 0;              // Likeness::margin()
   std::optional<double> yaw_deg;  // of its face (face_plane.hpp), where both images show it
   std::optional<MarkPose> pose = {};
-  MarkContour contour;  // in the left image
+  std::vector<std::string> by = {};  // of a body: the marks by which its pose is told (body_sighting.hpp)
+  MarkContour contour;               // in the left image
 };
 
 // All that can be known. Forgotten ones that are still asked for count too.
