@@ -92,6 +92,7 @@ std::unique_ptr<BuiltAgent> build_vision(runtime::AgentContext context, const fo
   for (const auto& [name, family, number, side_mm] : description.tagged) {
     options.tagged.push_back({name, {family, number}, side_mm});
   }
+  for (const auto& [name, marks] : description.bodies) options.bodies.push_back({name, marks});
   return built<vision::VisionAgent>(std::move(devices), std::move(context), camera, streams, std::move(options));
 }
 

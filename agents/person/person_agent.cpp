@@ -14,7 +14,7 @@ constexpr const char* contract_text = R"((contract person
   (posts (relation person ((state symbol) (detail datum)) (key) (durable))
          (relation wired ((client symbol) (role symbol) (server symbol)) (key client role) (durable))
          (relation holder ((client symbol) (role symbol) (server symbol) (state symbol)) (key client role)))
-  (reads agent bound learned wired)))";
+  (reads agent bound body learned wired)))";
 
 constexpr const char* end_effector = "end-effector";
 constexpr int tries = 5;
@@ -57,12 +57,20 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
   static_cast<void>(told);
 }
 
-Task<Result<bool>> PersonAgent::known(std::string name) {
-  Datum pattern = learned_pattern(roles_.holder("eyes").server, Datum::string(name));
+Task<Result<bool>> PersonAgent::stands(Datum pattern) {
   // Vision may have yet to come and declare what it tells.
-  const Result<std::vector<Fact>> samples = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
-  if (!samples) co_return fail(samples);
-  co_return !samples->empty();
+  const Result<std::vector<Fact>> facts = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
+  if (!facts) co_return fail(facts);
+  co_return !facts->empty();
+}
+
+// As an object, or as a body of several marks.
+Task<Result<bool>> PersonAgent::known(std::string name) {
+  const std::string eyes = roles_.holder("eyes").server;
+  const Result<bool> learned = co_await stands(learned_pattern(eyes, Datum::string(name)));
+  const bool settled = !learned || *learned;
+  if (settled) co_return learned;
+  co_return co_await stands(list("body"_sym, Datum::symbol(eyes), name, "?"_sym));
 }
 
 // A motion that was stopped, as where the robot agent began anew, is asked for again.

@@ -35,6 +35,8 @@ class PersonAgent : public runtime::Agent {
   Task<Result<Datum>> ask_eyes(Datum operation);
   Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
+  // Whether a fact of that pattern does.
+  Task<Result<bool>> stands(Datum pattern);
   Task<Result<bool>> known(std::string name);
   Task<bool> renamed(Failure why);
   Task<Result<Datum>> serve(Datum operation);

@@ -250,6 +250,10 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.door = door_from_datum(datum[23], file);
   cell.second_lamp = lamp_from_datum(datum[25]);
   cell.tagged = tagged_from_datum(datum[26]);
+  for (const Datum& body : datum[30].items()) {
+    const auto marks = body.items().subspan(1);
+    cell.bodies.push_back({std::string(body[0].text()), Datum::list({marks.begin(), marks.end()})});
+  }
   return cell;
 }
 

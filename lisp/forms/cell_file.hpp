@@ -40,6 +40,8 @@
 //                                                              ; been shown them, and the sides of their squares, mm
 //     (tagged (box apriltag-36h11 17 48))                      ; objects that they know by their tags, without having
 //                                                              ; been shown them: name, tag and its side
+//     (bodies (crate (box (0 0 -30) (0 0 0)) (lid (0 -30 0) (-90 0 0))))   ; of which several faces bear such tags:
+//                                                              ; where they are on it, and how they are turned there
 //     (agent conveyor (scheme "conveyor.scm"))                 ; an agent of one's own (docs/scheme-agents.md); with
 //                                                              ; (time 1000) (memory 64) (rate 1000) (key "FILE")
 //     (door (tcp 7801) (serial "/dev/ttyUSB0" 9600) (keys "keys"))   ; of small devices (docs/small-devices.md)
@@ -174,6 +176,12 @@ struct CellTagged {
   double side_mm = 0;
 };
 
+// Of which several faces bear tags: ((MARK (X Y Z) (RX RY RZ)) ...), mm and degrees.
+struct CellBody {
+  std::string name;
+  Datum marks;
+};
+
 // The text door, on the board's host.
 struct CellDoor {
   struct Line {
@@ -218,6 +226,7 @@ struct CellDescription {
   CameraSetup eyes;            // of the vision agent
   std::vector<CellTags> tags;  // that it tells of unasked
   std::vector<CellTagged> tagged;
+  std::vector<CellBody> bodies;
   std::string objects_directory;  // of the object database, empty: there is none
   std::string domain_file;        // a path that can be opened
   std::string board_host;

@@ -14,10 +14,12 @@
 ;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,
 ;; (X Y Z PART), or (); BACKGROUND and TABLE-PICTURE are photographs in it, (FILE PATH), PATH leading to where the
 ;; text names the file, or (). LENS is the distortion of the simulated cameras, (K1 K2 P1 P2 K3).
+;; The last is the bodies of several tags.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
+  #:use-module (pizarra bodies)
   #:use-module (pizarra camera)
   #:use-module (pizarra camera-pose)
   #:use-module (pizarra cubes)
@@ -180,7 +182,7 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera camera-pose tags tagged pan-tilt objects domain board
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera camera-pose tags tagged bodies pan-tilt objects domain board
                                                           agent host door)
                           '(agent host)))
          (world (section-in found 'world))
@@ -204,7 +206,8 @@
          (hosts (hosts-of named-hosts
                           (append (if has-unit '() '(pan-tilt)) (if real simulated-kinds '()))
                           (map first agents)))
-         (board (board-of found hosts)))
+         (board (board-of found hosts))
+         (tagged (tagged-of found)))
     (refuse-idle agent-nodes agents hosts)
     (unless has-unit
       (refuse-agent named-hosts 'pan-tilt
@@ -241,10 +244,11 @@
           (door-of found (third board))
           (believed-camera-of found camera)
           (lamp-of things)
-          (tagged-of found)
+          tagged
           (picture-of things 'background)
           (picture-of things 'table-picture)
-          (lens-of things))))
+          (lens-of things)
+          (bodies-of found tagged))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

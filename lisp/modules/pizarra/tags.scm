@@ -5,12 +5,13 @@
 ;; (tags-of FOUND), FOUND the sections of a cell, answers ((FAMILY SIDE-MM) ...), or () where it names none. SIDE-MM is
 ;; that of the dark square, or of the light one of the last three families, within their dark line.
 ;; (tagged-of FOUND) answers ((NAME FAMILY NUMBER SIDE-MM) ...), or ().
+;; (refuse-more NODE COUNT FORM) complains where NODE has more than COUNT items, the form being written so.
 ;; (tag-at NODE), of a list that ends with a family and a number, answers the tag's name, as apriltag-36h11-17, or #f.
 
 (define-module (pizarra tags)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (dark-families tags-of tagged-of tag-at))
+  #:export (dark-families tags-of tagged-of tag-at refuse-more))
 
 ;; As the eyes call them.
 (define families
