@@ -12,7 +12,7 @@ import { showService } from './service.js';
 import { sym, text, write } from './datum.js';
 import { takeArm } from './take_arm.js';
 
-/** @import { Axes } from './axes.js' */
+/** @import { Axes } from './axis_names.js' */
 /** @import { Connection } from './connection.js' */
 /** @import { Hands } from './hands.js' */
 /** @import { Permission } from './permission.js' */

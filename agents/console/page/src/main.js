@@ -1,7 +1,7 @@
 // The page: what each part shows is its own file's affair; here they meet.
 
 import { Activity } from './activity.js';
-import { Axes } from './axes.js';
+import { Axes } from './axis_names.js';
 import { Connection } from './connection.js';
 import { Hands } from './hands.js';
 import { find } from './dom.js';

@@ -8,11 +8,11 @@ import { CameraFigure } from './camera_figure.js';
 import { ChosenArm } from './chosen_arm.js';
 import { followSightings } from './sightings.js';
 import { makeView } from './cell_view.js';
-import { Readings } from './readings.js';
+import { Readings } from './arm_readings.js';
 import { showBeliefs } from './beliefs.js';
 import { TruthOverlay } from './truth_overlay.js';
 
-/** @import { Axes } from './axes.js' */
+/** @import { Axes } from './axis_names.js' */
 /** @import { View } from './cell_view.js' */
 /** @import { Connection } from './connection.js' */
 /** @import { Roles } from './roles.js' */

@@ -8,7 +8,7 @@ import { element, find, fixed } from './dom.js';
 import { fact } from './live_answers.js';
 import { text } from './datum.js';
 
-/** @import { Axes } from './axes.js' */
+/** @import { Axes } from './axis_names.js' */
 /** @import { Connection } from './connection.js' */
 /** @import { Form } from './messages' */
 
