@@ -4,42 +4,15 @@
 
 namespace pizarra::forms {
 
-namespace {
-
-// Each comma is a symbol of its own.
 Result<Source> read_vision_reply(std::string_view text) {
   const ReadLimits limits{.bytes = 1 << 16, .depth = 3, .elements = 10'000, .commas = true};
   return read_source(text, "vision", limits);
 }
 
-SeenObject seen_object(const Datum& seen) {
-  SeenObject out{std::string(seen[0].text()), {seen[1].number(), seen[2].number(), seen[3].number()}, std::nullopt};
-  if (seen.size() > 4) out.face_deg = seen[4].number();
-  return out;
-}
-
-}  // namespace
-
 Result<Datum> interpret_vision_reply(std::string_view text) {
   const Result<Source> source = read_vision_reply(text);
   if (!source) return fail(source);
   return guile::interpret(*source, "vision-replies");
-}
-
-Result<PerceivedLook> perceive_look(const Perception& perception, std::string_view text, const Datum& of,
-                                    const LookSituation& situation, const std::vector<Datum>& believed) {
-  const Result<Source> source = read_vision_reply(text);
-  if (!source) return fail(source);
-  const Datum situated =
-      list(situation.camera, situation.hand, Datum::list(situation.remembered), Datum::list(situation.measured));
-  const Result<Datum> look =
-      guile::interpret(*source, "looks", {of, situated, perception.section(), Datum::list(believed)});
-  if (!look) return fail(look);
-  PerceivedLook out;
-  for (const Datum& seen : (*look)[0].items()) out.seen.push_back(seen_object(seen));
-  for (const Datum& name : (*look)[1].items()) out.hidden.emplace_back(name.text());
-  out.facts = found_facts((*look)[2]);
-  return out;
 }
 
 }  // namespace pizarra::forms

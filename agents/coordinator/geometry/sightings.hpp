@@ -16,7 +16,7 @@
 #include <span>
 #include <string>
 
-#include "lisp/forms/vision_reply.hpp"
+#include "lisp/forms/perceived_look.hpp"
 
 namespace pizarra::coordinator {
 

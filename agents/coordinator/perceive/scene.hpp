@@ -14,7 +14,7 @@
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
-#include "lisp/forms/vision_reply.hpp"
+#include "lisp/forms/perceived_look.hpp"
 
 namespace pizarra::coordinator {
 
