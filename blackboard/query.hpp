@@ -39,7 +39,7 @@ Result<Query> query_from_datum(const Datum& form);
 // Every fact that fits one pattern.
 Query query_for(Datum pattern);
 Datum query_to_datum(const Query& query);
-// Whether a query that was put together in C++ is one: at most 64 clauses, every variable bound where it must be.
+// Whether a query that was put together in C++ is one: not too many clauses, every variable bound where it must be.
 Result<void> check_query(const Query& query);
 
 // One way to satisfy a query: the variables' values and the facts that the positive patterns matched, in their order.

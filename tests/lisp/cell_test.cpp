@@ -5,6 +5,16 @@
 namespace pizarra {
 namespace {
 
+TEST(Cell, AGripperOpensAsItsSetupSaysWhereTheFileSaysNothing) {
+  const Result<forms::CellDescription> cell =
+      forms::read_cell("(cell c (arm crs-f3 (gripper (driver modbus \"g\"))))", "c");
+  ASSERT_TRUE(cell) << describe(cell.error());
+  const forms::GripperSetup& given = cell->arm_line.gripper;
+  const forms::GripperSetup setup;
+  EXPECT_EQ(given.closed_mm, setup.closed_mm);
+  EXPECT_EQ(given.open_mm, setup.open_mm);
+}
+
 TEST(Cell, AGripperIsLaidOutAsItsSetupIsUnlessTheFileSaysOtherwise) {
   const Result<forms::CellDescription> cell = forms::read_cell(
       "(cell c (arm crs-f3 (gripper (driver modbus \"g\") (opening 0 85) (force 30) (registers (go 1000 9 1)))))", "c");
