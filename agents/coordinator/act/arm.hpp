@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/geometry/servo.hpp"
 #include "agents/coordinator/options.hpp"
+#include "agents/coordinator/story.hpp"
 #include "agents/runtime/roles.hpp"
 
 namespace pizarra::coordinator {

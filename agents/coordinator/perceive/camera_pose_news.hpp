@@ -6,8 +6,8 @@
 //   const std::optional<forms::CameraPose> measured = co_await news.told_before();
 //   co_await news.tell(scene.camera(), what_a_look_told);
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/geometry/camera_watch.hpp"
+#include "agents/coordinator/story.hpp"
 #include "agents/runtime/agent.hpp"
 
 namespace pizarra::coordinator {

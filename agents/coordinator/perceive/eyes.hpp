@@ -6,8 +6,8 @@
 //   Result<void> tracked = co_await eyes.track();
 //   Result<void> looked = co_await eyes.fresh_look();      // then surroundings.scene() has it
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/story.hpp"
 #include "agents/runtime/roles.hpp"
 
 namespace pizarra::coordinator {

@@ -14,11 +14,11 @@
 #include <set>
 #include <string>
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/perceive/belief_teller.hpp"
 #include "agents/coordinator/perceive/camera_pose_news.hpp"
 #include "agents/coordinator/perceive/capture_clock.hpp"
 #include "agents/coordinator/perceive/scene.hpp"
+#include "agents/coordinator/story.hpp"
 #include "blackboard/time/latch.hpp"
 
 namespace pizarra::coordinator {

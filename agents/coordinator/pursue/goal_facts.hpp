@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/story.hpp"
 #include "agents/runtime/agent.hpp"
 #include "blackboard/time/latch.hpp"
 #include "blackboard/time/turns.hpp"

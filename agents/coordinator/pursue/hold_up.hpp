@@ -12,8 +12,8 @@
 
 #include <optional>
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/story.hpp"
 #include "agents/runtime/agent.hpp"
 
 namespace pizarra::coordinator {

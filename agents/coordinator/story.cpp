@@ -1,4 +1,4 @@
-#include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/story.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
