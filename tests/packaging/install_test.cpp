@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <regex>
 
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
@@ -52,6 +54,20 @@ TEST(Installed, FindsItsFilesWhereItStands) {
   const Said unknown = pizarra("check --domain nowhere.scm " + prefix() + "/share/pizarra/examples/01-blocks/cell.scm");
   EXPECT_EQ(unknown.status, 2) << unknown.text;
   EXPECT_EQ(pizarra("dmeo").status, 2);
+}
+
+TEST(Installed, TheFirstPageLinksOnlyToFilesThatAreThere) {
+  const std::string pages = prefix() + "/share/pizarra/docs/";
+  std::ifstream file(pages + "README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+  int links = 0;
+  for (std::sregex_iterator found(text.begin(), text.end(), link); found != std::sregex_iterator(); ++found) {
+    const std::string to = (*found)[1];
+    EXPECT_TRUE(fs::exists(pages + to)) << to;
+    ++links;
+  }
+  EXPECT_GT(links, 20);
 }
 
 TEST(Installed, EveryHeaderThatIsForOthersIsThereAndStandsAlone) {
