@@ -95,15 +95,21 @@ Task<Result<void>> PersonAgent::show_end_effector() {
   Datum ready = list("ready"_sym);
   const Result<void> stood = co_await move_arm(ready);
   if (!stood) co_return stood;
-  for (int step = 0; step < most_steps_down; ++step) {
+  steps_down_ = 0;
+  while (true) {
     const Result<simulation::Message> seen = co_await link_.call(question, look_timeout);
     if (seen) co_return {};
     if (seen.error().symbol != "not-seen") co_return fail(seen);
-    Datum down = list("move-v"_sym, "down"_sym, step_down_mm);
-    const Result<void> moved = co_await move_arm(down);
+    const Result<void> moved = co_await lower_arm();
     if (!moved) co_return moved;
   }
-  co_return fail("not-seen", "the end effector does not come into the image");
+}
+
+Task<Result<void>> PersonAgent::lower_arm() {
+  if (steps_down_ == most_steps_down) co_return fail("not-seen", "the end effector does not come into the image");
+  ++steps_down_;
+  Datum down = list("move-v"_sym, "down"_sym, step_down_mm);
+  co_return co_await move_arm(down);
 }
 
 Task<Result<void>> PersonAgent::teach_once(std::string name) {
@@ -141,6 +147,11 @@ Task<Result<void>> PersonAgent::teach(std::string name) {
     if (taught) co_return {};
     const bool was_renamed = co_await renamed(taught.error());
     if (was_renamed) co_return {};
+    if (name == end_effector) {
+      // The border of the image may cut its mark.
+      const Result<void> lowered = co_await lower_arm();
+      if (!lowered) co_return taught;
+    }
     co_await sleep(context_.executor, pause_between_tries);
   }
   co_return taught;

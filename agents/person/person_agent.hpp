@@ -35,6 +35,7 @@ class PersonAgent : public runtime::Agent {
   Task<Result<Datum>> ask_eyes(Datum operation);
   Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
+  Task<Result<void>> lower_arm();
   // Whether a fact of that pattern does.
   Task<Result<bool>> stands(Datum pattern);
   Task<Result<bool>> known(std::string name);
@@ -48,6 +49,7 @@ class PersonAgent : public runtime::Agent {
   runtime::Service service_;
   runtime::Caller caller_;
   runtime::Roles roles_;
+  int steps_down_ = 0;
 };
 
 }  // namespace pizarra::person

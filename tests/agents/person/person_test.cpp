@@ -30,9 +30,11 @@ simulation::WorldConfig four_cubes() {
 
 // The world, the arm and the eyes, and a person who teaches.
 struct Room {
+  explicit Room(const simulation::WorldConfig& config = four_cubes()) : world{executor, config} {}
+
   VirtualExecutor executor;
   memory::MemoryBoard board{executor};
-  simulation::World world{executor, four_cubes()};
+  simulation::World world;
   simulation::LocalLink link{world};
   simulation::SimulatedArm arm{link};
   simulation::SimulatedCamera eyes{executor, link};
@@ -67,6 +69,21 @@ TEST(Person, TeachesEveryCubeAndTheEndEffectorByClickingOnThem) {
   EXPECT_EQ(room.facts(list("person"_sym, "?"_sym, "?"_sym)),
             "(person done (\"end-effector\" \"circle\" \"triangle\" \"square\" \"cross\"))\n");
   EXPECT_EQ(room.facts(list("to-accept"_sym, "?"_sym, "?"_sym, "?"_sym)), "") << "others may forget all of it";
+}
+
+// As this lens shows it from where the arm is ready.
+TEST(Person, LowersTheArmWhereTheBorderOfTheImageCutsItsMark) {
+  simulation::WorldConfig config = four_cubes();
+  config.camera.lens = {0.1, 0.1, 0, 0, 0};
+  Room room(config);
+  PersonAgent person(runtime::AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)},
+                     room.link, room.names);
+  const Job robot = room.executor.spawn(until_it_ends(room.robot));
+  const Job vision = room.executor.spawn(until_it_ends(room.vision));
+  const Job teaching = room.executor.spawn(until_it_ends(person));
+  room.executor.run_for(60s);
+  EXPECT_TRUE(room.facts(list("person"_sym, "?"_sym, "?"_sym)).starts_with("(person done "))
+      << room.facts(list("person"_sym, "?"_sym, "?"_sym));
 }
 
 TEST(Person, AsksForAMotionAgainThatWasStopped) {
