@@ -7,6 +7,7 @@
 #include "lisp/writer.hpp"
 #include "programs/chaos/draw_camera.hpp"
 #include "programs/chaos/draw_faults.hpp"
+#include "programs/chaos/draw_scenery.hpp"
 #include "programs/story/random_story.hpp"
 
 namespace pizarra::chaos {
@@ -107,7 +108,8 @@ ChaosStory draw_story(const forms::CellDescription& cell, std::uint64_t seed, co
   Random of_classes = random.split("classes");
   ChaosStory story;
   story.seed = seed;
-  const forms::CellDescription drawn = draw_cell(cell, of_cell);
+  forms::CellDescription drawn = draw_cell(cell, of_cell);
+  draw_scenery(drawn, random.split("scenery"));
   const story::RandomStory first = story::random_story(drawn, random.split("story"));
   story.cell = first.cell;
   guess_camera(story.cell, random.split("camera"));
@@ -135,6 +137,7 @@ std::vector<std::string> describe(const ChaosStory& story) {
   lines.push_back(fmt::format("cubes of {} mm: {}; noise: sensor {:.1f}, blur {:.2f}, gradient {:.2f}",
                               story.cell.cube_mm, cubes, noise.sensor_grey, noise.blur_px, noise.gradient));
   lines.push_back(describe_camera(story.cell));
+  for (std::string& line : describe_scenery(story.cell)) lines.push_back(std::move(line));
   for (const std::vector<Datum>& goal : story.goals) lines.push_back("goal: " + facts_text(goal));
   std::string classes;
   for (const std::string& kind : story.classes) classes += " " + kind;

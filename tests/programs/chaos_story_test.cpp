@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -33,6 +34,54 @@ TEST(ChaosStory, DrawsThreeToFiveCubesOfSeveralSizesWithMarksOfTheirOwn) {
   EXPECT_EQ(*sizes.begin(), 48);
   EXPECT_EQ(*sizes.rbegin(), 60);
   EXPECT_EQ(marks.size(), 12U);
+}
+
+// Of 300 stories.
+int cells_with(const std::function<bool(const forms::CellDescription&)>& thing) {
+  int cells = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    if (thing(draw_story(programs::four_cubes(), seed, {}).cell)) ++cells;
+  }
+  return cells;
+}
+
+bool has_lamp(const forms::CellDescription& cell) { return cell.second_lamp.has_value(); }
+bool has_lens(const forms::CellDescription& cell) { return cell.lens[0] != 0; }
+
+TEST(ChaosStory, DrawsASecondLampAndALensForSomeCellsEachOnItsOwn) {
+  for (const auto& thing : {has_lamp, has_lens}) {
+    EXPECT_GT(cells_with(thing), 40);
+    EXPECT_LT(cells_with(thing), 110);
+  }
+  EXPECT_GT(cells_with([](const auto& cell) { return has_lamp(cell) && has_lens(cell); }), 5);
+  EXPECT_GT(cells_with([](const auto& cell) { return has_lamp(cell) && !has_lens(cell); }), 20);
+}
+
+TEST(ChaosStory, KeepsTheLampAndTheLensThatACellsFileHas) {
+  forms::CellDescription own = programs::four_cubes();
+  own.second_lamp = forms::CellLamp{.at_mm = {900, -600, 1200}, .part = 0.4};
+  own.lens = {-0.2, 0.05, 0, 0, 0};
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const forms::CellDescription cell = draw_story(own, seed, {}).cell;
+    EXPECT_EQ(cell.second_lamp->at_mm, own.second_lamp->at_mm);
+    EXPECT_EQ(cell.lens, own.lens);
+  }
+}
+
+// How many lines of the description of all stories begin so.
+int lines_that_begin(const std::string& words) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    for (const std::string& line : describe(draw_story(programs::four_cubes(), seed, {}))) {
+      if (line.starts_with(words)) ++found;
+    }
+  }
+  return found;
+}
+
+TEST(ChaosStory, SaysTheLampAndTheLensOfEachCellThatHasThem) {
+  EXPECT_EQ(lines_that_begin("a lamp at "), cells_with(has_lamp));
+  EXPECT_EQ(lines_that_begin("lenses with k1 "), cells_with(has_lens));
 }
 
 TEST(ChaosStory, LeavesCubesThatHaveSizesOfTheirOwnAsTheyAre) {
