@@ -1,6 +1,7 @@
 #pragma once
 
-// What a run draws of light and lenses. Most cells do without each of them, and what a cell's file has stays.
+// What a run draws of light, lenses and photographs. Most cells do without each of them, and what a cell's file has
+// stays.
 //
 //   draw_scenery(cell, random.split("scenery"));
 //   for (const std::string& line : describe_scenery(cell)) ...

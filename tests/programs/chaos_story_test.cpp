@@ -47,24 +47,42 @@ int cells_with(const std::function<bool(const forms::CellDescription&)>& thing) 
 
 bool has_lamp(const forms::CellDescription& cell) { return cell.second_lamp.has_value(); }
 bool has_lens(const forms::CellDescription& cell) { return cell.lens[0] != 0; }
+bool has_wall(const forms::CellDescription& cell) { return cell.background.has_value(); }
+bool has_table(const forms::CellDescription& cell) { return cell.table_picture.has_value(); }
 
-TEST(ChaosStory, DrawsASecondLampAndALensForSomeCellsEachOnItsOwn) {
-  for (const auto& thing : {has_lamp, has_lens}) {
-    EXPECT_GT(cells_with(thing), 40);
-    EXPECT_LT(cells_with(thing), 110);
+TEST(ChaosStory, DrawsALampALensAndPhotographsForSomeCellsEachOnItsOwn) {
+  for (const auto& thing : {has_lamp, has_lens, has_wall, has_table}) {
+    EXPECT_GT(cells_with(thing), 15);
+    EXPECT_LT(cells_with(thing), 75);
   }
-  EXPECT_GT(cells_with([](const auto& cell) { return has_lamp(cell) && has_lens(cell); }), 5);
-  EXPECT_GT(cells_with([](const auto& cell) { return has_lamp(cell) && !has_lens(cell); }), 20);
+  EXPECT_GT(cells_with([](const auto& cell) { return has_lamp(cell) && has_lens(cell); }), 0);
+  EXPECT_GT(cells_with([](const auto& cell) { return has_lamp(cell) && !has_lens(cell); }), 10);
 }
 
-TEST(ChaosStory, KeepsTheLampAndTheLensThatACellsFileHas) {
+TEST(ChaosStory, DrawsEachPhotographBehindTheTableAndOnIt) {
+  std::set<std::string> behind;
+  std::set<std::string> on_it;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const forms::CellDescription cell = draw_story(programs::four_cubes(), seed, {}).cell;
+    if (cell.background) behind.insert(cell.background->file);
+    if (cell.table_picture) on_it.insert(cell.table_picture->file);
+  }
+  EXPECT_EQ(behind.size(), 2U);
+  EXPECT_EQ(on_it, behind);
+}
+
+TEST(ChaosStory, KeepsTheSceneryThatACellsFileHas) {
   forms::CellDescription own = programs::four_cubes();
   own.second_lamp = forms::CellLamp{.at_mm = {900, -600, 1200}, .part = 0.4};
   own.lens = {-0.2, 0.05, 0, 0, 0};
+  own.background = forms::CellPicture{.file = "wall.png", .named_at = ""};
+  own.table_picture = forms::CellPicture{.file = "cloth.png", .named_at = ""};
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const forms::CellDescription cell = draw_story(own, seed, {}).cell;
     EXPECT_EQ(cell.second_lamp->at_mm, own.second_lamp->at_mm);
     EXPECT_EQ(cell.lens, own.lens);
+    EXPECT_EQ(cell.background->file, "wall.png");
+    EXPECT_EQ(cell.table_picture->file, "cloth.png");
   }
 }
 
@@ -79,9 +97,11 @@ int lines_that_begin(const std::string& words) {
   return found;
 }
 
-TEST(ChaosStory, SaysTheLampAndTheLensOfEachCellThatHasThem) {
+TEST(ChaosStory, SaysTheSceneryOfEachCellThatHasSome) {
   EXPECT_EQ(lines_that_begin("a lamp at "), cells_with(has_lamp));
   EXPECT_EQ(lines_that_begin("lenses with k1 "), cells_with(has_lens));
+  EXPECT_EQ(lines_that_begin("a photograph behind the table: "), cells_with(has_wall));
+  EXPECT_EQ(lines_that_begin("a photograph on the table: "), cells_with(has_table));
 }
 
 TEST(ChaosStory, LeavesCubesThatHaveSizesOfTheirOwnAsTheyAre) {
