@@ -259,6 +259,10 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
     const Result<void> faced = put_faces(config.cubes.back(), cube);
     if (!faced) return fail(faced);
   }
+  for (const forms::ThingPlacement& thing : description.things) {
+    const auto& [x_mm, y_mm, z_mm] = thing.size_mm;
+    config.things.push_back({thing.name, {thing.is_round, {x_mm, y_mm, z_mm}}, thing.x_mm, thing.y_mm, thing.yaw_deg});
+  }
   const Result<void> sound = simulation::check(config);
   if (!sound) return fail(sound);
   return config;

@@ -61,8 +61,8 @@ enum class CubeFace : std::uint8_t { front, back, right, left, top, bottom };
 // Such as "front"; nothing for another word.
 std::optional<CubeFace> cube_face_from_name(std::string_view name);
 
-// What is on each CubeFace.
-using CubeMarks = std::array<FaceMark, 6>;
+// What is on each CubeFace; nothing on one that is plain.
+using CubeMarks = std::array<std::optional<FaceMark>, 6>;
 CubeMarks on_each_face(const FaceMark& mark);
 
 // Nothing for a word that is no shape's and no tag's, and for a number that a family does not have.

@@ -47,7 +47,7 @@ State state_of(const Cell& cell, CubeId cube) {
   const Pose pose = physics.pose(cube);
   const Vector3d at = pose.translation();
   if (tilt_deg(pose) > upright_deg || physics.velocity_mm_s(cube).norm() > resting_mm_s) return {State::Kind::loose};
-  if (std::abs(at.z() - physics.edge_mm(cube) / 2) < height_slack_mm) return {State::Kind::table};
+  if (std::abs(at.z() - physics.height_mm(cube) / 2) < height_slack_mm) return {State::Kind::table};
   for (CubeId other = 0; other < physics.cubes(); ++other) {
     if (other == cube || !physics.present(other)) continue;
     const Vector3d from_other = physics.pose(other).inverse() * at;
@@ -55,13 +55,13 @@ State state_of(const Cell& cell, CubeId cube) {
     // The other's own axes, whichever of them stands upright, tell how far aside it is.
     Eigen::Index upright = 0;
     physics.pose(other).linear().row(2).cwiseAbs().maxCoeff(&upright);
-    double aside = 0;
+    bool is_over = true;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      if (axis != upright) aside = std::max(aside, std::abs(from_other[axis]));
+      const double reach_mm = physics.shape(other).size_mm[axis] / 2 + overhang_mm;
+      if (axis != upright) is_over = is_over && std::abs(from_other[axis]) < reach_mm;
     }
-    const double above_mm = (physics.edge_mm(cube) + physics.edge_mm(other)) / 2;
-    const double overlap_mm = physics.edge_mm(other) / 2 + overhang_mm;
-    if (std::abs(apart.z() - above_mm) < height_slack_mm && aside < overlap_mm) return {State::Kind::on, other};
+    const double above_mm = (physics.height_mm(cube) + physics.height_mm(other)) / 2;
+    if (std::abs(apart.z() - above_mm) < height_slack_mm && is_over) return {State::Kind::on, other};
   }
   return {State::Kind::loose};
 }
@@ -104,12 +104,11 @@ Datum facts(const Cell& cell, const std::vector<State>& states) {
   for (CubeId cube = 0; cube < states.size(); ++cube) {
     const Datum name = Datum::symbol(cell.name(cube));
     const State& state = states[cube];
+    empty = empty && state.kind != State::Kind::held;
+    if (cell.is_thing(cube)) continue;
     if (state.kind == State::Kind::on) facts.push_back(list("on"_sym, name, Datum::symbol(cell.name(state.below))));
     if (state.kind == State::Kind::table) facts.push_back(list("on-table"_sym, name));
-    if (state.kind == State::Kind::held) {
-      facts.push_back(list("holding"_sym, name));
-      empty = false;
-    }
+    if (state.kind == State::Kind::held) facts.push_back(list("holding"_sym, name));
     const bool stands = state.kind == State::Kind::on || state.kind == State::Kind::table;
     const bool covered = std::ranges::any_of(
         states, [&](const State& other) { return other.kind == State::Kind::on && other.below == cube; });
@@ -135,6 +134,11 @@ Datum truth_of(const Cell& cell, const Eye& left, const Eye& right) {
   for (CubeId cube = 0; cube < physics.cubes(); ++cube) {
     const Pose pose = physics.pose(cube);
     const Vector3d at = pose.translation();
+    if (cell.is_thing(cube)) {
+      out.push_back(list("thing"_sym, Datum::symbol(cell.name(cube)), at.x(), at.y(), at.z(), yaw_deg(pose),
+                         tilt_deg(pose), to_datum(cell, states[cube])));
+      continue;
+    }
     const double seen = physics.present(cube) ? std::min(visible_in(on_left, cube), visible_in(on_right, cube)) : 0.0;
     out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), at.x(), at.y(), at.z(), yaw_deg(pose),
                        tilt_deg(pose), to_datum(cell, states[cube]), seen));
@@ -166,7 +170,8 @@ Datum describe_scene(const Cell& cell, const WorldConfig& config, const forms::C
   out.push_back(list("camera"_sym, camera.at_mm[0], camera.at_mm[1], camera.at_mm[2], camera.pan_deg, camera.tilt_deg,
                      camera.roll_deg));
   for (CubeId cube = 0; cube < cell.physics().cubes(); ++cube) {
-    out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), face_mark_name(cell.mark(cube))));
+    if (cell.is_thing(cube)) continue;
+    out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), face_mark_name(*cell.marks(cube).front())));
   }
   return Datum::list(std::move(out));
 }

@@ -68,8 +68,8 @@
 // straightened images:
 //
 //   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT ROLL) (cube NAME "mark") ...)
-//   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)
-//              (arm-empty)))
+//   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (thing NAME X Y Z YAW TILT STATE) ...
+//               (facts (on A B) (on-table A) (clear A) (holding A) (arm-empty)))
 //   (where-seen NAME) -> (X Y)        left image pixel of its mark's centre; `not-seen` when over half is hidden
 //
 // STATE is table, (on B), held, carried (by the hand), loose or gone. VISIBLE is the part of its mark, 0..1, that both

@@ -18,6 +18,8 @@ namespace {
 
 constexpr double narrowest_view_px = 16;
 constexpr double widest_view_px = 4096;
+constexpr double least_thing_mm = 10;
+constexpr double most_thing_mm = 150;  // a carried cube passes above it
 
 std::unexpected<Failure> bad(std::string sentence, std::string_view name) {
   return fail("bad-cell", std::move(sentence), Datum::string(name));
@@ -89,11 +91,30 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
   return {};
 }
 
+Result<void> check_thing(const WorldConfig& config, std::size_t index) {
+  const ThingConfig& thing = config.things[index];
+  if (!is_plain_name(thing.name)) return bad(fmt::format("\"{}\" is no name for a thing", thing.name), thing.name);
+  const auto has_name = [&](const auto& other) { return lowered(other.name) == lowered(thing.name); };
+  const bool is_taken = std::ranges::any_of(config.cubes, has_name) ||
+                        std::ranges::any_of(std::span(config.things).first(index), has_name);
+  if (is_taken) return bad(fmt::format("{} is called like another", thing.name), thing.name);
+  const auto& size = thing.shape.size_mm;
+  const bool sized = within(size.minCoeff(), least_thing_mm, most_thing_mm) && size.maxCoeff() <= most_thing_mm;
+  if (!sized) return bad(fmt::format("no thing of this world is as large or as small as {}", thing.name), thing.name);
+  const TableConfig& table = config.table;
+  const bool stands =
+      within(thing.x_mm, table.x_low_mm, table.x_high_mm) && within(thing.y_mm, table.y_low_mm, table.y_high_mm);
+  if (!stands) return bad(fmt::format("{} does not stand on the table", thing.name), thing.name);
+  return {};
+}
+
 }  // namespace
 
 CubeMarks CubeConfig::marks() const {
   CubeMarks out = on_each_face(mark);
-  for (std::size_t face = 0; face < out.size(); ++face) out[face] = faces[face].value_or(out[face]);
+  for (std::size_t face = 0; face < out.size(); ++face) {
+    if (faces[face]) out[face] = faces[face];
+  }
   return out;
 }
 
@@ -114,6 +135,13 @@ Result<void> check(const WorldConfig& config) {
   }
   for (std::size_t index = 0; index < config.cubes.size(); ++index) {
     const Result<void> sound = check_cube(config, index);
+    if (!sound) return sound;
+  }
+  if (config.things.size() > max_things) {
+    return bad(fmt::format("a cell has at most {} bricks and cylinders", max_things), "things");
+  }
+  for (std::size_t index = 0; index < config.things.size(); ++index) {
+    const Result<void> sound = check_thing(config, index);
     if (!sound) return sound;
   }
   if (config.start_joints) return arm::check_limits(config.arm, *config.start_joints);

@@ -18,6 +18,7 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 #include "drivers/ptu/head_axes.hpp"
+#include "drivers/simulation/body_shape.hpp"
 #include "drivers/simulation/face_mark.hpp"
 #include "drivers/simulation/photograph.hpp"
 #include "lisp/forms/camera_pose.hpp"
@@ -28,6 +29,7 @@ namespace pizarra::simulation {
 inline constexpr double cube_mass_kg = 0.15;  // whatever its size
 // Cubes in a world at once, the hand's included.
 inline constexpr std::size_t max_cubes = 16;
+inline constexpr std::size_t max_things = 16;
 // The gripper's widest opening between the fingers.
 inline constexpr double gripper_opening_mm = 100;
 
@@ -39,8 +41,17 @@ struct CubeConfig {
   double yaw_deg = 0;
   std::string on = "";                 // the cube that it stands on, listed before; empty: the table, at x, y
   std::optional<double> edge_mm = {};  // none: as large as the cell's cubes are
-  std::array<std::optional<FaceMark>, 6> faces = {};  // marks of their own, each at its CubeFace
+  CubeMarks faces = {};                // those of their own
   CubeMarks marks() const;
+};
+
+// A plain brick or cylinder on the table, which the eyes do not know.
+struct ThingConfig {
+  std::string name;
+  BodyShape shape;
+  double x_mm = 0;
+  double y_mm = 0;
+  double yaw_deg = 0;
 };
 
 // A plate with its upper face at z = 0.
@@ -83,6 +94,7 @@ struct WorldConfig {
   std::shared_ptr<const Photograph> table_picture = nullptr;  // over the table; none: plain, with lines
   double cube_mm = 60;  // the edge of a cube of which nothing else is said; its marks grow with it
   std::vector<CubeConfig> cubes;
+  std::vector<ThingConfig> things;
   double edge_mm(const CubeConfig& cube) const { return cube.edge_mm.value_or(cube_mm); }
   arm::ArmModel arm = arm::crs_f3();
   std::optional<arm::ArmModel> second_arm;
@@ -90,7 +102,7 @@ struct WorldConfig {
 };
 
 // Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, figures
-// of camera, lens, lamp or cubes out of range, too many cubes.
+// of camera, lens, lamp, cubes or things out of range, too many cubes or things.
 Result<void> check(const WorldConfig& config);
 
 }  // namespace pizarra::simulation

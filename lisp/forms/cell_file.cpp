@@ -218,6 +218,15 @@ std::vector<std::pair<std::string, std::string>> faces_from(std::span<const Datu
   return out;
 }
 
+ThingPlacement thing_from_datum(const Datum& thing) {
+  return {std::string(thing[0].text()),
+          thing[1].is_symbol("cylinder"),
+          {thing[2].number(), thing[3].number(), thing[4].number()},
+          thing[5].number(),
+          thing[6].number(),
+          thing[7].number()};
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -249,6 +258,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.tags = tags_from_datum(datum[22]);
   cell.door = door_from_datum(datum[23], file);
   cell.second_lamp = lamp_from_datum(datum[25]);
+  for (const Datum& thing : datum[31].items()) cell.things.push_back(thing_from_datum(thing));
   cell.tagged = tagged_from_datum(datum[26]);
   for (const Datum& body : datum[30].items()) {
     const auto marks = body.items().subspan(1);

@@ -13,6 +13,8 @@
 //       (cube square (at 450 50) (size 40))                    ; smaller than the others
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
 //       (cube box (mark apriltag-36h11 17) (at 450 150))       ; a tag in place of a shape
+//       (brick wall (size 30 120 80) (at 300 100) (yaw 30))    ; plain, and so not known to the eyes
+//       (cylinder can (size 50 70) (at 300 -100))              ; its diameter and its height
 //       (lamp (at 900 -600 1200) (part 0.4))                   ; a second one, with hard shadows: part of the light
 //       (background "wall.jpg") (table-picture "cloth.png") ; photographs behind the table and on it
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
@@ -84,6 +86,16 @@ struct CubePlacement {
   // Of faces with a mark of their own: front, back, right, left, top or bottom, and that mark.
   std::vector<std::pair<std::string, std::string>> faces = {};
   bool operator==(const CubePlacement&) const = default;
+};
+
+// A plain brick or cylinder in the world.
+struct ThingPlacement {
+  std::string name;
+  bool is_round = false;
+  std::array<double, 3> size_mm{};  // of a cylinder: its diameter twice, and its height
+  double x_mm = 0;
+  double y_mm = 0;
+  double yaw_deg = 0;
 };
 
 struct CellNoise {
@@ -215,6 +227,7 @@ struct CellDescription {
   GripperOpenings openings;
   CubeRow row;
   std::vector<CubePlacement> cubes;
+  std::vector<ThingPlacement> things;
   EdgesMm edges_mm() const;          // of its cubes
   std::string arm;                   // its name
   std::string arm_file;              // a path that can be opened

@@ -37,7 +37,7 @@ Result<WorldState> world_state_from_datum(const Datum& head) {
   for (const Datum& item : head.items()) {
     if (item.is_form("cube") && item.size() == 9) {
       truth.cubes.emplace(lowered(item[1].text()), cube_from_datum(item));
-    } else if (!item.is_form("facts")) {
+    } else if (!item.is_form("thing") && !item.is_form("facts")) {
       return fail("malformed", "the world's truth has an unknown part", item);
     }
   }

@@ -45,7 +45,7 @@ void ClumsyFingers::step(double seconds) {
 bool ClumsyFingers::is_free(CubeId cube, const Eigen::Vector3d& at) const {
   for (CubeId other = 0; other < physics_.cubes(); ++other) {
     if (other == cube || !physics_.present(other)) continue;
-    const double edge = (physics_.edge_mm(cube) + physics_.edge_mm(other)) / 2;
+    const double edge = (physics_.width_mm(cube) + physics_.width_mm(other)) / 2;
     const Eigen::Vector3d apart = (physics_.pose(other).translation() - at).cwiseAbs();
     if (apart.z() < same_height * edge && apart.head<2>().norm() < edge) return false;
   }
@@ -55,7 +55,7 @@ bool ClumsyFingers::is_free(CubeId cube, const Eigen::Vector3d& at) const {
 // As far as there is room: a cube that meets another stops there.
 void ClumsyFingers::put_off(CubeId cube) {
   const double direction = random_.uniform(0, 2 * std::numbers::pi);
-  const double far_mm = random_.uniform(0, misplaces_) * physics_.edge_mm(cube);
+  const double far_mm = random_.uniform(0, misplaces_) * physics_.width_mm(cube);
   const Pose from = physics_.pose(cube);
   for (int part = tries; part > 0; --part) {
     const double aside_mm = far_mm * part / tries;

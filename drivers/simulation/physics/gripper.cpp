@@ -8,11 +8,12 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr double finger_friction = 0.2;
-// A face lies flat against a finger when it touches it in this many points.
+// A face lies flat against a finger when it touches it in this many points. What is round touches it along a line.
 constexpr int flat_points = 3;
+constexpr int line_points = 1;
 // Deeper than this the fingers are stopped by what is between them, flat or not.
 constexpr double jammed_mm = 1.5;
-// In cubes, from middle to middle: further away, nothing of the gripper reaches a cube.
+// Of its longest edge, from middle to middle: further away, nothing of the gripper reaches a cube.
 constexpr double parted = 1.5;
 
 }  // namespace
@@ -81,7 +82,8 @@ std::optional<CubeId> Gripper::squeezed() const {
     const Physics::Contact left = physics_.contact(left_, cube);
     const Physics::Contact right = physics_.contact(right_, cube);
     if (left.points == 0 || right.points == 0) continue;
-    const bool flat = left.points >= flat_points && right.points >= flat_points;
+    const int needed = physics_.shape(cube).is_round ? line_points : flat_points;
+    const bool flat = left.points >= needed && right.points >= needed;
     const bool jammed = left.depth_mm > jammed_mm && right.depth_mm > jammed_mm;
     if (flat || jammed) return cube;
   }
@@ -115,8 +117,8 @@ void Gripper::let_pass(CubeId cube) {
 void Gripper::part_from_passing(const Pose& tool) {
   if (!passing_) return;
   const bool near =
-      physics_.present(*passing_) &&
-      (physics_.pose(*passing_).translation() - tool.translation()).norm() < parted * physics_.edge_mm(*passing_);
+      physics_.present(*passing_) && (physics_.pose(*passing_).translation() - tool.translation()).norm() <
+                                         parted * physics_.shape(*passing_).size_mm.maxCoeff();
   if (near) return;
   set_through(*passing_, false);
   passing_.reset();

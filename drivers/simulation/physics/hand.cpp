@@ -103,7 +103,7 @@ double Hand::carry_height(CubeId cube) const {
     if (other == cube || !physics_.present(other) || gripper_.held() == other) continue;
     highest = std::max(highest, physics_.pose(other).translation().z());
   }
-  return highest + physics_.edge_mm(cube) + clearance_mm;
+  return highest + physics_.height_mm(cube) + clearance_mm;
 }
 
 double Hand::support_height(CubeId cube, double x_mm, double y_mm) const {
@@ -112,8 +112,8 @@ double Hand::support_height(CubeId cube, double x_mm, double y_mm) const {
     if (other == cube || !physics_.present(other) || gripper_.held() == other) continue;
     const Vector3d place = physics_.pose(other).translation();
     const double aside = std::max(std::abs(place.x() - x_mm), std::abs(place.y() - y_mm));
-    const double touching_mm = (physics_.edge_mm(cube) + physics_.edge_mm(other)) / 2;
-    if (aside < touching_mm) top = std::max(top, place.z() + physics_.edge_mm(other) / 2);
+    const double touching_mm = (physics_.width_mm(cube) + physics_.width_mm(other)) / 2;
+    if (aside < touching_mm) top = std::max(top, place.z() + physics_.height_mm(other) / 2);
   }
   return top;
 }
@@ -130,7 +130,7 @@ void Hand::put_down(CubeId cube, const Vector3d& on_mm) {
 Result<void> Hand::place(CubeId cube, double x_mm, double y_mm) {
   Result<void> begun = begin(Job::carry, cube, physics_.pose(cube).translation());
   if (!begun) return begun;
-  put_down(cube, {x_mm, y_mm, support_height(cube, x_mm, y_mm) + physics_.edge_mm(cube) / 2 + drop_mm});
+  put_down(cube, {x_mm, y_mm, support_height(cube, x_mm, y_mm) + physics_.height_mm(cube) / 2 + drop_mm});
   return {};
 }
 
@@ -150,7 +150,7 @@ Result<void> Hand::hold(CubeId cube, const Vector3d& at_mm, double seconds) {
   legs_.push_back({at_mm, seconds});
   add_leg(above, carry_speed_mm_s);
   const double support = support_height(cube, from.x(), from.y());
-  add_leg({from.x(), from.y(), support + physics_.edge_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
+  add_leg({from.x(), from.y(), support + physics_.height_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
   return {};
 }
 
@@ -163,7 +163,7 @@ Result<void> Hand::turn(CubeId cube, double anticlockwise_deg) {
   add_leg(above, carry_speed_mm_s);
   legs_.push_back({above, turn_s});
   const double support = support_height(cube, from.x(), from.y());
-  add_leg({from.x(), from.y(), support + physics_.edge_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
+  add_leg({from.x(), from.y(), support + physics_.height_mm(cube) / 2 + drop_mm}, lower_speed_mm_s);
   turned_ = Eigen::AngleAxisd(radians(anticlockwise_deg), Vector3d::UnitZ()) * straightened(pose.linear());
   return {};
 }
@@ -191,21 +191,21 @@ Result<void> Hand::remove(CubeId cube) {
 }
 
 Result<void> Hand::add(CubeId cube, double x_mm, double y_mm) {
-  const double height = carry_height(cube) + physics_.edge_mm(cube);
+  const double height = carry_height(cube) + physics_.height_mm(cube);
   const Vector3d from(x_mm + 150, y_mm, height + 150);
   Result<void> begun = begin(Job::carry, cube, from);
   if (!begun) return begun;
   Pose pose = Pose::Identity();
   pose.translation() = from;
   physics_.bring(cube, pose);
-  put_down(cube, {x_mm, y_mm, support_height(cube, x_mm, y_mm) + physics_.edge_mm(cube) / 2 + drop_mm});
+  put_down(cube, {x_mm, y_mm, support_height(cube, x_mm, y_mm) + physics_.height_mm(cube) / 2 + drop_mm});
   return {};
 }
 
 bool Hand::run_up_is_free(CubeId struck, const Vector3d& start_mm) const {
   for (CubeId other = 0; other < physics_.cubes(); ++other) {
     if (other == struck || !physics_.present(other)) continue;
-    if ((physics_.pose(other).translation() - start_mm).norm() < physics_.edge_mm(other) / 2 + 2 * fist_half_mm.x())
+    if ((physics_.pose(other).translation() - start_mm).norm() < physics_.width_mm(other) / 2 + 2 * fist_half_mm.x())
       return false;
   }
   return true;
@@ -250,7 +250,7 @@ void Hand::lead(double seconds) {
     const Vector3d spin = physics_.spin_rad_s(cube_);
     physics_.set_velocity(cube_, velocity, {spin.x(), spin.y(), 0});
     const Vector3d ahead = (legs_[0].to_mm - from_mm_).normalized();
-    fist_seen_ = at + Vector3d(-10, 0, 0) - ahead * (physics_.edge_mm(cube_) / 2 + 1.2 * fist_half_mm.x());
+    fist_seen_ = at + Vector3d(-10, 0, 0) - ahead * (physics_.width_mm(cube_) / 2 + 1.2 * fist_half_mm.x());
     return;
   }
   velocity.z() += gravity_mm_s2 * seconds;  // what the step is about to take away
@@ -258,7 +258,7 @@ void Hand::lead(double seconds) {
   Vector3d spin = turn_between(pose.linear(), is_turned ? *turned_ : straightened(pose.linear())) / straighten_s;
   if (spin.norm() > straighten_limit_rad_s) spin *= straighten_limit_rad_s / spin.norm();
   physics_.set_velocity(cube_, velocity, spin);
-  fist_seen_ = at + Vector3d(-15, 0, physics_.edge_mm(cube_) / 2 + 0.8 * fist_half_mm.z());
+  fist_seen_ = at + Vector3d(-15, 0, physics_.height_mm(cube_) / 2 + 0.8 * fist_half_mm.z());
 }
 
 void Hand::watch(double seconds) {

@@ -55,6 +55,7 @@ Cell::Cell(const WorldConfig& config)
       fingers_(physics_, gripper_, Random(config.seed).split("fingers")),
       hand_(physics_, gripper_) {
   place_cubes();
+  place_things();
 }
 
 void Cell::place_cubes() {
@@ -64,11 +65,18 @@ void Cell::place_cubes() {
     if (!cube.on.empty()) {
       const Result<CubeId> below = find(cube.on);
       const Vector3d under = physics_.pose(*below).translation();
-      const double above_mm = (physics_.edge_mm(*below) + edge_mm) / 2;
+      const double above_mm = (physics_.height_mm(*below) + edge_mm) / 2;
       pose = standing(under.x(), under.y(), under.z() + above_mm, cube.yaw_deg);
     }
-    physics_.add_cube(pose, edge_mm);
+    physics_.add_cube(pose, cube_shape(edge_mm));
     cubes_.push_back({cube.name, cube.marks()});
+  }
+}
+
+void Cell::place_things() {
+  for (const ThingConfig& thing : config_.things) {
+    physics_.add_cube(standing(thing.x_mm, thing.y_mm, thing.shape.size_mm.z() / 2, thing.yaw_deg), thing.shape);
+    cubes_.push_back({thing.name, {}});
   }
 }
 
@@ -124,7 +132,7 @@ Snapshot Cell::snapshot() const {
   Snapshot snapshot{
       .cubes = {}, .joints = arm_.joints(), .opening_mm = gripper_.opening_mm(), .fist_mm = hand_.fist_mm()};
   for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
-    snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].marks, physics_.present(cube), physics_.edge_mm(cube)});
+    snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].marks, physics_.present(cube), physics_.shape(cube)});
   }
   return snapshot;
 }
@@ -142,10 +150,11 @@ Result<CubeId> Cell::prepare(std::string_view name, const FaceMark& mark) {
     if (physics_.present(*known)) return fail("bad-request", fmt::format("{} is in the cell already", name));
     return known;
   }
-  if (cubes_.size() == max_cubes) return fail("bad-request", fmt::format("a cell has at most {} cubes", max_cubes));
+  if (cubes_.size() == max_cubes + config_.things.size())
+    return fail("bad-request", fmt::format("a cell has at most {} cubes", max_cubes));
   if (!is_plain_name(name)) return fail("bad-request", fmt::format("{} is no name for an object", name));
   cubes_.push_back({std::string(name), on_each_face(mark)});
-  const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0), config_.cube_mm);
+  const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0), cube_shape(config_.cube_mm));
   physics_.take_away(cube);
   return cube;
 }

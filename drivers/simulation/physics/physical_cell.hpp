@@ -36,8 +36,9 @@ class Cell {
   // A cube of that name, away until the hand brings it; one that is away already is answered. Failure: bad-request.
   Result<CubeId> prepare(std::string_view name, const FaceMark& mark);
   const std::string& name(CubeId cube) const { return cubes_[cube].name; }
-  // Of its front.
-  const FaceMark& mark(CubeId cube) const { return cubes_[cube].marks.front(); }
+  const CubeMarks& marks(CubeId cube) const { return cubes_[cube].marks; }
+  // It bears no marks.
+  bool is_thing(CubeId cube) const { return !cubes_[cube].marks.front(); }
 
   const Physics& physics() const { return physics_; }
   ArmMotion& arm() { return arm_; }
@@ -58,6 +59,7 @@ class Cell {
     double lowest_mm = 0;
   };
   void place_cubes();
+  void place_things();
   Load load() const;
   void protect();
 

@@ -46,6 +46,25 @@ std::unique_ptr<btRigidBody> make_body(double mass_kg, btCollisionShape& shape, 
   return std::make_unique<btRigidBody>(info);
 }
 
+std::unique_ptr<btCollisionShape> collision_shape(const BodyShape& shape) {
+  const btVector3 half = to_bullet(Eigen::Vector3d(shape.size_mm / 2));
+  std::unique_ptr<btCollisionShape> out;
+  if (shape.is_round) {
+    out = std::make_unique<btCylinderShapeZ>(half);
+  } else {
+    out = std::make_unique<btBoxShape>(half);
+  }
+  out->setMargin(margin_mm / unit_mm);
+  return out;
+}
+
+// Its own axis that is nearest to the vertical.
+Eigen::Index upright_axis(const Pose& pose) {
+  Eigen::Index out = 0;
+  pose.linear().row(2).cwiseAbs().maxCoeff(&out);
+  return out;
+}
+
 Eigen::Vector3d table_half(const TableConfig& table) {
   return {(table.x_high_mm - table.x_low_mm) / 2, (table.y_high_mm - table.y_low_mm) / 2, table.thickness_mm / 2};
 }
@@ -81,13 +100,20 @@ Physics::~Physics() {
   world_.removeRigidBody(table_.get());
 }
 
-CubeId Physics::add_cube(const Pose& pose, double edge_mm) {
-  auto shape = std::make_unique<btBoxShape>(to_bullet(Eigen::Vector3d::Constant(edge_mm / 2)));
-  shape->setMargin(margin_mm / unit_mm);
-  std::unique_ptr<btRigidBody> body = make_body(cube_mass_kg, *shape, cube_friction);
-  cubes_.push_back({edge_mm, std::move(shape), std::move(body), false});
+CubeId Physics::add_cube(const Pose& pose, const BodyShape& shape) {
+  std::unique_ptr<btCollisionShape> collision = collision_shape(shape);
+  std::unique_ptr<btRigidBody> body = make_body(cube_mass_kg, *collision, cube_friction);
+  cubes_.push_back({shape, std::move(collision), std::move(body), false});
   bring(cubes_.size() - 1, pose);
   return cubes_.size() - 1;
+}
+
+double Physics::height_mm(CubeId cube) const { return shape(cube).size_mm[upright_axis(pose(cube))]; }
+
+double Physics::width_mm(CubeId cube) const {
+  Eigen::Vector3d across = shape(cube).size_mm;
+  across[upright_axis(pose(cube))] = 0;
+  return across.maxCoeff();
 }
 
 void Physics::take_away(CubeId cube) {

@@ -5,7 +5,7 @@
 // decimetres, which its tolerances suit best.
 //
 //   Physics physics(table);
-//   const CubeId cube = physics.add_cube(pose, 60);
+//   const CubeId cube = physics.add_cube(pose, cube_shape(60));
 //   const KinematicId palm = physics.add_kinematic({{.centre_mm = {0, 0, -100}, .half_mm = {20, 62, 20}}}, friction);
 //   physics.move_kinematic(palm, tool);          // where it is at the step's beginning
 //   physics.step();                              // 1/240 s
@@ -41,8 +41,12 @@ class Physics {
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
 
-  CubeId add_cube(const Pose& pose, double edge_mm);
-  double edge_mm(CubeId cube) const { return cubes_[cube].edge_mm; }
+  // A cube, or whatever else moves by itself: it counts as one.
+  CubeId add_cube(const Pose& pose, const BodyShape& shape);
+  const BodyShape& shape(CubeId cube) const { return cubes_[cube].shape; }
+  // As it lies, to its nearest own axis: from below to above, and the longest way across.
+  double height_mm(CubeId cube) const;
+  double width_mm(CubeId cube) const;
   std::size_t cubes() const { return cubes_.size(); }
   // A cube that is away keeps its number; it is brought back at rest.
   bool present(CubeId cube) const { return cubes_[cube].present; }
@@ -73,8 +77,8 @@ class Physics {
 
  private:
   struct Cube {
-    double edge_mm;
-    std::unique_ptr<btBoxShape> shape;
+    BodyShape shape;
+    std::unique_ptr<btCollisionShape> collision;
     std::unique_ptr<btRigidBody> body;
     bool present = true;
   };

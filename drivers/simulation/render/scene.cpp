@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 const Colour cube_white(238, 242, 244);
+const Colour thing_grey(150, 160, 156);
 const Colour mark_black(30, 28, 28);
 const Colour palm_paint(104, 94, 88);
 const Colour finger_steel(178, 174, 170);
@@ -122,19 +123,29 @@ Solid table_solid(const WorldConfig& config) {
   return solid;
 }
 
+Solid cylinder_solid(const Snapshot::Cube& body) {
+  const Vector3d along = body.pose.linear().col(2) * (body.shape.size_mm.z() / 2);
+  const double radius_mm = body.shape.size_mm.x() / 2;
+  const Vector3d middle = body.pose.translation();
+  return make_prism(middle - along, middle + along, radius_mm, radius_mm, foot_sides, thing_grey);
+}
+
 Solid cube_solid(const Snapshot::Cube& cube, std::size_t number) {
-  const double half = cube.edge_mm / 2;
-  Solid solid = make_box(cube.pose, Vector3d::Zero(), Vector3d::Constant(half), cube_white);
+  if (cube.shape.is_round) return cylinder_solid(cube);
+  const bool is_marked = cube.marks.front().has_value();
+  Solid solid = make_box(cube.pose, Vector3d::Zero(), cube.shape.size_mm / 2, is_marked ? cube_white : thing_grey);
+  const double edge_mm = cube.shape.size_mm.x();
   for (int side = 0; side < 6; ++side) {
+    const std::optional<FaceMark>& mark = cube.marks[static_cast<std::size_t>(side)];
+    if (!mark) continue;
     Face& face = solid.faces[static_cast<std::size_t>(side)];
-    const Vector3d centre = cube.pose.translation() + face.normal * half;
+    const Vector3d centre = cube.pose.translation() + face.normal * (edge_mm / 2);
     const Vector3d up = side < 4 ? cube.pose.linear().col(2) : Vector3d(-cube.pose.linear().col(0));
     const int id = mark_id(number, side);
-    const FaceMark& mark = cube.marks[static_cast<std::size_t>(side)];
-    if (const auto* tag = std::get_if<TagMark>(&mark)) {
-      paint_tag(face, centre, up, tag->print, tag_part_of_edge * cube.edge_mm, mark_black, id);
+    if (const auto* tag = std::get_if<TagMark>(&*mark)) {
+      paint_tag(face, centre, up, tag->print, tag_part_of_edge * edge_mm, mark_black, id);
     } else {
-      paint_mark(face, centre, up, std::get<Mark>(mark), cube.edge_mm / marked_cube_mm, mark_black, id);
+      paint_mark(face, centre, up, std::get<Mark>(*mark), edge_mm / marked_cube_mm, mark_black, id);
     }
   }
   return solid;

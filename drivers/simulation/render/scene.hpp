@@ -17,7 +17,7 @@ struct Snapshot {
     Eigen::Isometry3d pose;
     CubeMarks marks;
     bool present;
-    double edge_mm;
+    BodyShape shape;
   };
   std::vector<Cube> cubes;
   arm::Joints joints{};

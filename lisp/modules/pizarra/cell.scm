@@ -14,7 +14,7 @@
 ;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,
 ;; (X Y Z PART), or (); BACKGROUND and TABLE-PICTURE are photographs in it, (FILE PATH), PATH leading to where the
 ;; text names the file, or (). LENS is the distortion of the simulated cameras, (K1 K2 P1 P2 K3).
-;; The last is the bodies of several tags.
+;; The last two are the bodies of several tags, and the world's plain things.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -29,6 +29,7 @@
   #:use-module (pizarra hosts)
   #:use-module (pizarra pan-tilt)
   #:use-module (pizarra tags)
+  #:use-module (pizarra things)
   #:export (interpret))
 
 ;; Sees and points through the simulation alone.
@@ -188,7 +189,8 @@
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
-                               '(background camera cube cube-size lamp noise openings row table-picture) '(cube))
+                               '(background brick camera cube cube-size cylinder lamp noise openings row table-picture)
+                               '(brick cube cylinder))
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
@@ -207,6 +209,7 @@
                           (append (if has-unit '() '(pan-tilt)) (if real simulated-kinds '()))
                           (map first agents)))
          (board (board-of found hosts))
+         (cubes (cubes-of (sections-in things 'cube) size))
          (tagged (tagged-of found)))
     (refuse-idle agent-nodes agents hosts)
     (unless has-unit
@@ -221,7 +224,7 @@
     (list name
           camera
           (noise-of things)
-          (cubes-of (sections-in things 'cube) size)
+          cubes
           (or (and arm (arm-of arm arms)) 'crs-f3)
           (text-of-section found 'domain "the domain's file" "")
           (first board)
@@ -248,7 +251,9 @@
           (picture-of things 'background)
           (picture-of things 'table-picture)
           (lens-of things)
-          (bodies-of found tagged))))
+          (bodies-of found tagged)
+          (things-of (filter-map (lambda (section) (and (memq (car section) '(brick cylinder)) (cdr section))) things)
+                     cubes))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

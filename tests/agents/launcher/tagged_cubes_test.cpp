@@ -38,8 +38,8 @@ TEST(TaggedCubes, FacesMayHaveMarksOfTheirOwn) {
   const Result<simulation::WorldConfig> world = world_config(*cell, 1);
   ASSERT_TRUE(world) << describe(world.error());
   std::vector<std::string> names;
-  for (const simulation::FaceMark& mark : world->cubes.front().marks()) {
-    names.push_back(simulation::face_mark_name(mark));
+  for (const std::optional<simulation::FaceMark>& mark : world->cubes.front().marks()) {
+    names.push_back(simulation::face_mark_name(mark.value()));
   }
   const std::string usual = "apriltag-36h11-1";
   EXPECT_EQ(names, (std::vector<std::string>{usual, usual, usual, "apriltag-36h11-2", "cross", usual}))

@@ -37,9 +37,11 @@ std::string Bench::outcome(std::string_view request) {
 TruthOf Bench::truth(std::string_view cube) {
   const Datum all = ask("(truth)");
   for (const Datum& item : all.items()) {
-    if (!item.is_form("cube") || !item[1].is_symbol(cube)) continue;
+    const bool is_body = item.is_form("cube") || item.is_form("thing");
+    if (!is_body || !item[1].is_symbol(cube)) continue;
+    const double visible = item.is_form("cube") ? item[8].number() : 0;
     return {item[2].number(), item[3].number(), item[4].number(), item[5].number(),
-            item[6].number(), write(item[7]),   item[8].number()};
+            item[6].number(), write(item[7]),   visible};
   }
   ADD_FAILURE() << "no cube " << cube;
   return {};

@@ -26,7 +26,7 @@ WorldConfig quiet_world(bool with_lamp) {
 Snapshot::Cube cube_at(const Vector3d& place) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = place;
-  return {pose, on_each_face(Mark::circle), true, 60};
+  return {pose, on_each_face(Mark::circle), true, cube_shape(60)};
 }
 
 // A cube in the row, and another one in the air where it is in the way of the light to a point.

@@ -56,7 +56,7 @@ TEST(Lens, ShowsMarksWhereOpenCvProjectsThem) {
   for (const double y : {-190.0, 0.0, 190.0}) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() = Vector3d(450, y, 30);
-    snapshot.cubes.push_back({pose, on_each_face(Mark::circle), true, 60});
+    snapshot.cubes.push_back({pose, on_each_face(Mark::circle), true, cube_shape(60)});
   }
   StereoRenderer renderer(config, Random(1));
   const StereoPair pair = renderer.render(snapshot, config.camera, 1, false);

@@ -149,7 +149,7 @@ TEST(Photograph, OnTheTableIsDarkerInAHardShadow) {
         pair.left->pixels[static_cast<std::size_t>(std::lround(at.y()) * pair.left->width + std::lround(at.x()))]);
   };
   const int lit = level(snapshot);
-  snapshot.cubes = {{in_the_way, on_each_face(Mark::circle), true, 60}};
+  snapshot.cubes = {{in_the_way, on_each_face(Mark::circle), true, cube_shape(60)}};
   EXPECT_LT(level(snapshot), 0.8 * lit);
 }
 

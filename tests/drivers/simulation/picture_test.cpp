@@ -73,7 +73,7 @@ void expect_the_same_pictures(const WorldConfig& config, const std::vector<FaceM
   Snapshot snapshot;
   snapshot.opening_mm = 84;
   for (const FaceMark& mark : marks)
-    snapshot.cubes.push_back({Eigen::Isometry3d::Identity(), on_each_face(mark), true, 60});
+    snapshot.cubes.push_back({Eigen::Isometry3d::Identity(), on_each_face(mark), true, cube_shape(60)});
   for (std::uint64_t frame = 1; frame <= 12; ++frame) {
     for (Snapshot::Cube& cube : snapshot.cubes) {
       if (random.below(2) == 0) continue;
