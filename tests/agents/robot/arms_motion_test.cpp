@@ -10,6 +10,7 @@
 #include "drivers/arm/posture.hpp"
 #include "lisp/forms/arm_names.hpp"
 #include "lisp/reader.hpp"
+#include "tests/campaign.hpp"
 
 // The seventeen operations mean the same for every arm that comes with the tree.
 
@@ -135,10 +136,11 @@ double off_line_mm(const arm::ArmModel& arm, const arm::Joints& from, const Eige
 
 TEST(ArmsMotion, LongLinesFromAnywhereAreStraightOrRefused) {
   const std::set<std::string> refusals{"unreachable", "joint-limit", "singular"};
+  const int places = campaign(20, 80);
   for (const arm::ArmModel& arm : arms()) {
     Random random(seed);
     int checked = 0;
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < places; ++i) {
       const arm::Joints from = anywhere(arm, random);
       const double mm = std::round(random.uniform(150, 300));
       for (const char* operation : {"move-h right", "move-h left", "move-v up", "move-v down", "extend keep-height",
@@ -156,7 +158,7 @@ TEST(ArmsMotion, LongLinesFromAnywhereAreStraightOrRefused) {
         EXPECT_LT(off_line_mm(arm, from, direction(arm, operation, from), motion->waypoints), 0.1) << which;
       }
     }
-    EXPECT_GT(checked, 200) << arm.type;
+    EXPECT_GT(checked, 5 * places / 2) << arm.type;
   }
 }
 
