@@ -112,8 +112,8 @@ double weight_of(double off, double spread) {
 class Registration {
  public:
   Registration(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start, MarkTone tone,
-               const PlaneSearch& search)
-      : image_(image), outline_(outline), search_(search), sign_(tone == MarkTone::dark ? 1 : -1) {
+               const PlaneSearch& search, const PlaneLens& lens)
+      : image_(image), outline_(outline), search_(search), lens_(lens), sign_(tone == MarkTone::dark ? 1 : -1) {
     fit_.to_image = (1 / start(2, 2)) * start;
     const cv::Matx22d slope = fit_.slope();
     size_px_ = std::sqrt(std::abs(cv::determinant(slope)));
@@ -204,6 +204,7 @@ class Registration {
     b(6) -= prior * h(2, 0);
     b(7) -= prior * h(2, 1);
     hold_slant(a, b);
+    hold_rigid(a, b, h, lens_);
     normal_ = a;
     // Unknowns that the outline leaves open, such as a circle's turn, stay as they are.
     a.diagonal().head<6>().array() += 1e-4 * a.diagonal().head<6>().maxCoeff();
@@ -270,6 +271,7 @@ class Registration {
   const cv::Mat1b& image_;
   const PlaneOutline& outline_;
   const PlaneSearch search_;
+  const PlaneLens lens_;
   const double sign_;  // 1 where the ground is lighter
   double size_px_;
   std::vector<double> widths_px2_;  // of the edges' changes: variances
@@ -311,16 +313,16 @@ cv::Matx33d affine_start(const Reach& seen, const Reach& learned, int turn) {
 }
 
 std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,
-                                  MarkTone tone, const PlaneSearch& search) {
+                                  MarkTone tone, const PlaneSearch& search, const PlaneLens& lens) {
   if (outline.points.size() < 32) return std::nullopt;
-  Registration registration(image, outline, start, tone, search);
+  Registration registration(image, outline, start, tone, search, lens);
   if (!registration.run()) return std::nullopt;
   return registration.take();
 }
 
 std::optional<PlaneFit> fit_to_border(const cv::Mat1b& image, const PlaneOutline& outline, const PlaneFit& fit,
-                                      MarkTone tone, const PlaneSearch& search) {
-  Registration registration(image, outline, fit.to_image, tone, search);
+                                      MarkTone tone, const PlaneSearch& search, const PlaneLens& lens) {
+  Registration registration(image, outline, fit.to_image, tone, search, lens);
   registration.go_by_border_of(fit);
   if (!registration.run()) return std::nullopt;
   return registration.take();

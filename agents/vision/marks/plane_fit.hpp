@@ -15,6 +15,7 @@
 
 #include "agents/vision/marks/mark_patch.hpp"
 #include "agents/vision/marks/plane_outline.hpp"
+#include "agents/vision/marks/rigid_plane.hpp"
 
 namespace pizarra::vision {
 
@@ -66,9 +67,9 @@ inline constexpr PlaneSearch to_follow_in_right{4, 0.5, std::numeric_limits<doub
 
 // Nothing where fewer edges are there.
 std::optional<PlaneFit> fit_plane(const cv::Mat1b& image, const PlaneOutline& outline, const cv::Matx33d& start,
-                                  MarkTone tone, const PlaneSearch& search = for_whole);
+                                  MarkTone tone, const PlaneSearch& search = for_whole, const PlaneLens& lens = {});
 // The same by the edges alone that are its border by now (PlaneEdge::is_border).
 std::optional<PlaneFit> fit_to_border(const cv::Mat1b& image, const PlaneOutline& outline, const PlaneFit& fit,
-                                      MarkTone tone, const PlaneSearch& search);
+                                      MarkTone tone, const PlaneSearch& search, const PlaneLens& lens = {});
 
 }  // namespace pizarra::vision

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/outline_guess.hpp"
@@ -25,12 +26,15 @@ constexpr double most_rms_px = 0.2;
 // A part says too little of a face that is turned farther away.
 constexpr double least_slimness = 0.75;
 // A place that the part leaves more open is none.
-constexpr double most_spread_px = 0.7;
+constexpr double most_spread_px = 1;
 // What is told has more: a turn makes up for what a part lacks, and where two sides alone show, the mark may be larger
 // and lie farther along them.
 constexpr double least_supported_px_told = 75;
 constexpr double least_slimness_told = 0.85;
 constexpr double most_spread_px_told = 0.35;
+// A print's edges are where it says, those of other things only nearly: such a fit may leave more open.
+constexpr double most_spread_px_if_exact = 0.75;
+constexpr double exact_rms_px = 0.1;
 constexpr double smallest_px = 5;  // a standard deviation
 // Another explanation of the same edges must be so much shorter.
 constexpr double most_of_rival = 0.9;
@@ -57,7 +61,8 @@ bool may_be(const PartLook& look) {
 }
 
 bool may_be_told(const PartLook& look) {
-  return look.part.supported_px >= least_supported_px_told && look.fit.middle_spread_px <= most_spread_px_told &&
+  const double most_spread = look.part.rms_px <= exact_rms_px ? most_spread_px_if_exact : most_spread_px_told;
+  return look.part.supported_px >= least_supported_px_told && look.fit.middle_spread_px <= most_spread &&
          slimness_of(look.fit) >= least_slimness_told;
 }
 
@@ -74,12 +79,21 @@ bool are_at_one_place(const PartLook& a, const PartLook& b) {
   return apart < 1.5 * std::max(size_px(a.fit), size_px(b.fit));
 }
 
+// Of a mark that was turned away when it was learned, the template is stretched along one of two axes.
+PlaneLens lens_for(const LearnedSample& sample, PlaneLens lens) {
+  const double stretch = (1 - sample.slimness) / (1 + sample.slimness);
+  lens.stretch_spread = std::max(lens.stretch_spread, std::numbers::sqrt2 * stretch);
+  return lens;
+}
+
 // What hides a part has edges as well: the next fits go by the border alone that the one before showed.
-std::optional<PartLook> part_look(const ImageCut& cut, const LearnedSample& sample, const cv::Matx33d& start) {
-  std::optional<PlaneFit> fit = fit_plane(cut.pixels, sample.plane, start, sample.tone, for_part);
+std::optional<PartLook> part_look(const ImageCut& cut, const LearnedSample& sample, const cv::Matx33d& start,
+                                  const PlaneLens& any_lens) {
+  const PlaneLens lens = lens_for(sample, any_lens);
+  std::optional<PlaneFit> fit = fit_plane(cut.pixels, sample.plane, start, sample.tone, for_part, lens);
   for (int again = 0; again < fits_by_border && fit; ++again) {
     if (judge_part(cut, sample.plane, *fit, sample.tone).supported < least_at_first) return std::nullopt;
-    fit = fit_to_border(cut.pixels, sample.plane, *fit, sample.tone, for_part);
+    fit = fit_to_border(cut.pixels, sample.plane, *fit, sample.tone, for_part, lens);
   }
   if (!fit) return std::nullopt;
   const SeenPart part = judge_part(cut, sample.plane, *fit, sample.tone);
@@ -87,14 +101,14 @@ std::optional<PartLook> part_look(const ImageCut& cut, const LearnedSample& samp
 }
 
 std::vector<PartLook> all_looks(const ImageCut& cut, const EdgeChains& edges, const LearnedObject& object,
-                                double focal_px) {
+                                const PlaneLens& lens) {
   std::vector<PartLook> out;
   for (const LearnedSample& sample : object.samples) {
     // How a slim mark lies in its template is not kept.
     if (sample.tag || sample.slimness < least_round) continue;
     for (const OutlineGuess& guess :
-         outline_guesses(edges, sample.plane, sample.tone, sizes_of(sample, focal_px), least_shown)) {
-      std::optional<PartLook> look = part_look(cut, sample, guess.to_image);
+         outline_guesses(edges, sample.plane, sample.tone, sizes_of(sample, lens.focal_px), least_shown)) {
+      std::optional<PartLook> look = part_look(cut, sample, guess.to_image, lens);
       if (look && may_be(*look)) out.push_back(std::move(*look));
     }
   }
@@ -105,9 +119,9 @@ std::vector<PartLook> all_looks(const ImageCut& cut, const EdgeChains& edges, co
 }  // namespace
 
 std::vector<PartLook> look_for_parts(const ImageCut& cut, const EdgeChains& edges, const LearnedObjects& objects,
-                                     const LearnedObject& object, double focal_px) {
+                                     const LearnedObject& object, const PlaneLens& lens) {
   std::vector<PartLook> out;
-  for (PartLook& look : all_looks(cut, edges, object, focal_px)) {
+  for (PartLook& look : all_looks(cut, edges, object, lens)) {
     const auto is_there = [&](const PartLook& other) { return are_at_one_place(look, other); };
     if (std::ranges::none_of(out, is_there)) out.push_back(std::move(look));
   }
@@ -116,7 +130,7 @@ std::vector<PartLook> look_for_parts(const ImageCut& cut, const EdgeChains& edge
     const EdgeChains there = edges.within(around(look));
     return std::ranges::any_of(objects.all(), [&](const LearnedObject& other) {
       if (same_name(other.name, object.name)) return false;
-      return std::ranges::any_of(all_looks(cut, there, other, focal_px), [&](const PartLook& rival) {
+      return std::ranges::any_of(all_looks(cut, there, other, lens), [&](const PartLook& rival) {
         return are_at_one_place(look, rival) && rival.part.supported_px > most_of_rival * look.part.supported_px;
       });
     });

@@ -3,7 +3,7 @@
 // A learned mark of which an image shows a part: registered by what is seen of its outline, so that its middle and its
 // pose are those of the whole (marks/seen_part.hpp).
 //
-//   for (const PartLook& look : look_for_parts(cut, edges, objects, circle, focal_px)) look.fit.in_image({0, 0}) ...
+//   for (const PartLook& look : look_for_parts(cut, edges, objects, circle, lens)) look.fit.in_image({0, 0}) ...
 //
 // Told where enough is supported, hardly anything contradicts it, and no other learned object explains more of the same
 // edges: three sides of a cross's arm are most of a small square's.
@@ -20,9 +20,10 @@ struct PartLook {
   SeenPart part;
 };
 
-// The one with the most support first. `focal_px`: of the camera, where it is known.
+// The one with the most support first. Without a focal length nothing tells how far the outline of a square reaches
+// behind what hides a whole side.
 std::vector<PartLook> look_for_parts(const ImageCut& cut, const EdgeChains& edges, const LearnedObjects& objects,
-                                     const LearnedObject& object, double focal_px);
+                                     const LearnedObject& object, const PlaneLens& lens);
 
 // As the whole of it would look.
 SeenMark whole_mark(const ImageCut& cut, const PartLook& look);

@@ -216,7 +216,8 @@ std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, con
   if (!model_.is_single()) return out;
   const ImageCut& cut = left_segmentation().cut();
   if (!left_edges_) left_edges_ = edge_chains(cut);
-  for (PartLook& look : look_for_parts(cut, *left_edges_, objects, object, model_.focal_px)) {
+  const PlaneLens lens{model_.focal_px, {model_.centre_x_px, model_.centre_y_px}};
+  for (PartLook& look : look_for_parts(cut, *left_edges_, objects, object, lens)) {
     SeenPair pair{.left = whole_mark(cut, look), .right = std::nullopt};
     if (!holds(pair.left)) continue;
     pair.left.focal_px = model_.focal_px;

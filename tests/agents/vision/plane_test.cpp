@@ -508,7 +508,7 @@ void cover(cv::Mat1b& image, cv::Point2d middle, double beyond_px, double direct
 
 std::vector<PartLook> parts_of_square(const cv::Mat1b& image, const LearnedObjects& objects) {
   const ImageCut cut = look_at(image, {0, 0, image.cols, image.rows}, noise_of(image));
-  return look_for_parts(cut, edge_chains(cut), objects, *objects.find("square"), 600);
+  return look_for_parts(cut, edge_chains(cut), objects, *objects.find("square"), {600, {319.5, 239.5}});
 }
 
 TEST(Plane, OfASquareThatSomethingHidesACornerOfIsWhereTheWholeIs) {
@@ -531,6 +531,36 @@ TEST(Plane, OfASquareThatSomethingHidesACornerOfIsWhereTheWholeIs) {
     EXPECT_LT(cv::norm(parts.front().fit.in_image({0, 0}) - middle), 0.5);
     EXPECT_GT(parts.front().part.hidden, 0.1);
   }
+}
+
+// How far the other sides reach behind the cover is told by how they meet, which goes with how they are shortened.
+TEST(Plane, OfASquareThatSomethingHidesASideOfIsWhereTheWholeIs) {
+  Random random(21);
+  LearnedObjects objects;
+  objects.add("square", learned(square, random));
+  int told = 0;
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const double turned = random.uniform(-3, 3);
+    const double axis = random.uniform(-3, 3);
+    const double tilt = random.uniform(0, 0.26);
+    const cv::Matx33d turn =
+        turned_about({tilt * std::cos(axis), tilt * std::sin(axis), 0}) * turned_about({0, 0, turned});
+    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(400, 500));
+    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
+    cv::Mat1b image = filled(projected(square, turn, place), random);
+    const double side_px = 600 * 2 * half_mm / place[2];
+    cover(image, middle, random.uniform(0.1, 0.25) * side_px, turned, i % 2 == 0 ? 90 : 130);
+    const std::vector<PartLook> parts = parts_of_square(image, objects);
+    if (parts.empty()) continue;
+    ++told;
+    ASSERT_EQ(parts.size(), 1U);
+    const PlaneFit& fit = parts.front().fit;
+    const double off_px = cv::norm(fit.in_image({0, 0}) - middle);
+    EXPECT_LT(off_px, 1.5);
+    EXPECT_LT(off_px, 3 * fit.middle_spread_px);
+  }
+  EXPECT_GE(told, 17);
 }
 
 TEST(Plane, AThingWithoutAPartOfTheSquareIsNoneThatSomethingHides) {
