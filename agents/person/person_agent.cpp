@@ -57,7 +57,7 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
   static_cast<void>(told);
 }
 
-Task<Result<bool>> PersonAgent::stands(Datum pattern) {
+Task<Result<bool>> PersonAgent::any_fact(Datum pattern) {
   // Vision may have yet to come and declare what it tells.
   const Result<std::vector<Fact>> facts = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
   if (!facts) co_return fail(facts);
@@ -67,10 +67,10 @@ Task<Result<bool>> PersonAgent::stands(Datum pattern) {
 // As an object, or as a body of several marks.
 Task<Result<bool>> PersonAgent::known(std::string name) {
   const std::string eyes = roles_.holder("eyes").server;
-  const Result<bool> learned = co_await stands(learned_pattern(eyes, Datum::string(name)));
+  const Result<bool> learned = co_await any_fact(learned_pattern(eyes, Datum::string(name)));
   const bool settled = !learned || *learned;
   if (settled) co_return learned;
-  co_return co_await stands(list("body"_sym, Datum::symbol(eyes), name, "?"_sym));
+  co_return co_await any_fact(list("body"_sym, Datum::symbol(eyes), name, "?"_sym));
 }
 
 // A motion that was stopped, as where the robot agent began anew, is asked for again.

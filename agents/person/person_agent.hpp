@@ -36,8 +36,7 @@ class PersonAgent : public runtime::Agent {
   Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
   Task<Result<void>> lower_arm();
-  // Whether a fact of that pattern does.
-  Task<Result<bool>> stands(Datum pattern);
+  Task<Result<bool>> any_fact(Datum pattern);
   Task<Result<bool>> known(std::string name);
   Task<bool> renamed(Failure why);
   Task<Result<Datum>> serve(Datum operation);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the robot agent keeps as durable facts, so that its successor goes on from there: the learned variables, the
-// speed, who released control, and the newest motion.
+// The durable facts of the robot agent: the learned variables, the speed, who released control, and the newest motion.
+// Its successor goes on from there.
 //
 // Lifecycle: recall() before the first operation; it reads what an earlier life kept.
 //
@@ -29,7 +29,7 @@ class RobotMemory {
   double speed_percent() const { return speed_percent_; }
   // Who had released control when recall() read it.
   const std::optional<std::string>& released_by() const { return released_by_; }
-  // What the request of an earlier life's newest motion is answered, null for other requests.
+  // The answer to the request of an earlier life's newest motion; null for other requests.
   const Result<Datum>* answer_to(const Datum& request) const;
 
   Task<Result<void>> keep_speed(double percent);

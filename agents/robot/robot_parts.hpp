@@ -39,7 +39,7 @@ struct RobotParts {
   RobotMemory memory;
 };
 
-// What an operation answers that says only whether it was done.
+// The answer of an operation that says only whether it was done.
 inline Datum done_answer(bool done) { return list(done ? "true"_sym : "false"_sym); }
 
 }  // namespace pizarra::robot

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a body of the simulated world is, on its own axes: a box, as cubes are, or an upright cylinder.
+// The shape of a body of the simulated world on its own axes: a box, as cubes are, or an upright cylinder.
 //
 //   const BodyShape brick{.size_mm = {40, 80, 30}};
 //   const BodyShape can{.is_round = true, .size_mm = {50, 50, 70}};

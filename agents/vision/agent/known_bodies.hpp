@@ -1,8 +1,8 @@
 #pragma once
 
 // The bodies of which several faces bear tags, and how they are told by what is tracked: each as one object in place of
-// its marks. What clients define stands as durable facts on the board, and outlives the agent; what the cell file
-// defines is told the same way, and comes first.
+// its marks. The bodies that clients define are durable facts on the board, and outlive the agent. Those of the cell
+// file are told the same way, and come first.
 //
 //   KnownBodies bodies(context, known.objects(), holders);
 //   for (const DefinedBody& body : options.bodies) failed = co_await bodies.define(body.marks, body.name);
@@ -33,7 +33,7 @@ class KnownBodies {
   KnownBodies(runtime::AgentContext& context, const LearnedObjects& objects, const ModeHolders& holders)
       : context_(context), objects_(objects), holders_(holders) {}
 
-  // What an earlier life defined, without what contradicts the bodies known already: that is retracted. Failures: the
+  // Takes over the bodies that an earlier life defined. Those that contradict a known body are retracted. Failures: the
   // board's.
   Task<Result<void>> recall();
   // Null: none of this name.

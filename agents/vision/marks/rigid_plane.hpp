@@ -1,6 +1,6 @@
 #pragma once
 
-// What a camera of known focal length asks of a homography: the image of a plane that is not stretched. The two axes of
+// Holds a homography to the image of a plane that is not stretched, for a camera of known focal length. The two axes of
 // the plane are as long as each other in space, and at a right angle. So a tilt that squeezes the image also makes its
 // parallel lines meet. The sides of a mark that are seen thus say how far the hidden ones are.
 //

@@ -64,7 +64,7 @@ struct Measured {
     out.tail<3>() = as_small_turn(seen.turn * (body.turn * on_body.turn).transpose());
     return out;
   }
-  // What is expected, by a shift of the body and then a small turn of it about its own zero.
+  // How the expected pose of the mark changes with a shift of the body and a small turn about its zero.
   Matrix6 slope(const Rigid& body) const {
     Matrix6 out = Matrix6::Identity();
     out.topRightCorner<3, 3>() = -cross_matrix(body.turn * on_body.place);

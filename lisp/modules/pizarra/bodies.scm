@@ -1,7 +1,8 @@
 ;; Bodies in cell files, of which several faces bear tags: (bodies (NAME (MARK (X Y Z) (RX RY RZ)) ...) ...), mm and degrees.
 ;;
-;; (bodies-of FOUND TAGGED), FOUND the sections of a cell and TAGGED its objects with tags as (pizarra tags) answers them,
-;;   answers ((NAME ("MARK" (X Y Z) (RX RY RZ)) ...) ...), or (). A MARK is one of these objects, on one body.
+;; (bodies-of FOUND TAGGED) answers ((NAME ("MARK" (X Y Z) (RX RY RZ)) ...) ...), or ().
+;;   FOUND are the sections of a cell. TAGGED are its objects with tags, as (pizarra tags) answers them.
+;;   A MARK is one of these objects, and stands on one body.
 
 (define-module (pizarra bodies)
   #:use-module (srfi srfi-1)
