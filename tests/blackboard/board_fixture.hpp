@@ -31,6 +31,9 @@ class BoardTest : public testing::TestWithParam<WallKind> {
     return answers ? answers->answers : std::vector<Answer>();
   }
   bool holds(Board& board, const std::string& pattern) { return !ask(board, pattern).empty(); }
+  // Whether the board removes it, or puts it back, by itself within ten seconds.
+  bool lapses(Board& board, const std::string& pattern) { return comes_to(board, pattern, false); }
+  bool comes_back(Board& board, const std::string& pattern) { return comes_to(board, pattern, true); }
   std::unique_ptr<Watch> watch(Board& board, const std::string& text) {
     Result<std::unique_ptr<Watch>> watch = wall->run(board.watch(query(text)));
     EXPECT_TRUE(watch.has_value());
@@ -45,6 +48,12 @@ class BoardTest : public testing::TestWithParam<WallKind> {
   std::unique_ptr<Wall> wall;
   std::unique_ptr<Board> alice;
   std::unique_ptr<Board> bob;
+
+ private:
+  bool comes_to(Board& board, const std::string& pattern, bool held) {
+    for (int looks = 0; looks < 200 && holds(board, pattern) != held; ++looks) wall->pass(50ms);
+    return holds(board, pattern) == held;
+  }
 };
 
 inline std::string wall_name(const testing::TestParamInfo<WallKind>& tested) { return tested.param.name; }
