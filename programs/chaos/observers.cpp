@@ -115,7 +115,9 @@ void Observers::look_at_beliefs(double opening_mm) {
 }
 
 bool Observers::are_all_present() const {
-  const auto is_present = [&](const std::string& kind) { return cell_.runs(kind) && present_.contains(kind); };
+  const auto is_present = [&](const std::string& kind) {
+    return cell_.runs(kind) && present_.is_present(kind, cell_.lives(kind));
+  };
   return cell_.runs(simulated::BoardProcess::name) && std::ranges::all_of(cell_.kinds(), is_present);
 }
 
@@ -163,17 +165,14 @@ void Observers::note_event(const Datum& event) {
 
 // An agent that lives and is not present any more has lost its lease.
 void Observers::look_at_presence() {
+  using Change = PresentAgents::Change;
   for (const std::string& kind : cell_.kinds()) {
-    const bool there = !facts_of(cell_.board(), list("agent"_sym, Datum::symbol(kind), "?"_sym, "?"_sym)).empty();
     const int life = cell_.lives(kind);
-    const auto before = present_.find(kind);
-    if (there) {
-      if (before == present_.end() && life > 1) coverage_.hit("cell agent-lived-again");
-      present_[kind] = life;
-    } else if (before != present_.end()) {
-      if (before->second == life && cell_.runs(kind)) coverage_.hit("cell lease-lapsed");
-      present_.erase(before);
-    }
+    const bool was_present = present_.is_present(kind, life);
+    const Datum pattern = list("agent"_sym, Datum::symbol(kind), "?"_sym, "?"_sym);
+    const Change change = present_.look(kind, life, fact_id_of(cell_.board(), pattern));
+    if (change == Change::came && life > 1) coverage_.hit("cell agent-lived-again");
+    if (change == Change::went && was_present && cell_.runs(kind)) coverage_.hit("cell lease-lapsed");
   }
 }
 

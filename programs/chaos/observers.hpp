@@ -13,7 +13,6 @@
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +21,7 @@
 #include "programs/chaos/belief_observer.hpp"
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
+#include "programs/chaos/present_agents.hpp"
 #include "programs/chaos/world_news.hpp"
 #include "programs/story/judge.hpp"
 
@@ -73,7 +73,7 @@ class Observers {
   WorldNews world_news_;
   std::int64_t last_event_ = 0;
   int board_lives_ = 1;
-  std::map<std::string, int> present_;  // agents, in which of their lives
+  PresentAgents present_;
   std::string arm_action_;
   std::vector<Datum> looks_;  // the newest
   Time looked_{};             // when it came

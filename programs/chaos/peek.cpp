@@ -18,6 +18,13 @@ std::vector<Datum> facts_of(const memory::MemoryBoard* board, std::string_view p
   return facts_of(board, read_one(pattern).value());
 }
 
+std::optional<FactId> fact_id_of(const memory::MemoryBoard* board, const Datum& pattern) {
+  if (board == nullptr) return std::nullopt;
+  const Result<Answers> answers = board->store().ask(query_for(pattern));
+  if (!answers || answers->answers.empty()) return std::nullopt;
+  return answers->answers.front().facts.front().id;
+}
+
 InHand in_hand(const memory::MemoryBoard* board) {
   static const Datum running = read_one("(operation ? ? running)").value();
   static const Datum servo = read_one("(servo ? ? ? ? ?)").value();

@@ -4,6 +4,7 @@
 //
 //   std::vector<Datum> facts = facts_of(cell.board(), "(goal-state 1 ? ?)");   // none where the board does not live
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace pizarra::chaos {
 
 std::vector<Datum> facts_of(const memory::MemoryBoard* board, const Datum& pattern);
 std::vector<Datum> facts_of(const memory::MemoryBoard* board, std::string_view pattern);
+// Of the first that matches.
+std::optional<FactId> fact_id_of(const memory::MemoryBoard* board, const Datum& pattern);
 
 // What is in hand: the operator's name, empty where none is, and the servo's state.
 struct InHand {
