@@ -182,16 +182,44 @@ TEST(RangeBySize, OfATagThatWasLearnedTiltedIsWithinItsSpread) {
   EXPECT_GE(spread.percent_within_two(), 90);
 }
 
-// Something as far away as a square, beside it, covers its left quarter: what is left looks like a square aslant, on
-// ground that no square has.
-TEST(Found, WhatNothingSpeaksForIsNotSeen) {
-  Random random(3);
-  TiltedLooks looks(alone(wide_camera()));
-  RangeView view{.mark = "square", .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7};
-  looks.learn(view, random);
-  EXPECT_TRUE(looks.find(view, TiltedLooks::Side::left_alone, random));
-  view.cover = bench::placed(bench::box(100, 100), {319.5 - 65, 239.5}, 1, 0);
-  const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::left_alone, random);
+class CoveredSquare : public testing::Test {
+ protected:
+  CoveredSquare() : looks_(alone(wide_camera())) { looks_.learn(square, random_); }
+
+  // Something as far away as the square covers so much of it from the left.
+  Result<FoundMark> find_with(double covered_px) {
+    constexpr double width_px = 61.6;
+    constexpr double cover_px = 100;
+    RangeView view = square;
+    const double beside_px = (width_px + cover_px) / 2 - covered_px;
+    view.cover = bench::placed(bench::box(cover_px, cover_px), middle - cv::Point2d(beside_px, 0), 1, 0);
+    return looks_.find(view, TiltedLooks::Side::left_alone, random_);
+  }
+
+  const cv::Point2d middle = {319.5, 239.5};
+  const RangeView square = {.mark = "square", .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7};
+
+ private:
+  Random random_ = Random(3);
+  TiltedLooks looks_;
+};
+
+// What is left looks like a square aslant as well, on ground that no square has: the three sides in view speak for one
+// that faces the camera.
+TEST_F(CoveredSquare, IsFoundWhereItIsWithAQuarterHidden) {
+  const Result<FoundMark> found = find_with(15.4);
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_LT(cv::norm(found->pair.left.centre - middle), 0.1);
+  EXPECT_GE(found->confidence, 0.4);
+  EXPECT_LE(found->confidence, 0.5) << "the hidden quarter may be of anything";
+  ASSERT_TRUE(found->pose);
+  EXPECT_NEAR(found->pose->place_mm[2], square.place.z, 5);
+  EXPECT_GT(std::abs(found->pose->turn(2, 2)), std::cos(5 * CV_PI / 180)) << "it faces the camera";
+}
+
+// The rest is too little to say how far a square reaches, and as a square aslant its ground contradicts it.
+TEST_F(CoveredSquare, IsNotSeenWhereNothingSpeaksForIt) {
+  const Result<FoundMark> found = find_with(40);
   ASSERT_FALSE(found) << found->confidence;
   EXPECT_EQ(found.error().symbol, "not-seen");
 }
