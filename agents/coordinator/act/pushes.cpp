@@ -30,7 +30,8 @@ ElbowRoom Pushes::elbow_room() const {
   room.narrow_mm = options_.gripper.openings.narrow_mm;
   room.wide_mm = options_.gripper.openings.wide_mm;
   if (!surroundings_.scene().view()) return room;
-  for (const Eigen::Vector3d& eye : surroundings_.scene().view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
+  const auto eyes = surroundings_.scene().view()->eyes();
+  room.eyes_mm.assign(eyes.begin(), eyes.end());
   room.shown = [this](const Eigen::Vector3d& centre) {
     const CameraView& view = *surroundings_.scene().view();
     const double half_mm = domain_.cube_mm() / 2;

@@ -60,8 +60,9 @@ bool SpotChoice::is_shown(const Eigen::Vector2d& spot) const {
 
 // Whether a cube there hides none of the others, and none of them hides it.
 bool SpotChoice::is_in_sight(const Eigen::Vector2d& spot, const std::vector<Eigen::Vector3d>& others) const {
+  const auto eyes = scene_.view()->eyes();
   SightLines lines;
-  for (const Eigen::Vector3d& eye : scene_.view()->eyes()) lines.eyes_mm.emplace_back(eye.head<2>());
+  lines.eyes_mm.assign(eyes.begin(), eyes.end());
   lines.cube_mm = domain_.cube_mm();
   lines.mark_half_mm = options_.gripper.outline.mark_half_mm;
   lines.margin_mm = off_spot_mm;
@@ -106,7 +107,7 @@ std::optional<Eigen::Vector2d> SpotChoice::spot_as(const Wish& wish, std::string
 
 // Best is a spot off all places, where the cube hides nothing and is not hidden. Where none is free, it is laid down at
 // least away from its old place, or else where another was lost, which is more likely elsewhere; else at a place; else
-// one that the camera shows will do.
+// one that the camera shows will do, though it hides another. It never comes to lie where it lay.
 std::optional<Eigen::Vector2d> SpotChoice::for_held(std::string_view held,
                                                     const std::optional<Eigen::Vector2d>& stood) const {
   constexpr Wish wishes[] = {{},
@@ -119,7 +120,13 @@ std::optional<Eigen::Vector2d> SpotChoice::for_held(std::string_view held,
     if (spot) return spot;
   }
   const Shown shown = [&](const Eigen::Vector2d& spot) { return is_shown(spot); };
-  return free_spot(area(), on_the_table(standing_but(held, true)), from_y_mm(), shown);
+  std::vector<Eigen::Vector2d> occupied = on_the_table(standing_but(held, true));
+  if (stood) occupied.push_back(*stood);
+  TableArea area = this->area();
+  std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, from_y_mm(), shown);
+  if (spot) return spot;
+  area.unhidden_mm = 0;
+  return free_spot(area, occupied, from_y_mm(), shown);
 }
 
 }  // namespace pizarra::coordinator

@@ -27,7 +27,7 @@ struct ElbowRoom {
   double fingers_deg = 0;    // how they are turned to grasp, as Arm::face() has it; at 0 they stand apart along y
   double mark_half_mm = 22;  // from a mark's middle to its edge
   // Where each image is taken from, base frame; none: whether marks are seen is not asked.
-  std::vector<Eigen::Vector2d> eyes_mm = {};
+  std::vector<Eigen::Vector3d> eyes_mm = {};
   // Whether both images show the face with the mark of a cube whose centre is there; none: that is not asked.
   std::function<bool(const Eigen::Vector3d& centre)> shown = {};
   double reach_low_mm = 310;  // radius from the arm's axis

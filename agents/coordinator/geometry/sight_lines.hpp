@@ -2,8 +2,8 @@
 
 // Which cubes stand before the marks of others, for eyes that face the arm.
 //
-//   const SightLines lines{.eyes_mm = {{1330, -45}, {1330, 45}}};
-//   lines.cross({450, -170, 30}, {289, -239, 30});      // true: the eyes look past -202 there
+//   const SightLines lines{.eyes_mm = {{1330, -45, 200}, {1330, 45, 200}}};
+//   lines.cross({450, -170, 30}, {289, -239, 30});   // true: the eyes look past -202 there
 //
 // All points are cubes' centres, base frame.
 
@@ -13,7 +13,7 @@
 namespace pizarra::coordinator {
 
 struct SightLines {
-  std::vector<Eigen::Vector2d> eyes_mm = {};  // where each image is taken from; none: nothing covers anything
+  std::vector<Eigen::Vector3d> eyes_mm = {};  // where each image is taken from; none: nothing covers anything
   double cube_mm = 60;
   double mark_half_mm = 22;  // from a mark's middle to its edge
   double margin_mm = 3;

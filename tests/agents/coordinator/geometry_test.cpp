@@ -159,7 +159,7 @@ TEST(FreeSpot, IsFoundBetweenRowsWhereNoRowHasOne) {
 }
 
 TEST(SightLines, RunFromEachEyePastWhatStandsAsideOfThem) {
-  const SightLines lines{.eyes_mm = {{1330, -45}, {1330, 45}}};
+  const SightLines lines{.eyes_mm = {{1330, -45, 200}, {1330, 45, 200}}};
   const Eigen::Vector3d far_aside(289, -239, 30);
   EXPECT_TRUE(lines.covers({450, -170, 30}, far_aside)) << "nearer the middle by more than a cube";
   EXPECT_FALSE(lines.covers({450, -100, 30}, far_aside));
@@ -167,6 +167,12 @@ TEST(SightLines, RunFromEachEyePastWhatStandsAsideOfThem) {
   EXPECT_FALSE(lines.covers(far_aside, {450, -170, 30})) << "it stands behind";
   EXPECT_TRUE(lines.cross(far_aside, {450, -170, 30}));
   EXPECT_FALSE(lines.covers({450, -170, 30}, {289, -239, 150})) << "the eyes look over it";
+  EXPECT_TRUE(lines.covers({450, 0, 30}, {330, 0, 30}));
+  EXPECT_FALSE(lines.covers({450, 0, 30}, {230, 0, 90})) << "the eyes look over it";
+  const SightLines from_above{.eyes_mm = {{1300, -45, 520}, {1300, 45, 520}}};
+  EXPECT_FALSE(from_above.covers({450, 0, 30}, {270, 0, 30})) << "the eyes look down behind it";
+  EXPECT_TRUE(from_above.covers({450, 0, 90}, {270, 0, 30}));
+  EXPECT_TRUE(lines.covers({450, 0, 30}, {270, 0, 30}));
   EXPECT_FALSE(SightLines().covers({450, 0, 30}, {300, 0, 30})) << "without eyes nothing is covered";
 }
 
@@ -315,7 +321,7 @@ TEST(ElbowRoom, APushIntoViewGoesJustAsFarAsTheImagesShowAndSparesOthers) {
 
 TEST(ElbowRoom, APushLeavesAllMarksInSightOfBothEyesWhereItCan) {
   ElbowRoom room;
-  room.eyes_mm = {{1330, -45}, {1330, 45}};
+  room.eyes_mm = {{1330, -45, 200}, {1330, 45, 200}};
   const auto towards_the_camera = [&room](double y_mm, double neighbour_y_mm) {
     const std::optional<Push> push = push_for_room(room, {450, y_mm, 30}, {{450, neighbour_y_mm, 30}});
     EXPECT_TRUE(push);
