@@ -231,9 +231,10 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
   const Datum& camera = datum[1];
-  cell.world_camera = camera_pose_from_datum(camera, camera[8]);
+  cell.world_camera = camera_pose_from_datum(camera, camera[9]);
   cell.head = camera[6].text();
   cell.frames_per_s = static_cast<int>(camera[7].integer());
+  cell.image = {static_cast<int>(camera[8][0].integer()), static_cast<int>(camera[8][1].integer())};
   cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
   for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
   cell.arm_file = arm_file_from_datum(datum[4], file);

@@ -5,7 +5,8 @@
 //   (cell blocks
 //     (world
 //       (camera (at 1330 0 200) (pan 0) (tilt 0) (roll 0))     ; base-line centre mm, degrees; looks along -x
-//                                                              ; with (lens -0.3 0.1) it distorts
+//                                                              ; with (lens -0.3 0.1) it distorts,
+//                                                              ; with (size 640 480) its images are larger
 //       (cube-size 60)                                         ; of every cube that does not say otherwise
 //       (openings 76 84 96)                                    ; of the gripper: narrow, normal, wide
 //       (row (x 450) (y -200 200))                             ; where cubes are put down
@@ -205,6 +206,12 @@ struct CellDoor {
   std::string keys;  // the folder of its devices'
 };
 
+// Of what the simulated cameras see.
+struct CellImageSize {
+  int width_px = 320;
+  int height_px = 240;
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -218,6 +225,7 @@ struct CellDescription {
   std::string camera_pose_file;  // where a measured pose of the camera is kept, empty: nowhere
   std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
   int frames_per_s = 10;         // of the simulated camera
+  CellImageSize image;
   std::array<double, 5> lens{};  // its distortion, as OpenCV has it: k1, k2, p1, p2, k3
   CellNoise noise;
   std::optional<CellLamp> second_lamp;

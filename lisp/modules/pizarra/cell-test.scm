@@ -1,7 +1,7 @@
 (use-modules (pizarra cell) (pizarra cell-checks) (pizarra checks))
 
 (check "what is left out has a default" (interpret '((cell c)))
-       '(ok (c (1330 0 200 0 0 0 "" 10 ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
+       '(ok (c (1330 0 200 0 0 0 "" 10 (320 240) ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
                (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) () () () () (0 0 0 0 0) () ())))
 (check "a blur up to what the renderer can make is accepted" (car (complaint '(world (noise (blur 2))))) 'ok)
 (check "a wider blur is refused" (complaint '(world (noise (blur 2.1)))) '(1 out-of-range (0 2 1 1 1)))
@@ -40,15 +40,15 @@
   (map (lambda (part) (apply cell-part part sections)) '(1 24)))
 (check "agents take the camera to be where the world has it"
        (camera-poses-of '(world (camera (at 1350 0 210) (roll 1))))
-       '((1350 0 210 0 0 1 "" 10 ()) ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "" ())))
+       '((1350 0 210 0 0 1 "" 10 (320 240) ()) ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "" ())))
 (check "agents know the axes of the unit as well as the world does"
        (camera-poses-of
         '(world (camera (head ptu46-70 (pan-axis (at 5 0 -38) (along 0 1 0)) (tilt-axis (at 0 52 0) (along 1 0 0))))))
-       '((1330 0 200 0 0 0 ptu46-70 10 ((5 0 -38) (0 1 0) (0 52 0) (1 0 0)))
+       '((1330 0 200 0 0 0 ptu46-70 10 (320 240) ((5 0 -38) (0 1 0) (0 52 0) (1 0 0)))
          ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ((5 0 -38) (0 1 0) (0 52 0) (1 0 0)))))
 (check "agents may take it to be elsewhere, until a file says better"
        (camera-poses-of '(world (camera (at 1350 0 210))) '(camera-pose (at 1330 5 200) (file "camera.scm")))
-       '((1350 0 210 0 0 0 "" 10 ()) ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm" ())))
+       '((1350 0 210 0 0 0 "" 10 (320 240) ()) ((1330 5 200 0 0 0) (20 2) (30 0 -66) "camera.scm" ())))
 (check "a camera that stands still has no axes"
        (complaint '(camera-pose (at 1330 0 200) (head (pan-axis (at 5 0 -38) (along 0 1 0)) (tilt-axis (at 0 5 0) (along 1 0 0)))))
        '(1 malformed (0 2 2)))
@@ -57,6 +57,11 @@
        (list-ref (car (camera-poses-of '(world (camera (rate 30))))) 7) 30)
 (check "a frame takes a whole number of the world's steps"
        (complaint '(world (camera (rate 50)))) '(1 out-of-range (0 2 1 1)))
+(check "the simulated cameras take larger images where they are told to"
+       (list-ref (car (camera-poses-of '(world (camera (size 640 480))))) 8) '(640 480))
+(check "an image is as wide as 320 columns, 640 or 1280, and not stretched"
+       (list (complaint '(world (camera (size 320 200)))) (complaint '(world (camera (size 640)))))
+       '((1 out-of-range (0 2 1 1)) (1 malformed (0 2 1 1))))
 (check "a unit that is not known is refused" (complaint '(world (camera (head ptu47)))) '(1 unknown-name (0 2 1 1 1)))
 (check "an agent without anything to turn is refused"
        (complaint '(host "a" (agents robot pan-tilt))) '(1 unknown-agent (0 2 2 2)))

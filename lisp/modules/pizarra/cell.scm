@@ -1,12 +1,12 @@
 ;; Cell files: see lisp/forms/cell_file.hpp for the language and for what is taken where something is left out.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
+;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES (WIDTH HEIGHT) AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
 ;;        BOARD-HOST BOARD-ADDRESS (HOST ...) CUBE-SIZE OPENINGS ROW BOARD-KEYS PAN-TILT ROOM DRIVER OBJECTS CAMERA
 ;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP
 ;;        ((NAME FAMILY NUMBER SIDE) ...) BACKGROUND TABLE-PICTURE LENS))
-;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take; ROOM
-;; is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
+;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take, in
+;; images of WIDTH and HEIGHT; ROOM is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
 ;; simulated arm; OBJECTS the folder of the object database, or empty; SLAVE the second arm,
 ;; (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or (); RATE how often a second the arm tells its state.
 ;; The modules used below say the rest: cubes, CUBE-SIZE, OPENINGS, ROW; hosts, BOARD-..., agents that are Scheme files;
@@ -37,6 +37,8 @@
 (define heads '(ptu46-17.5 ptu46-70))
 ;; Each takes a whole number of the world's steps.
 (define frame-rates '(10 20 30 40 60))
+;; They show the same part of the world.
+(define image-sizes '((320 240) (640 480) (1280 960)))
 
 ;; Above whatever it shines on.
 (define lamp-places-mm '((-3000 3000) (-3000 3000) (800 3000)))
@@ -46,12 +48,13 @@
 (define (camera-of found)
   (let* ((camera (section-in found 'camera))
          (parts (if camera
-                    (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head lens rate))
+                    (sections (node-rest (node-within camera "in the camera")) '(at pan tilt roll head lens rate size))
                     '()))
          (head (section-in parts 'head)))
     (append (pose-of parts)
             (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")
                   (frame-rate-of parts)
+                  (image-size-of parts)
                   (if (and head (> (length (node-items head)) 2)) (axes-of head (drop (node-items head) 2)) '())))))
 
 (define lens-numbers 5)
@@ -74,6 +77,13 @@
         rate
         (complain! (section-in parts 'rate) 'out-of-range
                    "the simulated cameras take 10, 20, 30, 40 or 60 frames a second"))))
+
+(define (image-size-of parts)
+  (let ((size (numbers-in parts 'size '((1 10000) (1 10000)) (first image-sizes))))
+    (if (member size image-sizes)
+        size
+        (complain! (section-in parts 'size) 'out-of-range
+                   "the simulated cameras take images of (size 320 240), (size 640 480) or (size 1280 960)"))))
 
 ;; Where the agents take the camera to be.
 (define (believed-camera-of found world-camera)
