@@ -42,10 +42,11 @@ std::optional<double> border_beside(const ElbowRoom& room, double x_mm, double s
   return border_mm && *border_mm >= room.cube_mm ? border_mm : std::nullopt;
 }
 
-// Up to which x.
+// Up to which x. A camera that was knocked down may cut off the row itself.
 std::optional<double> border_before(const ElbowRoom& room, double row_x_mm, double y_mm) {
-  const std::optional<double> way_mm = border_along(room, {row_x_mm, y_mm}, {1, 0});
-  return way_mm ? std::optional(row_x_mm + *way_mm) : std::nullopt;
+  const double start_mm = row_x_mm - strip_pitch * room.cube_mm;
+  const std::optional<double> way_mm = border_along(room, {start_mm, y_mm}, {1, 0});
+  return way_mm ? std::optional(start_mm + *way_mm) : std::nullopt;
 }
 
 // From where the cube was lost to where the strip begins.
@@ -88,6 +89,31 @@ void add_sweeps_beside(const ElbowRoom& room, double row_x_mm, const LostCube& l
   }
 }
 
+bool is_free_to_pull(const Push& pull, const ElbowRoom& room, const std::vector<Eigen::Vector3d>& standing) {
+  const double half_mm = room.pusher_mm / 2 + room.finger_mm + room.cube_mm / 2 + room.margin_mm;
+  const double inner_mm = pull.to_mm.x() - room.finger_half_mm - 1.5 * room.cube_mm;
+  const auto is_met = [&](const Eigen::Vector3d& other) {
+    return std::abs(other.y() - pull.from_mm.y()) < half_mm && other.x() > inner_mm;
+  };
+  return std::ranges::none_of(standing, is_met);
+}
+
+// Towards the arm, where it comes to places beyond a cube that the lower border cuts off.
+void add_pulls_before(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
+                      const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
+  for (const double off : {0.0, -strip_pitch, strip_pitch}) {
+    const double aside_mm = off * room.cube_mm;
+    const double y_mm = lost.seen_mm.y() + aside_mm;
+    const double from_mm = std::sqrt(std::max(0.0, room.reach_high_mm * room.reach_high_mm - y_mm * y_mm));
+    const std::optional<double> border_mm = border_before(room, row_x_mm, y_mm);
+    const double touching_mm = room.cube_mm / 2 + room.finger_half_mm;
+    if (!border_mm || *border_mm + touching_mm > from_mm) continue;
+    const Push pull{{from_mm, y_mm}, {*border_mm - inside_mm + touching_mm, y_mm}};
+    const double before_mm = std::max(0.0, *border_mm - lost.seen_mm.x());
+    if (is_free_to_pull(pull, room, standing)) out.push_back({std::hypot(before_mm, aside_mm), pull});
+  }
+}
+
 // Whether fingers that are open along x meet nothing that stands as they go down there.
 bool is_free(const Eigen::Vector2d& grip_mm, const ElbowRoom& room, const std::vector<Eigen::Vector3d>& standing) {
   const double half_mm = room.cube_mm / 2 + room.margin_mm;
@@ -123,6 +149,7 @@ std::vector<Push> border_sweeps(const ElbowRoom& room, double row_x_mm, const Lo
   if (!room.shown) return {};
   std::vector<Likely> all;
   add_sweeps_beside(room, row_x_mm, lost, standing, all);
+  add_pulls_before(room, row_x_mm, lost, standing, all);
   add_grips_before(room, row_x_mm, lost, standing, all);
   std::erase_if(all, [&](const Likely& sweep) { return sweep.way_mm > lost.within_mm; });
   std::ranges::stable_sort(all, {}, &Likely::way_mm);

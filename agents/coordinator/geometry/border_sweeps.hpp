@@ -1,8 +1,9 @@
 #pragma once
 
 // A cube that lies half beyond the border of the images is not recognised, though the arm may reach it. Sweeps over the
-// table beside the images, from outside towards the middle, push it to where all of it shows. The arm comes to no place
-// beyond a cube that the lower border cuts off: there the open fingers go down around it and lift it.
+// table beside the images, from outside towards the middle, push it to where all of it shows. Before the lower border
+// they pull it towards the arm. Where the arm comes to no place beyond it there, the open fingers go down around it and
+// lift it.
 //
 //   for (const Push& sweep : border_sweeps(room, row_x_mm, {lost_mm, within_mm}, standing)) ...
 

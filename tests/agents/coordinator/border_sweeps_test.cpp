@@ -99,6 +99,30 @@ TEST(BorderSweeps, BeforeTheImagesGoDownOnNoCubeThatStandsAndNowhereWhereAllIsSh
   EXPECT_TRUE(border_sweeps(further, row_x_mm, lost, {}).empty());
 }
 
+// A camera that was knocked down shows less of the table before it, and not even all of the row.
+TEST(BorderSweeps, PullACubeFromBeforeTheImagesWhereTheArmComesBeyondIt) {
+  ElbowRoom room;
+  room.shown = [](const Eigen::Vector3d& centre) { return centre.x() <= 445; };
+  const std::vector<Push> sweeps = border_sweeps(room, row_x_mm, {{465, 102, 30}, 210}, {{411, 230, 30}});
+  ASSERT_FALSE(sweeps.empty());
+  const Push& pull = sweeps.front();
+  EXPECT_FALSE(pull.lifts);
+  EXPECT_EQ(pull.from_mm.y(), 102);
+  EXPECT_EQ(pull.to_mm.y(), 102);
+  EXPECT_LE(pull.from_mm.norm(), room.reach_high_mm + 0.01);
+  EXPECT_GT(pull.from_mm.x() - room.finger_half_mm - room.cube_mm / 2, 500);
+  EXPECT_TRUE(room.shown({pull.to_mm.x() - room.finger_half_mm - room.cube_mm / 2, 102, 30}));
+}
+
+TEST(BorderSweeps, PullNoCubeThatStands) {
+  ElbowRoom room;
+  room.shown = [](const Eigen::Vector3d& centre) { return centre.x() <= 445; };
+  const Eigen::Vector3d standing(411, 130, 30);
+  for (const Push& sweep : border_sweeps(room, row_x_mm, {{465, 102, 30}, 210}, {standing})) {
+    EXPECT_TRUE(sweep.lifts || std::abs(sweep.from_mm.y() - standing.y()) > 56);
+  }
+}
+
 TEST(BorderSweeps, AreNoneWhereNobodyKnowsWhatIsShownOrAllOfItIs) {
   EXPECT_TRUE(border_sweeps({}, row_x_mm, {{450, 200, 90}, 270}, {}).empty());
   ElbowRoom all;
