@@ -115,6 +115,14 @@ std::vector<Push> Pushes::pushes_into_view(const std::string& missing) const {
   return pushes;
 }
 
+bool Pushes::lay_cut_off(const std::string& object) const {
+  const Sighting* last = surroundings_.scene().sightings().find(object);
+  const ElbowRoom room = elbow_room();
+  if (!last || !room.shown) return false;
+  const Eigen::Vector3d centre = surroundings_.scene().centre_mm(object, *last);
+  return centre.z() < room.cube_mm && !room.shown(centre);
+}
+
 std::vector<Push> Pushes::sweeps_for(const std::string& missing) const {
   std::vector<Push> sweeps = pushes_into_view(missing);
   const Scene& scene = surroundings_.scene();

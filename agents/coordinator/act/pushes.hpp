@@ -27,6 +27,8 @@ class Pushes {
   Task<Result<void>> make_room(std::string object);
   // A cube at the side of the images is swept instead, to where all of it shows.
   Task<Result<void>> push_over(std::string object);
+  // Whether the images cut off, wholly or in part, the place on the table where it was seen last.
+  bool lay_cut_off(const std::string& object) const;
   // First pushes of others that the images cut off, since they may hide it; then sweeps of the table beside the images,
   // and grips before them, where it may lie, the likeliest first.
   std::vector<Push> sweeps_for(const std::string& missing) const;

@@ -13,7 +13,7 @@ Task<Result<void>> Rescues::lay_down(std::string object) {
 }
 
 Task<Result<void>> Rescues::lay_down_at(Datum spot, std::string object) {
-  if (!is_held(scene_.opening_mm().value_or(0))) co_return Result<void>();
+  if (!seems_to_hold()) co_return Result<void>();
   const Result<double> closed = co_await arm_.grip(0);
   if (!closed) co_return fail(closed);
   if (!is_held(*closed)) co_return Result<void>();

@@ -24,11 +24,15 @@ class Rescues {
         runner_(runner),
         widest_mm_(widest_mm) {}
 
+  // By how far its fingers are open.
+  bool seems_to_hold() const { return is_held(scene_.opening_mm().value_or(0)); }
   // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
   // Nothing is done where it holds nothing.
   Task<Result<void>> lay_down(std::string object);
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
+  // Whether the object was seen last on the table, where the images now cut it off.
+  bool lay_cut_off(const std::string& object) const { return pushes_.lay_cut_off(object); }
   // Brings into view what may lie beyond the border of the images: the `nth` time from elsewhere. False where it may
   // lie nowhere else.
   Task<Result<bool>> sweep_in(std::string missing, std::size_t nth);

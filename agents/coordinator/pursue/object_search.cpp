@@ -159,26 +159,48 @@ Task<Result<void>> ObjectSearch::set_aside_before(std::string before, std::strin
   co_return done;
 }
 
-// Where a thing is nowhere to be seen, the gripper may hold it, another may stand before it, or it lies beside the
-// images. That a try fails is no reason to give up looking; one that somebody's stop kept from being made is to be made
-// yet.
-Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missing, SetAside& set_aside) {
-  Result<void> done = co_await rescues_.lay_down(missing);
-  std::optional<std::string> before;
-  if (done) before = to_set_aside(goal, missing, set_aside);
-  if (before) done = co_await set_aside_before(*before, missing, set_aside);
-  const bool may_sweep = done && !before && swept_ < most_swept_of_goal;
+Task<Result<bool>> ObjectSearch::lay_down_held(std::string missing, SetAside& set_aside) {
+  const Result<void> laid = co_await rescues_.lay_down(std::move(missing));
+  if (!laid) co_return fail(laid);
+  set_aside.laid_down = true;
+  co_return true;
+}
+
+Task<Result<bool>> ObjectSearch::sweep_in(std::string missing, SetAside& set_aside) {
+  if (swept_ >= most_swept_of_goal) co_return false;
+  Result<bool> swept = co_await rescues_.sweep_in(std::move(missing), set_aside.sweeps++);
+  const bool tried = !swept || *swept;
+  if (tried) ++swept_;
+  co_return swept;
+}
+
+// One that lay where the images now cut it off, as after a knock against the camera, is likely to lie there still.
+Task<Result<bool>> ObjectSearch::search_the_table(std::int64_t goal, std::string missing, SetAside& set_aside) {
+  const bool sweeps_first = set_aside.sweeps == 0 && rescues_.lay_cut_off(missing);
   Result<bool> swept = false;
-  if (may_sweep) swept = co_await rescues_.sweep_in(missing, set_aside.sweeps++);
-  const bool tried = before || !swept || *swept;
-  if (may_sweep && tried) ++swept_;
-  if (done && !swept) done = fail(swept);
-  if (done) co_return tried;
-  if (ends_search(done.error())) co_return fail(done);
-  const std::string sentence = "the rescue failed: " + done.error().sentence;
-  const Datum why = failure_to_datum(done.error());
+  if (sweeps_first) swept = co_await sweep_in(missing, set_aside);
+  const bool is_swept = !swept || *swept;
+  if (is_swept) co_return swept;
+  const std::optional<std::string> before = to_set_aside(goal, missing, set_aside);
+  if (!before) co_return co_await sweep_in(missing, set_aside);
+  const Result<void> done = co_await set_aside_before(*before, missing, set_aside);
+  if (!done) co_return fail(done);
+  co_return true;
+}
+
+// Where a thing is nowhere to be seen, the gripper may hold it, another may stand before it, or it lies beside the
+// images. What the gripper held is looked at before anything else is moved. That a try fails is no reason to give up
+// looking; one that somebody's stop kept from being made is to be made yet.
+Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missing, SetAside& set_aside) {
+  const bool lays_down = !set_aside.laid_down && rescues_.seems_to_hold();
+  Result<bool> tried = false;
+  if (lays_down) tried = co_await lay_down_held(missing, set_aside);
+  if (!lays_down) tried = co_await search_the_table(goal, missing, set_aside);
+  if (tried || ends_search(tried.error())) co_return tried;
+  const std::string sentence = "the rescue failed: " + tried.error().sentence;
+  const Datum why = failure_to_datum(tried.error());
   co_await story_.tell("servo", sentence, why);
-  co_return tried;
+  co_return !lays_down;
 }
 
 Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {

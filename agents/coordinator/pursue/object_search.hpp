@@ -60,15 +60,20 @@ class ObjectSearch {
     std::set<std::string> done;
     std::map<std::string, int> failed;
     std::size_t sweeps = 0;
+    bool laid_down = false;  // what the gripper held
   };
 
   Task<Result<void>> look_for_named(Goal goal);
   // Seen before, not seen now, and not known to be away.
   std::vector<std::string> others_unseen() const;
   Task<Result<void>> look_once_for(std::int64_t goal, std::string object, Time deadline);
-  // Whether it was tried to set something aside that may hide the missing object, or to sweep the object into view. The
-  // second time that the same thing hides it, what that stood on goes too: there the plan would put it again.
+  // Whether one rescue was tried, after which one looks again: to lay down what the gripper holds, to set something
+  // aside that may hide the missing object, or to sweep the object into view. The second time that the same thing hides
+  // it, what that stood on goes too: there the plan would put it again.
   Task<Result<bool>> clear_view(std::int64_t goal, std::string missing, SetAside& set_aside);
+  Task<Result<bool>> lay_down_held(std::string missing, SetAside& set_aside);
+  Task<Result<bool>> search_the_table(std::int64_t goal, std::string missing, SetAside& set_aside);
+  Task<Result<bool>> sweep_in(std::string missing, SetAside& set_aside);
   std::optional<std::string> to_set_aside(std::int64_t goal, const std::string& missing,
                                           const SetAside& set_aside) const;
   Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);

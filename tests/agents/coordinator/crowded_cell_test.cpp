@@ -197,6 +197,30 @@ TEST(CrowdedCell, LiftsACubeThatTheLowerBorderOfTheImagesCutsOff) {
   expect_built_after_it_came_to(cell, {605, -60, 30});
 }
 
+// The camera was knocked against, so that the circle is not recognised any more where it lay all the time.
+TEST(CrowdedCell, SweepsInWhatTheImagesCutOffBeforeItSetsOthersAside) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -280, 30}}, {"square", {450, -100, 30}}, {"cross", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell](const std::string& name) { return std::abs(cell.cubes[name].y()) > 240; };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle cross))");
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 0);
+}
+
+TEST(CrowdedCell, LooksForWhatItHeldWhereItWasLaidDownBeforeItSetsOthersAside) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -100, 30}}, {"square", {450, 100, 30}}});
+  const std::string laying_down = "(event ? servo \"laying down what the gripper holds\" ?)";
+  cell.covered = [&](const std::string& name) { return name == cell.held && cell.times_told(laying_down) == 0; };
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on circle square))");
+  EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told(laying_down), 1);
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting square aside, to see what it hides\" ?)"), 0);
+}
+
 TEST(CrowdedCell, TakesForMissingNoneThatShowsInSearchOfAnother) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 190, 30}}});
   cell.start_coordinator();
