@@ -29,7 +29,7 @@ Result<void> add_cube(Cell& cell, const Datum& request) {
   const std::optional<FaceMark> mark = face_mark_from_name(word(request, 3));
   if (!mark) return fail("bad-request", "that is no mark of this world, neither a shape nor a tag", request[3]);
   if (cell.hand().busy()) return fail("busy", "the hand is doing something else");
-  const Result<CubeId> cube = cell.prepare(word(request, 2), *mark);
+  const Result<DynamicId> cube = cell.prepare(word(request, 2), *mark);
   if (!cube) return fail(cube);
   return cell.hand().add(*cube, (*to)[0], (*to)[1]);
 }
@@ -52,7 +52,7 @@ std::string_view word(const Datum& request, std::size_t index) {
 Result<void> begin_hand(Cell& cell, const Datum& request) {
   const std::string_view what = word(request, 1);
   if (what == "add") return add_cube(cell, request);
-  const Result<CubeId> cube = cell.find(word(request, 2));
+  const Result<DynamicId> cube = cell.find(word(request, 2));
   if (!cube) return fail(cube);
   if (!cell.physics().present(*cube)) {
     return fail("unknown-object", fmt::format("{} is not in the cell any more", word(request, 2)), request[2]);
@@ -77,7 +77,7 @@ Result<void> begin_hand(Cell& cell, const Datum& request) {
     return hand.hold(*cube, {(*how)[0], (*how)[1], (*how)[2]}, seconds);
   }
   if (what == "stack" && request.size() == 4) {
-    const Result<CubeId> on = cell.find(word(request, 3));
+    const Result<DynamicId> on = cell.find(word(request, 3));
     if (!on) return fail(on);
     if (!cell.physics().present(*on)) return fail("unknown-object", "that cube is gone", request[3]);
     return hand.stack(*cube, *on);

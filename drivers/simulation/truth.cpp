@@ -21,7 +21,7 @@ constexpr double half_visible = 0.5;
 
 struct State {
   enum class Kind { table, on, held, carried, loose, gone } kind = Kind::loose;
-  CubeId below = 0;
+  DynamicId below = 0;
 };
 
 // How far the cube is from standing on one of its faces, degrees.
@@ -39,7 +39,7 @@ double yaw_deg(const Pose& pose) {
   return angle - 90 * std::round(angle / 90);
 }
 
-State state_of(const Cell& cell, CubeId cube) {
+State state_of(const Cell& cell, DynamicId cube) {
   const Physics& physics = cell.physics();
   if (!physics.present(cube)) return {State::Kind::gone};
   if (cell.gripper().held() == cube) return {State::Kind::held};
@@ -48,7 +48,7 @@ State state_of(const Cell& cell, CubeId cube) {
   const Vector3d at = pose.translation();
   if (tilt_deg(pose) > upright_deg || physics.velocity_mm_s(cube).norm() > resting_mm_s) return {State::Kind::loose};
   if (std::abs(at.z() - physics.height_mm(cube) / 2) < height_slack_mm) return {State::Kind::table};
-  for (CubeId other = 0; other < physics.cubes(); ++other) {
+  for (DynamicId other = 0; other < physics.dynamics(); ++other) {
     if (other == cube || !physics.present(other)) continue;
     const Vector3d from_other = physics.pose(other).inverse() * at;
     const Vector3d apart = at - physics.pose(other).translation();
@@ -101,7 +101,7 @@ double visible(const std::optional<MarkView>& mark) {
 Datum facts(const Cell& cell, const std::vector<State>& states) {
   std::vector<Datum> facts{"facts"_sym};
   bool empty = true;
-  for (CubeId cube = 0; cube < states.size(); ++cube) {
+  for (DynamicId cube = 0; cube < states.size(); ++cube) {
     const Datum name = Datum::symbol(cell.name(cube));
     const State& state = states[cube];
     empty = empty && state.kind != State::Kind::held;
@@ -125,13 +125,13 @@ Datum truth_of(const Cell& cell, const Eye& left, const Eye& right) {
   const std::vector<Solid> solids = cell.scene().solids;
   const std::vector<MarkView> on_left = seen_marks(left, solids);
   const std::vector<MarkView> on_right = seen_marks(right, solids);
-  const auto visible_in = [](const std::vector<MarkView>& marks, CubeId cube) {
+  const auto visible_in = [](const std::vector<MarkView>& marks, DynamicId cube) {
     return visible(best_mark(marks, mark_id(cube, 0), mark_id(cube, 5)));
   };
   std::vector<State> states;
-  for (CubeId cube = 0; cube < physics.cubes(); ++cube) states.push_back(state_of(cell, cube));
+  for (DynamicId cube = 0; cube < physics.dynamics(); ++cube) states.push_back(state_of(cell, cube));
   std::vector<Datum> out;
-  for (CubeId cube = 0; cube < physics.cubes(); ++cube) {
+  for (DynamicId cube = 0; cube < physics.dynamics(); ++cube) {
     const Pose pose = physics.pose(cube);
     const Vector3d at = pose.translation();
     if (cell.is_thing(cube)) {
@@ -151,7 +151,7 @@ Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view nam
   int first = effector_id;
   int last = effector_id;
   if (!names_agree(name, "end-effector")) {
-    const Result<CubeId> cube = cell.find(name);
+    const Result<DynamicId> cube = cell.find(name);
     if (!cube) return fail(cube);
     first = mark_id(*cube, 0);
     last = mark_id(*cube, 5);
@@ -169,7 +169,7 @@ Datum describe_scene(const Cell& cell, const WorldConfig& config, const forms::C
   out.push_back(list("table"_sym, table.x_low_mm, table.x_high_mm, table.y_low_mm, table.y_high_mm));
   out.push_back(list("camera"_sym, camera.at_mm[0], camera.at_mm[1], camera.at_mm[2], camera.pan_deg, camera.tilt_deg,
                      camera.roll_deg));
-  for (CubeId cube = 0; cube < cell.physics().cubes(); ++cube) {
+  for (DynamicId cube = 0; cube < cell.physics().dynamics(); ++cube) {
     if (cell.is_thing(cube)) continue;
     out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), face_mark_name(*cell.marks(cube).front())));
   }

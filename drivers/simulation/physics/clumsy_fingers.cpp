@@ -25,7 +25,7 @@ void ClumsyFingers::begin_carry() {
 }
 
 void ClumsyFingers::step(double seconds) {
-  const std::optional<CubeId> held = gripper_.held();
+  const std::optional<DynamicId> held = gripper_.held();
   if (held != carried_) {
     const bool put_down = carried_ && !held && gripper_.opens() && physics_.present(*carried_);
     if (put_down && misplaces_ > 0) put_off(*carried_);
@@ -42,8 +42,8 @@ void ClumsyFingers::step(double seconds) {
   carried_.reset();
 }
 
-bool ClumsyFingers::is_free(CubeId cube, const Eigen::Vector3d& at) const {
-  for (CubeId other = 0; other < physics_.cubes(); ++other) {
+bool ClumsyFingers::is_free(DynamicId cube, const Eigen::Vector3d& at) const {
+  for (DynamicId other = 0; other < physics_.dynamics(); ++other) {
     if (other == cube || !physics_.present(other)) continue;
     const double edge = (physics_.width_mm(cube) + physics_.width_mm(other)) / 2;
     const Eigen::Vector3d apart = (physics_.pose(other).translation() - at).cwiseAbs();
@@ -53,7 +53,7 @@ bool ClumsyFingers::is_free(CubeId cube, const Eigen::Vector3d& at) const {
 }
 
 // As far as there is room: a cube that meets another stops there.
-void ClumsyFingers::put_off(CubeId cube) {
+void ClumsyFingers::put_off(DynamicId cube) {
   const double direction = random_.uniform(0, 2 * std::numbers::pi);
   const double far_mm = random_.uniform(0, misplaces_) * physics_.width_mm(cube);
   const Pose from = physics_.pose(cube);

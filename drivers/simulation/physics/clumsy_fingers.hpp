@@ -40,15 +40,15 @@ class ClumsyFingers {
 
  private:
   void begin_carry();
-  void put_off(CubeId cube);
-  bool is_free(CubeId cube, const Eigen::Vector3d& at) const;
+  void put_off(DynamicId cube);
+  bool is_free(DynamicId cube, const Eigen::Vector3d& at) const;
 
   Physics& physics_;
   Gripper& gripper_;
   Random random_;
   Slips slips_;
   double misplaces_ = 0;
-  std::optional<CubeId> carried_;
+  std::optional<DynamicId> carried_;
   std::vector<double> slip_after_s_;  // of this carry, counted from now
 };
 

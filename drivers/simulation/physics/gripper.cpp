@@ -50,7 +50,7 @@ void Gripper::step(const Pose& tool, double seconds) {
 }
 
 void Gripper::close_by(double step_mm) {
-  const std::optional<CubeId> cube = squeezed();
+  const std::optional<DynamicId> cube = squeezed();
   if (cube) {
     held_ = cube;
     physics_.hold(palm_, *cube);
@@ -69,15 +69,15 @@ void Gripper::close_by(double step_mm) {
 
 double Gripper::finger_depth_mm() const {
   double deepest = 0;
-  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+  for (DynamicId cube = 0; cube < physics_.dynamics(); ++cube) {
     if (!physics_.present(cube) || cube == held_) continue;
     deepest = std::max({deepest, physics_.contact(left_, cube).depth_mm, physics_.contact(right_, cube).depth_mm});
   }
   return deepest;
 }
 
-std::optional<CubeId> Gripper::squeezed() const {
-  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+std::optional<DynamicId> Gripper::squeezed() const {
+  for (DynamicId cube = 0; cube < physics_.dynamics(); ++cube) {
     if (!physics_.present(cube)) continue;
     const Physics::Contact left = physics_.contact(left_, cube);
     const Physics::Contact right = physics_.contact(right_, cube);
@@ -100,7 +100,7 @@ void Gripper::lose() {
 
 void Gripper::slip() {
   if (!held_) return;
-  const CubeId cube = *held_;
+  const DynamicId cube = *held_;
   lose();
   let_pass(cube);
   target_mm_ = 0;
@@ -108,7 +108,7 @@ void Gripper::slip() {
   depth_before_mm_ = finger_depth_mm();
 }
 
-void Gripper::let_pass(CubeId cube) {
+void Gripper::let_pass(DynamicId cube) {
   if (passing_ && passing_ != cube) set_through(*passing_, false);
   set_through(cube, true);
   passing_ = cube;
@@ -124,13 +124,13 @@ void Gripper::part_from_passing(const Pose& tool) {
   passing_.reset();
 }
 
-void Gripper::set_through(CubeId cube, bool through) {
+void Gripper::set_through(DynamicId cube, bool through) {
   for (const KinematicId body : {palm_, left_, right_}) physics_.set_ignored(body, cube, through);
 }
 
 double Gripper::press_depth_mm() const {
   double deepest = finger_depth_mm();
-  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+  for (DynamicId cube = 0; cube < physics_.dynamics(); ++cube) {
     if (!physics_.present(cube) || cube == held_) continue;
     deepest = std::max(deepest, physics_.contact(palm_, cube).depth_mm);
   }

@@ -28,7 +28,7 @@ class Gripper {
 
   double opening_mm() const { return opening_mm_; }
   bool moving() const { return moving_; }
-  std::optional<CubeId> held() const { return held_; }
+  std::optional<DynamicId> held() const { return held_; }
   // Whether it opens, as it does when what it held is put down.
   bool opens() const { return moving_ && target_mm_ > opening_mm_; }
   // The cube is gone from between the fingers by another's doing.
@@ -36,15 +36,15 @@ class Gripper {
   // The held cube slips out and falls, and the fingers close behind it. Does nothing where none is held.
   void slip();
   // The gripper passes through the cube until the two have parted.
-  void let_pass(CubeId cube);
+  void let_pass(DynamicId cube);
   // How hard palm, fingers and held cube press on the world: the depth to which they enter cubes they do not hold.
   double press_depth_mm() const;
 
  private:
   double finger_depth_mm() const;
   void close_by(double step_mm);
-  std::optional<CubeId> squeezed() const;
-  void set_through(CubeId cube, bool through);
+  std::optional<DynamicId> squeezed() const;
+  void set_through(DynamicId cube, bool through);
   void part_from_passing(const Pose& tool);
 
   Physics& physics_;
@@ -55,8 +55,8 @@ class Gripper {
   double target_mm_ = gripper_opening_mm;
   bool moving_ = false;
   double depth_before_mm_ = 0;  // how deep the fingers were in something when the command came
-  std::optional<CubeId> held_;
-  std::optional<CubeId> passing_;
+  std::optional<DynamicId> held_;
+  std::optional<DynamicId> passing_;
   int overloaded_steps_ = 0;
 };
 

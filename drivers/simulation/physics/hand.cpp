@@ -62,7 +62,7 @@ Hand::Hand(Physics& physics, Gripper& gripper)
   physics_.enable_kinematic(fist_, false);
 }
 
-Result<void> Hand::begin(Job job, std::optional<CubeId> cube, const Vector3d& from_mm) {
+Result<void> Hand::begin(Job job, std::optional<DynamicId> cube, const Vector3d& from_mm) {
   if (busy()) return fail("busy", "the hand is doing something else");
   if (cube && gripper_.held() == cube && job == Job::carry) gripper_.lose();
   job_ = job;
@@ -81,7 +81,7 @@ void Hand::add_leg(const Vector3d& to_mm, double speed_mm_s) {
   legs_.push_back({to_mm, std::max(0.15, (to_mm - from).norm() / speed_mm_s)});
 }
 
-Result<void> Hand::push(CubeId cube, double dx_mm, double dy_mm) {
+Result<void> Hand::push(DynamicId cube, double dx_mm, double dy_mm) {
   const Vector3d from = physics_.pose(cube).translation();
   Result<void> begun = begin(Job::slide, cube, from);
   if (!begun) return begun;
@@ -89,7 +89,7 @@ Result<void> Hand::push(CubeId cube, double dx_mm, double dy_mm) {
   return {};
 }
 
-Result<void> Hand::slide(CubeId cube, double dx_mm, double dy_mm, double speed_mm_s) {
+Result<void> Hand::slide(DynamicId cube, double dx_mm, double dy_mm, double speed_mm_s) {
   const Vector3d from = physics_.pose(cube).translation();
   Result<void> begun = begin(Job::slide, cube, from);
   if (!begun) return begun;
@@ -97,18 +97,18 @@ Result<void> Hand::slide(CubeId cube, double dx_mm, double dy_mm, double speed_m
   return {};
 }
 
-double Hand::carry_height(CubeId cube) const {
+double Hand::carry_height(DynamicId cube) const {
   double highest = 0;
-  for (CubeId other = 0; other < physics_.cubes(); ++other) {
+  for (DynamicId other = 0; other < physics_.dynamics(); ++other) {
     if (other == cube || !physics_.present(other) || gripper_.held() == other) continue;
     highest = std::max(highest, physics_.pose(other).translation().z());
   }
   return highest + physics_.height_mm(cube) + clearance_mm;
 }
 
-double Hand::support_height(CubeId cube, double x_mm, double y_mm) const {
+double Hand::support_height(DynamicId cube, double x_mm, double y_mm) const {
   double top = 0;
-  for (CubeId other = 0; other < physics_.cubes(); ++other) {
+  for (DynamicId other = 0; other < physics_.dynamics(); ++other) {
     if (other == cube || !physics_.present(other) || gripper_.held() == other) continue;
     const Vector3d place = physics_.pose(other).translation();
     const double aside = std::max(std::abs(place.x() - x_mm), std::abs(place.y() - y_mm));
@@ -118,7 +118,7 @@ double Hand::support_height(CubeId cube, double x_mm, double y_mm) const {
   return top;
 }
 
-void Hand::put_down(CubeId cube, const Vector3d& on_mm) {
+void Hand::put_down(DynamicId cube, const Vector3d& on_mm) {
   const double height = std::max(carry_height(cube), from_mm_.z());
   add_leg({from_mm_.x(), from_mm_.y(), height}, carry_speed_mm_s);
   add_leg({on_mm.x(), on_mm.y(), height}, carry_speed_mm_s);
@@ -127,20 +127,20 @@ void Hand::put_down(CubeId cube, const Vector3d& on_mm) {
   add_leg(on_mm, lower_speed_mm_s);
 }
 
-Result<void> Hand::place(CubeId cube, double x_mm, double y_mm) {
+Result<void> Hand::place(DynamicId cube, double x_mm, double y_mm) {
   Result<void> begun = begin(Job::carry, cube, physics_.pose(cube).translation());
   if (!begun) return begun;
   put_down(cube, {x_mm, y_mm, support_height(cube, x_mm, y_mm) + physics_.height_mm(cube) / 2 + drop_mm});
   return {};
 }
 
-Result<void> Hand::stack(CubeId cube, CubeId on) {
+Result<void> Hand::stack(DynamicId cube, DynamicId on) {
   if (cube == on) return fail("bad-request", "a cube cannot stand on itself");
   const Vector3d below = physics_.pose(on).translation();
   return place(cube, below.x(), below.y());
 }
 
-Result<void> Hand::hold(CubeId cube, const Vector3d& at_mm, double seconds) {
+Result<void> Hand::hold(DynamicId cube, const Vector3d& at_mm, double seconds) {
   const Vector3d from = physics_.pose(cube).translation();
   Result<void> begun = begin(Job::carry, cube, from);
   if (!begun) return begun;
@@ -154,7 +154,7 @@ Result<void> Hand::hold(CubeId cube, const Vector3d& at_mm, double seconds) {
   return {};
 }
 
-Result<void> Hand::turn(CubeId cube, double anticlockwise_deg) {
+Result<void> Hand::turn(DynamicId cube, double anticlockwise_deg) {
   const Pose pose = physics_.pose(cube);
   const Vector3d from = pose.translation();
   Result<void> begun = begin(Job::carry, cube, from);
@@ -168,7 +168,7 @@ Result<void> Hand::turn(CubeId cube, double anticlockwise_deg) {
   return {};
 }
 
-Result<void> Hand::steal(CubeId cube) {
+Result<void> Hand::steal(DynamicId cube) {
   const Vector3d from = physics_.pose(cube).translation();
   Result<void> begun = begin(Job::carry, cube, from);
   if (!begun) return begun;
@@ -179,7 +179,7 @@ Result<void> Hand::steal(CubeId cube) {
   return {};
 }
 
-Result<void> Hand::remove(CubeId cube) {
+Result<void> Hand::remove(DynamicId cube) {
   const Vector3d from = physics_.pose(cube).translation();
   Result<void> begun = begin(Job::carry, cube, from);
   if (!begun) return begun;
@@ -190,7 +190,7 @@ Result<void> Hand::remove(CubeId cube) {
   return {};
 }
 
-Result<void> Hand::add(CubeId cube, double x_mm, double y_mm) {
+Result<void> Hand::add(DynamicId cube, double x_mm, double y_mm) {
   const double height = carry_height(cube) + physics_.height_mm(cube);
   const Vector3d from(x_mm + 150, y_mm, height + 150);
   Result<void> begun = begin(Job::carry, cube, from);
@@ -202,8 +202,8 @@ Result<void> Hand::add(CubeId cube, double x_mm, double y_mm) {
   return {};
 }
 
-bool Hand::run_up_is_free(CubeId struck, const Vector3d& start_mm) const {
-  for (CubeId other = 0; other < physics_.cubes(); ++other) {
+bool Hand::run_up_is_free(DynamicId struck, const Vector3d& start_mm) const {
+  for (DynamicId other = 0; other < physics_.dynamics(); ++other) {
     if (other == struck || !physics_.present(other)) continue;
     if ((physics_.pose(other).translation() - start_mm).norm() < physics_.width_mm(other) / 2 + 2 * fist_half_mm.x())
       return false;
@@ -211,7 +211,7 @@ bool Hand::run_up_is_free(CubeId struck, const Vector3d& start_mm) const {
   return true;
 }
 
-Result<void> Hand::knock(CubeId cube) {
+Result<void> Hand::knock(DynamicId cube) {
   const Vector3d at = physics_.pose(cube).translation();
   // From outside, so that it falls towards the table's middle; from inside where something is in the run-up's way.
   const double outside = at.y() < 0 ? -1 : 1;
@@ -297,7 +297,7 @@ void Hand::end() {
   fist_seen_.reset();
 }
 
-std::optional<CubeId> Hand::carried() const {
+std::optional<DynamicId> Hand::carried() const {
   if (job_ == Job::carry || job_ == Job::slide) return cube_;
   return std::nullopt;
 }

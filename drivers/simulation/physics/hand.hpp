@@ -17,25 +17,25 @@ class Hand {
   Hand(Physics& physics, Gripper& gripper);
 
   // Each fails with `busy` while the hand does something. Positions are of the cube's centre.
-  Result<void> push(CubeId cube, double dx_mm, double dy_mm);
+  Result<void> push(DynamicId cube, double dx_mm, double dy_mm);
   // The same at one speed from beginning to end.
-  Result<void> slide(CubeId cube, double dx_mm, double dy_mm, double speed_mm_s);
-  Result<void> place(CubeId cube, double x_mm, double y_mm);
-  Result<void> stack(CubeId cube, CubeId on);
+  Result<void> slide(DynamicId cube, double dx_mm, double dy_mm, double speed_mm_s);
+  Result<void> place(DynamicId cube, double x_mm, double y_mm);
+  Result<void> stack(DynamicId cube, DynamicId on);
   // About the vertical, where it is: it shows another face then.
-  Result<void> turn(CubeId cube, double anticlockwise_deg);
-  Result<void> steal(CubeId cube);
+  Result<void> turn(DynamicId cube, double anticlockwise_deg);
+  Result<void> steal(DynamicId cube);
   // In the way: it is lifted to that place, held there, and put back.
-  Result<void> hold(CubeId cube, const Eigen::Vector3d& at_mm, double seconds);
-  Result<void> remove(CubeId cube);
+  Result<void> hold(DynamicId cube, const Eigen::Vector3d& at_mm, double seconds);
+  Result<void> remove(DynamicId cube);
   // The cube is away; it comes from above.
-  Result<void> add(CubeId cube, double x_mm, double y_mm);
-  Result<void> knock(CubeId cube);
+  Result<void> add(DynamicId cube, double x_mm, double y_mm);
+  Result<void> knock(DynamicId cube);
 
   void step(double seconds);
   bool busy() const { return job_ != Job::none; }
   // The cube in the hand.
-  std::optional<CubeId> carried() const;
+  std::optional<DynamicId> carried() const;
   // Where the fist is seen, while there is one.
   std::optional<Eigen::Vector3d> fist_mm() const { return fist_seen_; }
 
@@ -47,12 +47,12 @@ class Hand {
     bool even = false;  // at one speed, in place of a gentle start and end
   };
 
-  Result<void> begin(Job job, std::optional<CubeId> cube, const Eigen::Vector3d& from_mm);
+  Result<void> begin(Job job, std::optional<DynamicId> cube, const Eigen::Vector3d& from_mm);
   void add_leg(const Eigen::Vector3d& to_mm, double speed_mm_s);
-  void put_down(CubeId cube, const Eigen::Vector3d& on_mm);
-  double carry_height(CubeId cube) const;
-  double support_height(CubeId cube, double x_mm, double y_mm) const;
-  bool run_up_is_free(CubeId struck, const Eigen::Vector3d& start_mm) const;
+  void put_down(DynamicId cube, const Eigen::Vector3d& on_mm);
+  double carry_height(DynamicId cube) const;
+  double support_height(DynamicId cube, double x_mm, double y_mm) const;
+  bool run_up_is_free(DynamicId struck, const Eigen::Vector3d& start_mm) const;
   Eigen::Vector3d wanted(double seconds_from_now) const;
   void lead(double seconds);
   void end();
@@ -62,7 +62,7 @@ class Hand {
   Gripper& gripper_;
   KinematicId fist_;
   Job job_ = Job::none;
-  CubeId cube_ = 0;
+  DynamicId cube_ = 0;
   bool takes_away_ = false;  // the cube is gone at the end
   // How a carried cube is to be turned once it has been lifted; none: as it stands straight.
   std::optional<Eigen::Matrix3d> turned_ = {};

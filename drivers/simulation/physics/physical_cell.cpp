@@ -63,19 +63,19 @@ void Cell::place_cubes() {
     const double edge_mm = config_.edge_mm(cube);
     Pose pose = standing(cube.x_mm, cube.y_mm, edge_mm / 2, cube.yaw_deg);
     if (!cube.on.empty()) {
-      const Result<CubeId> below = find(cube.on);
+      const Result<DynamicId> below = find(cube.on);
       const Vector3d under = physics_.pose(*below).translation();
       const double above_mm = (physics_.height_mm(*below) + edge_mm) / 2;
       pose = standing(under.x(), under.y(), under.z() + above_mm, cube.yaw_deg);
     }
-    physics_.add_cube(pose, cube_shape(edge_mm));
+    physics_.add_dynamic(pose, cube_shape(edge_mm));
     cubes_.push_back({cube.name, cube.marks()});
   }
 }
 
 void Cell::place_things() {
   for (const ThingConfig& thing : config_.things) {
-    physics_.add_cube(standing(thing.x_mm, thing.y_mm, thing.shape.size_mm.z() / 2, thing.yaw_deg), thing.shape);
+    physics_.add_dynamic(standing(thing.x_mm, thing.y_mm, thing.shape.size_mm.z() / 2, thing.yaw_deg), thing.shape);
     cubes_.push_back({thing.name, {}});
   }
 }
@@ -95,7 +95,7 @@ void Cell::step() {
   was_moving_ = arm_.moving();
   arm_.step(step_s);
   if (was_moving_) protect();
-  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+  for (DynamicId cube = 0; cube < physics_.dynamics(); ++cube) {
     const bool fell = physics_.present(cube) && physics_.pose(cube).translation().z() < gone_below_mm;
     if (!fell) continue;
     if (gripper_.held() == cube) gripper_.lose();
@@ -131,21 +131,21 @@ bool Cell::at_rest() const {
 Snapshot Cell::snapshot() const {
   Snapshot snapshot{
       .cubes = {}, .joints = arm_.joints(), .opening_mm = gripper_.opening_mm(), .fist_mm = hand_.fist_mm()};
-  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+  for (DynamicId cube = 0; cube < physics_.dynamics(); ++cube) {
     snapshot.cubes.push_back({physics_.pose(cube), cubes_[cube].marks, physics_.present(cube), physics_.shape(cube)});
   }
   return snapshot;
 }
 
-Result<CubeId> Cell::find(std::string_view name) const {
-  for (CubeId cube = 0; cube < cubes_.size(); ++cube) {
+Result<DynamicId> Cell::find(std::string_view name) const {
+  for (DynamicId cube = 0; cube < cubes_.size(); ++cube) {
     if (names_agree(cubes_[cube].name, name)) return cube;
   }
   return fail("unknown-object", fmt::format("no cube is called {}", name), Datum::string(name));
 }
 
-Result<CubeId> Cell::prepare(std::string_view name, const FaceMark& mark) {
-  const Result<CubeId> known = find(name);
+Result<DynamicId> Cell::prepare(std::string_view name, const FaceMark& mark) {
+  const Result<DynamicId> known = find(name);
   if (known) {
     if (physics_.present(*known)) return fail("bad-request", fmt::format("{} is in the cell already", name));
     return known;
@@ -154,7 +154,7 @@ Result<CubeId> Cell::prepare(std::string_view name, const FaceMark& mark) {
     return fail("bad-request", fmt::format("a cell has at most {} cubes", max_cubes));
   if (!is_plain_name(name)) return fail("bad-request", fmt::format("{} is no name for an object", name));
   cubes_.push_back({std::string(name), on_each_face(mark)});
-  const CubeId cube = physics_.add_cube(standing(0, 0, 0, 0), cube_shape(config_.cube_mm));
+  const DynamicId cube = physics_.add_dynamic(standing(0, 0, 0, 0), cube_shape(config_.cube_mm));
   physics_.take_away(cube);
   return cube;
 }

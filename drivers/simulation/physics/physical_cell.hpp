@@ -32,13 +32,13 @@ class Cell {
   Scene scene() const { return moving_scene(config_, snapshot()); }
   Pose tool() const;
   // The cube's number; names are compared without case. Failure: unknown-object.
-  Result<CubeId> find(std::string_view name) const;
+  Result<DynamicId> find(std::string_view name) const;
   // A cube of that name, away until the hand brings it; one that is away already is answered. Failure: bad-request.
-  Result<CubeId> prepare(std::string_view name, const FaceMark& mark);
-  const std::string& name(CubeId cube) const { return cubes_[cube].name; }
-  const CubeMarks& marks(CubeId cube) const { return cubes_[cube].marks; }
+  Result<DynamicId> prepare(std::string_view name, const FaceMark& mark);
+  const std::string& name(DynamicId cube) const { return cubes_[cube].name; }
+  const CubeMarks& marks(DynamicId cube) const { return cubes_[cube].marks; }
   // It bears no marks.
-  bool is_thing(CubeId cube) const { return !cubes_[cube].marks.front(); }
+  bool is_thing(DynamicId cube) const { return !cubes_[cube].marks.front(); }
 
   const Physics& physics() const { return physics_; }
   ArmMotion& arm() { return arm_; }

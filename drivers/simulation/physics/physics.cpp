@@ -91,8 +91,8 @@ Physics::Physics(const TableConfig& table)
 
 Physics::~Physics() {
   let_go();
-  for (Cube& cube : cubes_) {
-    if (cube.present) world_.removeRigidBody(cube.body.get());
+  for (Dynamic& dynamic : dynamics_) {
+    if (dynamic.present) world_.removeRigidBody(dynamic.body.get());
   }
   for (const auto& kinematic : kinematics_) {
     if (kinematic->enabled) world_.removeRigidBody(kinematic->body.get());
@@ -100,52 +100,52 @@ Physics::~Physics() {
   world_.removeRigidBody(table_.get());
 }
 
-CubeId Physics::add_cube(const Pose& pose, const BodyShape& shape) {
+DynamicId Physics::add_dynamic(const Pose& pose, const BodyShape& shape) {
   std::unique_ptr<btCollisionShape> collision = collision_shape(shape);
   std::unique_ptr<btRigidBody> body = make_body(cube_mass_kg, *collision, cube_friction);
-  cubes_.push_back({shape, std::move(collision), std::move(body), false});
-  bring(cubes_.size() - 1, pose);
-  return cubes_.size() - 1;
+  dynamics_.push_back({shape, std::move(collision), std::move(body), false});
+  bring(dynamics_.size() - 1, pose);
+  return dynamics_.size() - 1;
 }
 
-double Physics::height_mm(CubeId cube) const { return shape(cube).size_mm[upright_axis(pose(cube))]; }
+double Physics::height_mm(DynamicId id) const { return shape(id).size_mm[upright_axis(pose(id))]; }
 
-double Physics::width_mm(CubeId cube) const {
-  Eigen::Vector3d across = shape(cube).size_mm;
-  across[upright_axis(pose(cube))] = 0;
+double Physics::width_mm(DynamicId id) const {
+  Eigen::Vector3d across = shape(id).size_mm;
+  across[upright_axis(pose(id))] = 0;
   return across.maxCoeff();
 }
 
-void Physics::take_away(CubeId cube) {
-  if (!cubes_[cube].present) return;
-  world_.removeRigidBody(cubes_[cube].body.get());
-  cubes_[cube].present = false;
+void Physics::take_away(DynamicId id) {
+  if (!dynamics_[id].present) return;
+  world_.removeRigidBody(dynamics_[id].body.get());
+  dynamics_[id].present = false;
   // What leant on it does not notice by itself.
-  for (Cube& other : cubes_) other.body->activate(true);
+  for (Dynamic& other : dynamics_) other.body->activate(true);
 }
 
-void Physics::bring(CubeId cube, const Pose& pose) {
-  btRigidBody& body = *cubes_[cube].body;
+void Physics::bring(DynamicId id, const Pose& pose) {
+  btRigidBody& body = *dynamics_[id].body;
   body.setWorldTransform(to_bullet(pose));
   body.setInterpolationWorldTransform(to_bullet(pose));
-  if (!cubes_[cube].present) world_.addRigidBody(&body);
-  cubes_[cube].present = true;
-  set_velocity(cube, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  if (!dynamics_[id].present) world_.addRigidBody(&body);
+  dynamics_[id].present = true;
+  set_velocity(id, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
 }
 
-Pose Physics::pose(CubeId cube) const { return from_bullet(cubes_[cube].body->getWorldTransform()); }
+Pose Physics::pose(DynamicId id) const { return from_bullet(dynamics_[id].body->getWorldTransform()); }
 
-Eigen::Vector3d Physics::velocity_mm_s(CubeId cube) const {
-  return from_bullet(cubes_[cube].body->getLinearVelocity());
+Eigen::Vector3d Physics::velocity_mm_s(DynamicId id) const {
+  return from_bullet(dynamics_[id].body->getLinearVelocity());
 }
 
-Eigen::Vector3d Physics::spin_rad_s(CubeId cube) const {
-  const btVector3& spin = cubes_[cube].body->getAngularVelocity();
+Eigen::Vector3d Physics::spin_rad_s(DynamicId id) const {
+  const btVector3& spin = dynamics_[id].body->getAngularVelocity();
   return {spin.x(), spin.y(), spin.z()};
 }
 
-void Physics::set_velocity(CubeId cube, const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_rad_s) {
-  btRigidBody& body = *cubes_[cube].body;
+void Physics::set_velocity(DynamicId id, const Eigen::Vector3d& velocity_mm_s, const Eigen::Vector3d& spin_rad_s) {
+  btRigidBody& body = *dynamics_[id].body;
   body.activate(true);
   body.setLinearVelocity(to_bullet(velocity_mm_s));
   body.setAngularVelocity(btVector3(spin_rad_s.x(), spin_rad_s.y(), spin_rad_s.z()));
@@ -198,10 +198,10 @@ void Physics::enable_kinematic(KinematicId id, bool enabled) {
   }
 }
 
-Physics::Contact Physics::contact(KinematicId body, CubeId cube) const {
+Physics::Contact Physics::contact(KinematicId kinematic, DynamicId dynamic) const {
   Contact contact;
-  const btCollisionObject* first = kinematics_[body]->body.get();
-  const btCollisionObject* second = cubes_[cube].body.get();
+  const btCollisionObject* first = kinematics_[kinematic]->body.get();
+  const btCollisionObject* second = dynamics_[dynamic].body.get();
   for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
     const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(i);
     const bool ours = (manifold->getBody0() == first && manifold->getBody1() == second) ||
@@ -217,21 +217,21 @@ Physics::Contact Physics::contact(KinematicId body, CubeId cube) const {
   return contact;
 }
 
-void Physics::set_ignored(KinematicId id, CubeId cube, bool ignored) {
-  btRigidBody* body = kinematics_[id]->body.get();
-  btRigidBody* other = cubes_[cube].body.get();
+void Physics::set_ignored(KinematicId kinematic, DynamicId dynamic, bool ignored) {
+  btRigidBody* body = kinematics_[kinematic]->body.get();
+  btRigidBody* other = dynamics_[dynamic].body.get();
   body->setIgnoreCollisionCheck(other, ignored);
   other->setIgnoreCollisionCheck(body, ignored);
-  if (!ignored || !cubes_[cube].present) return;
+  if (!ignored || !dynamics_[dynamic].present) return;
   // The manifold they had would go on acting with its stale points.
   btOverlappingPairCache* pairs = broadphase_.getOverlappingPairCache();
   pairs->cleanProxyFromPairs(other->getBroadphaseHandle(), &dispatcher_);
 }
 
-void Physics::hold(KinematicId id, CubeId cube) {
+void Physics::hold(KinematicId kinematic, DynamicId dynamic) {
   let_go();
-  btRigidBody& body = *kinematics_[id]->body;
-  btRigidBody& held = *cubes_[cube].body;
+  btRigidBody& body = *kinematics_[kinematic]->body;
+  btRigidBody& held = *dynamics_[dynamic].body;
   held.activate(true);
   const btTransform grip = body.getWorldTransform().inverse() * held.getWorldTransform();
   joint_ = std::make_unique<btFixedConstraint>(body, held, grip, btTransform::getIdentity());
@@ -263,7 +263,8 @@ void Physics::step() {
 bool Physics::asleep() const {
   const bool still = std::ranges::all_of(
       kinematics_, [](const auto& kinematic) { return !kinematic->enabled || kinematic->still_steps > 1; });
-  return still && std::ranges::none_of(cubes_, [](const Cube& cube) { return cube.present && cube.body->isActive(); });
+  return still &&
+         std::ranges::none_of(dynamics_, [](const Dynamic& each) { return each.present && each.body->isActive(); });
 }
 
 }  // namespace pizarra::simulation

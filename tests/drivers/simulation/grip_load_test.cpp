@@ -61,7 +61,7 @@ class Grip {
   }
 
   Physics physics_{TableConfig{}};
-  CubeId cube_ = physics_.add_cube(cube_at(place_mm), cube_shape(edge_mm));
+  DynamicId cube_ = physics_.add_dynamic(cube_at(place_mm), cube_shape(edge_mm));
   Gripper gripper_{physics_};
   Eigen::Vector3d at_mm_ = place_mm;
   Eigen::Vector3d speed_mm_s_ = Eigen::Vector3d::Zero();
@@ -77,7 +77,7 @@ bool bears(const Eigen::Vector3d& m_s2) {
 // The furthest that a cube comes within ten seconds from where two fingers squeeze it that stand still so deep in it.
 double wander_by_friction_mm(double friction, double depth_mm) {
   Physics physics(TableConfig{});
-  const CubeId cube = physics.add_cube(cube_at(place_mm), cube_shape(edge_mm));
+  const DynamicId cube = physics.add_dynamic(cube_at(place_mm), cube_shape(edge_mm));
   const KinematicId left = physics.add_kinematic({gripper_shape::finger}, friction);
   const KinematicId right = physics.add_kinematic({gripper_shape::finger}, friction);
   const double aside_mm = (edge_mm + gripper_shape::finger_thickness_mm) / 2 - depth_mm;
