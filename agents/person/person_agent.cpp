@@ -95,7 +95,7 @@ Task<Result<void>> PersonAgent::show_end_effector() {
   Datum ready = list("ready"_sym);
   const Result<void> stood = co_await move_arm(ready);
   if (!stood) co_return stood;
-  steps_down_ = 0;
+  steps_below_ready_ = 0;
   while (true) {
     const Result<simulation::Message> seen = co_await link_.call(question, look_timeout);
     if (seen) co_return {};
@@ -106,8 +106,9 @@ Task<Result<void>> PersonAgent::show_end_effector() {
 }
 
 Task<Result<void>> PersonAgent::lower_arm() {
-  if (steps_down_ == most_steps_down) co_return fail("not-seen", "the end effector does not come into the image");
-  ++steps_down_;
+  if (steps_below_ready_ == most_steps_down)
+    co_return fail("not-seen", "the end effector does not come into the image");
+  ++steps_below_ready_;
   Datum down = list("move-v"_sym, "down"_sym, step_down_mm);
   co_return co_await move_arm(down);
 }

@@ -48,7 +48,8 @@ class PersonAgent : public runtime::Agent {
   runtime::Service service_;
   runtime::Caller caller_;
   runtime::Roles roles_;
-  int steps_down_ = 0;
+  // How often it has lowered the arm since that was ready: to be seen, and to be learned.
+  int steps_below_ready_ = 0;
 };
 
 }  // namespace pizarra::person
