@@ -1,7 +1,9 @@
 #include "agents/vision/agent/body_form.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <fmt/format.h>
+#include <opencv2/core/eigen.hpp>
 
 #include "lisp/numbers.hpp"
 
@@ -24,11 +26,13 @@ std::optional<cv::Vec3d> three(const Datum& written, double most) {
 
 // As angles_deg() says it.
 cv::Matx33d turned_by(const cv::Vec3d& deg) {
-  const cv::Vec3d by(radians(deg[0]), radians(deg[1]), radians(deg[2]));
-  const cv::Matx33d x(1, 0, 0, 0, std::cos(by[0]), -std::sin(by[0]), 0, std::sin(by[0]), std::cos(by[0]));
-  const cv::Matx33d y(std::cos(by[1]), 0, std::sin(by[1]), 0, 1, 0, -std::sin(by[1]), 0, std::cos(by[1]));
-  const cv::Matx33d z(std::cos(by[2]), -std::sin(by[2]), 0, std::sin(by[2]), std::cos(by[2]), 0, 0, 0, 1);
-  return z * y * x;
+  const auto about = [&](int axis) {
+    return Eigen::AngleAxisd(radians(deg[axis]), Eigen::Vector3d::Unit(axis)).toRotationMatrix();
+  };
+  const Eigen::Matrix3d turn = about(2) * about(1) * about(0);
+  cv::Matx33d out;
+  cv::eigen2cv(turn, out);
+  return out;
 }
 
 std::optional<MarkOnBody> mark_from(const Datum& written) {

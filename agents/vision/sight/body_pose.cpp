@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <numbers>
+#include <opencv2/core/eigen.hpp>
 
 #include "agents/vision/sight/plane_solve.hpp"
 
@@ -23,9 +24,7 @@ Eigen::Vector3d eigen_of(const cv::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
 Eigen::Matrix3d eigen_of(const cv::Matx33d& m) {
   Eigen::Matrix3d out;
-  for (int y = 0; y < 3; ++y) {
-    for (int x = 0; x < 3; ++x) out(y, x) = m(y, x);
-  }
+  cv::cv2eigen(m, out);
   return out;
 }
 
