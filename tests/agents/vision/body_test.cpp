@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/agent/known_bodies.hpp"
+#include "lisp/forms/cell_file.hpp"
 #include "lisp/numbers.hpp"
 #include "tests/agents/vision/printed_tags.hpp"
 
@@ -239,6 +240,34 @@ TEST(Body, IsToldByTheNewestFrameAlone) {
   marks[1].captured = Time(2s);
   std::string front;
   EXPECT_EQ(body_sighting(cube(), marks, front).by, std::vector<std::string>{"right"});
+}
+
+// What is wrong with a cell file of so many bodies, each of which has so many marks at that distance.
+std::string fault_of_file(std::size_t bodies, std::size_t marks, double distance_mm) {
+  std::string tagged;
+  std::string defined;
+  for (std::size_t body = 0; body < bodies; ++body) {
+    defined += fmt::format("(body{}", body);
+    for (std::size_t mark = 0; mark < marks; ++mark) {
+      tagged += fmt::format("(m{}-{} apriltag-36h11 {} 40)", body, mark, body * marks + mark);
+      defined += fmt::format(" (m{}-{} (0 0 {}) (0 0 0))", body, mark, distance_mm);
+    }
+    defined += ")";
+  }
+  const Result<forms::CellDescription> cell =
+      forms::read_cell(fmt::format("(cell c (tagged {}) (bodies {}))", tagged, defined), "c");
+  return cell ? "" : cell.error().sentence;
+}
+
+TEST(BodiesOfACell, HaveTheBoundsOfTheEyes) {
+  EXPECT_EQ(fault_of_file(most_bodies, 1, farthest_on_a_body_mm), "");
+  EXPECT_EQ(fault_of_file(1, most_marks_of_a_body, farthest_on_a_body_mm), "");
+  const auto refuses = [](const std::string& fault, const std::string& why) {
+    EXPECT_NE(fault.find(why), std::string::npos) << fault;
+  };
+  refuses(fault_of_file(most_bodies + 1, 1, 0), fmt::format("at most {} bodies", most_bodies));
+  refuses(fault_of_file(1, most_marks_of_a_body + 1, 0), fmt::format("at most {} marks", most_marks_of_a_body));
+  refuses(fault_of_file(1, 1, farthest_on_a_body_mm + 1), fmt::format("and {}", farthest_on_a_body_mm));
 }
 
 class Bodies : public PrintedTags {

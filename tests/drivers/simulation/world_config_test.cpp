@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include "lisp/forms/cell_file.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
 namespace pizarra::simulation {
@@ -7,6 +10,18 @@ namespace {
 std::string fault(const WorldConfig& config) {
   const Result<void> checked = check(config);
   return checked ? "" : checked.error().sentence;
+}
+
+// What is wrong with a cell file whose world has so many of what `form` writes at a place of its own.
+std::string fault_of_file(std::size_t count, fmt::format_string<std::size_t&, std::size_t&, int&> form) {
+  std::string world;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t x_mm = 260 + 90 * (i % 5);
+    int y_mm = 90 * static_cast<int>(i / 5) - 180;
+    world += fmt::format(form, i, x_mm, y_mm);
+  }
+  const Result<forms::CellDescription> cell = forms::read_cell("(cell c (world " + world + "))", "c");
+  return cell ? "" : cell.error().sentence;
 }
 
 }  // namespace
@@ -44,6 +59,15 @@ TEST(WorldConfig, SaysWhatIsWrong) {
   config = four_cubes();
   config.cubes.resize(max_cubes + 1);
   EXPECT_EQ(fault(config), "a cell has at most 16 cubes");
+}
+
+TEST(WorldConfig, HasTheBoundsOfCellFiles) {
+  const auto cubes = [](std::size_t count) { return fault_of_file(count, "(cube c{} (mark circle) (at {} {}))"); };
+  EXPECT_EQ(cubes(max_cubes), "");
+  EXPECT_NE(cubes(max_cubes + 1).find(fmt::format("a cell has at most {} cubes", max_cubes)), std::string::npos);
+  const auto things = [](std::size_t count) { return fault_of_file(count, "(brick b{} (size 40 40 40) (at {} {}))"); };
+  EXPECT_EQ(things(max_things), "");
+  EXPECT_NE(things(max_things + 1).find(fmt::format("at most {} bricks and cylinders", max_things)), std::string::npos);
 }
 
 TEST(WorldConfig, NamesMarksBothWays) {
