@@ -11,6 +11,7 @@
 #include "lisp/decimal.hpp"
 #include "lisp/shortened.hpp"
 #include "lisp/strict_reading.hpp"
+#include "lisp/unclosed_list.hpp"
 
 namespace pizarra {
 
@@ -54,7 +55,7 @@ class Reader {
       if (!step()) return {};
     }
     if (!open_.empty()) {
-      refuse(open_.back().offset, "unclosed-list", "this list is not closed");
+      refuse_unclosed();
       return {};
     }
     if (spots_) *spots_ = std::move(waiting_spots_);
@@ -108,6 +109,12 @@ class Reader {
       return refuse(at_, "bad-character", fmt::format("a control character ({:#04x}) cannot stand here", byte));
     }
     return refuse(at_, "bad-character", fmt::format("`{}` has no meaning here", text_.substr(at_, length)));
+  }
+
+  [[gnu::cold]] bool refuse_unclosed() {
+    const std::optional<std::size_t> indented = list_ended_by_indentation(text_);
+    if (!indented) return refuse(open_.back().offset, "unclosed-list", "this list is not closed");
+    return refuse(*indented, "unclosed-list", "a list is not closed; by the indentation it is this one");
   }
 
   bool add(Datum&& datum, std::size_t offset) {
