@@ -92,7 +92,7 @@ SeenMark mark_of(const cv::Mat& grey, const TagCorners& corners, Tag tag) {
   out.ground_level = levels.outside;
   out.centre = diagonals_meet(corners);
   out.contour = outline_of(grey, corners);
-  out.box = cv::boundingRect(corners);
+  out.box = cv::boundingRect(out.contour);
   out.area_px = moments.m00;
   out.perimeter_px = static_cast<int>(out.contour.size());
   out.width_px = std::sqrt(xx);

@@ -49,7 +49,8 @@ std::vector<int> right_border(const SeenMark& mark) {
   return out;
 }
 
-// Whether the right image shows the mark's right-hand border at this disparity, as far as it reaches.
+// Whether the right image shows the mark's right-hand border at this disparity, as far as it reaches. A mark of which a
+// part is seen may reach beyond the image.
 bool shows_border(const cv::Mat1b& right, const SeenMark& left, const std::vector<int>& border, int disparity) {
   const double middle = (left.mark_level + left.ground_level) / 2;
   const auto is_mark = [&](int x, int y) { return (right(y, x) < middle) == (left.tone == MarkTone::dark); };
@@ -57,7 +58,7 @@ bool shows_border(const cv::Mat1b& right, const SeenMark& left, const std::vecto
   for (std::size_t i = 0; i < border.size(); ++i) {
     const int y = left.box.y + static_cast<int>(i);
     const int x = border[i] - disparity;
-    const bool within = x >= border_slack_px && x + border_slack_px < right.cols;
+    const bool within = x >= border_slack_px && x + border_slack_px < right.cols && y >= 0 && y < right.rows;
     if (within && is_mark(x - border_slack_px, y) && !is_mark(x + border_slack_px, y)) ++agreeing;
   }
   return agreeing >= least_border_share * static_cast<double>(border.size());

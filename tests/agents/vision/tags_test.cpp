@@ -70,6 +70,17 @@ class Tags : public testing::Test {
   Time now = {};
 };
 
+// Who walks along the contour counts its rows from the box.
+TEST_F(Tags, HaveTheirContourWithinTheirBoxWhereverInAPixelTheirCornersAre) {
+  const cv::Point2d first = scene.marks.front().centre;
+  for (int step = 0; step < 25; ++step) {
+    scene.marks.front().centre = first + cv::Point2d(step % 5, step / 5) * 0.2;
+    const Result<std::optional<SeenMark>> seen = tag_at(bench::draw(scene, Side::left, random), first);
+    ASSERT_TRUE(seen && *seen) << step;
+    EXPECT_EQ(cv::boundingRect((*seen)->contour), (*seen)->box) << step;
+  }
+}
+
 // A telephone's: of 12 million pixels.
 TEST(TagsInAPhotograph, AreReadWhereTheyAreClickedOnHoweverLargeTheyAre) {
   const cv::Mat1b cells = cells_of(cv::aruco::DICT_APRILTAG_36h11, 17);
