@@ -1,8 +1,7 @@
-// How a store repeats what a journal tells it, and comes back to life from it.
+// How a store repeats what a journal tells it.
 
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
-#include "blackboard/store/store_change.hpp"
 
 namespace pizarra::store {
 
@@ -93,32 +92,6 @@ std::vector<std::pair<Fact, bool>> Store::taken() const {
   std::vector<std::pair<Fact, bool>> all;
   for (const auto& [id, held] : held_) all.emplace_back(held.fact, held.told_under != 0);
   return all;
-}
-
-void Store::resume(Time now) {
-  Change change(*this, "board", now);
-  for (auto& [name, table] : tables_) {
-    std::vector<FactId> passing;
-    for (const StandingFact& standing : table.facts()) {
-      if (!table.relation().durable || standing.lease != 0) passing.push_back(standing.fact.id);
-    }
-    for (const FactId id : passing) change.retract(id);
-    if (!table.relation().lease) continue;
-    for (const StandingFact& standing : table.facts()) {
-      const FactId id = standing.fact.id;
-      table.find(id)->expiry = now + *table.relation().lease;
-      fact_expiries_.emplace(now + *table.relation().lease, id);
-    }
-  }
-  while (!held_.empty()) {
-    const auto& [id, held] = *held_.begin();
-    if (tables_.find(held.fact.datum.head())->second.relation().durable) {
-      change.put_back(id);
-    } else {
-      change.settle(id);
-    }
-  }
-  change.finish();
 }
 
 }  // namespace pizarra::store
