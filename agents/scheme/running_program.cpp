@@ -43,10 +43,10 @@ Task<void> until_declared(runtime::AgentContext& context, const Query& condition
 
 }  // namespace
 
-RunningProgram::RunningProgram(runtime::AgentContext& context, std::shared_ptr<Stage> stage)
-    : context_(context), stage_(std::move(stage)) {
-  if (stage_->program() == nullptr) return;
-  for (const forms::ProgramPart& part : stage_->program()->parts()) {
+RunningProgram::RunningProgram(runtime::AgentContext& context, std::shared_ptr<PartRunner> runner)
+    : context_(context), runner_(std::move(runner)) {
+  if (runner_->program() == nullptr) return;
+  for (const forms::ProgramPart& part : runner_->program()->parts()) {
     using enum forms::ProgramPart::Sort;
     if (part.sort == rule || part.sort == conclusion) jobs_.push_back(context_.executor.spawn(follow_rule(part)));
     if (part.sort == loop) jobs_.push_back(context_.executor.spawn(go_round(part)));
@@ -91,16 +91,16 @@ Task<Result<void>> RunningProgram::follow_watch(const forms::ProgramPart& rule, 
 Task<Result<void>> RunningProgram::fire(const forms::ProgramPart& rule, Answer answer, Fired& fired) {
   std::vector<FactId> because = ids_of(answer);
   std::vector<Datum>& holds = fired[because];
-  const FactId shown = stage_->rule_fact(rule.name);
+  const FactId shown = runner_->rule_fact(rule.name);
   if (shown != 0) because.push_back(shown);
   Datum bindings = bindings_of(answer, rule.variables);
   const Result<Performed> performed =
-      co_await Stage::perform(stage_, rule.name, std::move(bindings), std::move(because));
+      co_await PartRunner::perform(runner_, rule.name, std::move(bindings), std::move(because));
   if (!performed) co_return fail(performed);
   if (rule.sort != forms::ProgramPart::Sort::conclusion) co_return {};
   holds = performed->told;
-  stage_->hold(holds);
-  co_await stage_->take_back_fault(rule.name);
+  runner_->hold(holds);
+  co_await runner_->take_back_fault(rule.name);
   co_return {};
 }
 
@@ -121,7 +121,7 @@ Task<Result<void>> RunningProgram::forget_gone(const Change& change, Fired& fire
     facts.insert(facts.end(), found->second.begin(), found->second.end());
     fired.erase(found);
   }
-  co_return co_await stage_->let_go(std::move(facts));
+  co_return co_await runner_->let_go(std::move(facts));
 }
 
 Task<void> RunningProgram::go_round(const forms::ProgramPart& loop) {
@@ -129,20 +129,20 @@ Task<void> RunningProgram::go_round(const forms::ProgramPart& loop) {
     co_await sleep(context_.executor, loop.period);
     const Datum none;
     // What went wrong with it was told.
-    const Result<Performed> performed = co_await Stage::perform(stage_, loop.name, none, std::vector<FactId>());
+    const Result<Performed> performed = co_await PartRunner::perform(runner_, loop.name, none, std::vector<FactId>());
     if (!performed && performed.error().symbol == "off") co_return;
   }
 }
 
-Task<Result<Datum>> RunningProgram::answer(std::shared_ptr<Stage> stage, Datum operation) {
-  const forms::ProgramPart& offered = operation_called(*stage->program(), operation.head());
+Task<Result<Datum>> RunningProgram::answer(std::shared_ptr<PartRunner> runner, Datum operation) {
+  const forms::ProgramPart& offered = operation_called(*runner->program(), operation.head());
   std::vector<Datum> bindings;
   for (std::size_t i = 1; i < operation.size(); ++i) {
     bindings.push_back(list(offered.head[i][0], operation[i]));
   }
   Datum arguments = Datum::list(std::move(bindings));
   const Result<Performed> performed =
-      co_await Stage::perform(stage, offered.name, std::move(arguments), std::vector<FactId>());
+      co_await PartRunner::perform(runner, offered.name, std::move(arguments), std::vector<FactId>());
   if (!performed) co_return fail(performed);
   if (performed->value.is_list()) co_return performed->value;
   co_return list(performed->value);

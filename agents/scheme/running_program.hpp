@@ -6,23 +6,23 @@
 // hold and comes again fires again. A conclusion's facts stand while some answer holds them; where nobody has declared
 // their relation yet, it is tried again until somebody has.
 //
-//   RunningProgram running(context, stage);      // begins at once
-//   Result<Datum> answer = co_await RunningProgram::answer(stage, operation);
+//   RunningProgram running(context, runner);      // begins at once
+//   Result<Datum> answer = co_await RunningProgram::answer(runner, operation);
 //
 // Destroying it ends every run of rules and loops; what operations run goes on to its end.
 
 #include <vector>
 
-#include "agents/scheme/stage.hpp"
+#include "agents/scheme/part_runner.hpp"
 
 namespace pizarra::scheme {
 
 class RunningProgram {
  public:
-  RunningProgram(runtime::AgentContext& context, std::shared_ptr<Stage> stage);
+  RunningProgram(runtime::AgentContext& context, std::shared_ptr<PartRunner> runner);
 
   // The elements after `ok` of a reply.
-  static Task<Result<Datum>> answer(std::shared_ptr<Stage> stage, Datum operation);
+  static Task<Result<Datum>> answer(std::shared_ptr<PartRunner> runner, Datum operation);
 
  private:
   // The facts that each answer's conclusions hold, by the ids of the facts that make up the answer.
@@ -35,7 +35,7 @@ class RunningProgram {
   Task<void> go_round(const forms::ProgramPart& loop);
 
   runtime::AgentContext& context_;
-  std::shared_ptr<Stage> stage_;
+  std::shared_ptr<PartRunner> runner_;
   std::vector<Job> jobs_;
 };
 

@@ -21,7 +21,7 @@ struct SchemeAgent::Life {
   runtime::Caller caller;
   LeaseId lease = 0;
   Time renewed{};
-  std::shared_ptr<Stage> stage;
+  std::shared_ptr<PartRunner> runner;
   std::optional<RunningProgram> running;
   std::optional<Result<void>> ended;
   Job serving;
@@ -87,16 +87,17 @@ Task<Result<void>> SchemeAgent::begin(Life& life, const Loaded& loaded) {
   if (!lease) co_return fail(lease);
   life.lease = *lease;
   life.renewed = context_.executor.now();
-  life.stage = std::make_shared<Stage>(context_, life.caller, loaded.program, life.lease, allowance_, options_.log);
+  life.runner =
+      std::make_shared<PartRunner>(context_, life.caller, loaded.program, life.lease, allowance_, options_.log);
   const Result<void> said = co_await say_state(life.lease);
   if (!said) co_return said;
-  const Result<void> introduced = co_await life.stage->introduce();
+  const Result<void> introduced = co_await life.runner->introduce();
   if (!introduced) {
     options_.log(describe(introduced.error()));
     const bool passes = introduced.error().symbol == "unknown-lease";
     if (passes) co_return introduced;
   }
-  life.running.emplace(context_, life.stage);
+  life.running.emplace(context_, life.runner);
   co_return {};
 }
 
@@ -117,14 +118,14 @@ Task<Result<std::optional<SchemeAgent::Loaded>>> SchemeAgent::live(Loaded loaded
   const Result<void> started = co_await life.service.start();
   if (!started) co_return fail(started);
   Result<void> begun = co_await begin(life, loaded);
-  runtime::Handler handler = [&life](Datum operation) { return RunningProgram::answer(life.stage, operation); };
+  runtime::Handler handler = [&life](Datum operation) { return RunningProgram::answer(life.runner, operation); };
   life.serving = context_.executor.spawn([](Life& served, runtime::Handler answer) -> Task<void> {
     served.ended = co_await served.service.serve(std::move(answer));
   }(life, std::move(handler)));
   while (true) {
     co_await sleep(context_.executor, look_pause);
     if (life.ended) co_return fail(*life.ended);
-    if (life.stage->broken()) co_return fail(*life.stage->broken());
+    if (life.runner->broken()) co_return fail(*life.runner->broken());
     const std::string refused_before = refused_;
     std::optional<Loaded> another = look_for_another();
     if (another) {

@@ -1,13 +1,14 @@
 #pragma once
 
-// Where the runs of a loaded program have their effects: a run's facts go to the board as one transaction, with what
-// made the run happen as their reason, and its questions are answered from there.
+// Runs the parts of a loaded program, its rules, loops and operations, each run from its beginning to its end.
+// A run's facts go to the board as one transaction, with what made the run happen as their reason, and its questions
+// are answered from there.
 //
-//   auto stage = std::make_shared<Stage>(context, caller, program, lease, allowance, log);
-//   Result<Performed> performed = co_await Stage::perform(stage, "stop-belt", bindings, {fact.id});
+//   auto runner = std::make_shared<PartRunner>(context, caller, program, lease, allowance, log);
+//   Result<Performed> performed = co_await PartRunner::perform(runner, "stop-belt", bindings, {fact.id});
 //
-// A program's facts stand under the stage's lease, unless the relation is one of its own and durable. A run that breaks
-// a limit switches its part off for as long as the stage lives.
+// A program's facts stand under the runner's lease, unless the relation is one of its own and durable. A run that
+// breaks a limit switches its part off for as long as the runner lives.
 
 #include <algorithm>
 #include <functional>
@@ -44,15 +45,15 @@ class Allowance {
   Time spent_until_{};
 };
 
-class Stage {
+class PartRunner {
  public:
-  Stage(runtime::AgentContext& context, runtime::Caller& caller, std::shared_ptr<const forms::AgentProgram> program,
-        LeaseId lease, Allowance& allowance, Log log);
+  PartRunner(runtime::AgentContext& context, runtime::Caller& caller,
+             std::shared_ptr<const forms::AgentProgram> program, LeaseId lease, Allowance& allowance, Log log);
 
-  // Runs a part to its end. It may outlive the running program: the stage then stays until it has ended. Failures:
+  // Runs a part to its end. It may outlive the running program: the runner then stays until it has ended. Failures:
   // those of the program, `off`, and those of the board that do not pass; each is told as a program-fault, unless the
   // program raised it by itself to answer an operation.
-  static Task<Result<Performed>> perform(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
+  static Task<Result<Performed>> perform(std::shared_ptr<PartRunner> runner, std::string part, Datum bindings,
                                          std::vector<FactId> because);
   // Tells the facts that the file wants told once it is loaded, and its rules.
   Task<Result<void>> introduce();
@@ -70,7 +71,7 @@ class Stage {
   const std::optional<Failure>& broken() const { return broken_; }
 
  private:
-  static Task<Result<Performed>> carry_through(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
+  static Task<Result<Performed>> carry_through(std::shared_ptr<PartRunner> runner, std::string part, Datum bindings,
                                                std::vector<FactId> because);
   Task<Result<void>> carry_out(forms::ProgramEffects effects, std::vector<FactId> because);
   Task<Datum> answer_to(Datum question);

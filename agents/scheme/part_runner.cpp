@@ -1,4 +1,4 @@
-#include "agents/scheme/stage.hpp"
+#include "agents/scheme/part_runner.hpp"
 
 #include <fmt/format.h>
 
@@ -49,8 +49,8 @@ std::vector<Datum> facts_told(const forms::ProgramEffects& effects) {
 
 }  // namespace
 
-Stage::Stage(runtime::AgentContext& context, runtime::Caller& caller,
-             std::shared_ptr<const forms::AgentProgram> program, LeaseId lease, Allowance& allowance, Log log)
+PartRunner::PartRunner(runtime::AgentContext& context, runtime::Caller& caller,
+                       std::shared_ptr<const forms::AgentProgram> program, LeaseId lease, Allowance& allowance, Log log)
     : context_(context),
       caller_(caller),
       program_(std::move(program)),
@@ -64,19 +64,19 @@ Stage::Stage(runtime::AgentContext& context, runtime::Caller& caller,
   }
 }
 
-std::int64_t Stage::now_ms() const {
+std::int64_t PartRunner::now_ms() const {
   return std::chrono::duration_cast<std::chrono::milliseconds>(context_.executor.now().time_since_epoch()).count();
 }
 
-LeaseId Stage::lease_of(const Datum& fact) const { return durable_.contains(fact.head()) ? 0 : lease_; }
+LeaseId PartRunner::lease_of(const Datum& fact) const { return durable_.contains(fact.head()) ? 0 : lease_; }
 
-FactId Stage::rule_fact(const std::string& rule) const {
+FactId PartRunner::rule_fact(const std::string& rule) const {
   const auto found = rule_facts_.find(rule);
   return found == rule_facts_.end() ? 0 : found->second;
 }
 
 // A board that is away comes back.
-Task<Result<Revision>> Stage::commit(Transaction transaction) {
+Task<Result<Revision>> PartRunner::commit(Transaction transaction) {
   const Duration wait = allowance_.take(transaction.steps.size(), context_.executor.now());
   if (wait > Duration(0)) co_await sleep(context_.executor, wait);
   while (true) {
@@ -88,7 +88,7 @@ Task<Result<Revision>> Stage::commit(Transaction transaction) {
   }
 }
 
-Task<Result<void>> Stage::carry_out(forms::ProgramEffects effects, std::vector<FactId> because) {
+Task<Result<void>> PartRunner::carry_out(forms::ProgramEffects effects, std::vector<FactId> because) {
   for (const std::string& line : effects.said) log_(line);
   if (effects.steps.empty()) co_return {};
   Transaction transaction;
@@ -104,7 +104,7 @@ Task<Result<void>> Stage::carry_out(forms::ProgramEffects effects, std::vector<F
   co_return {};
 }
 
-Task<Result<Datum>> Stage::find_answers(Datum question) {
+Task<Result<Datum>> PartRunner::find_answers(Datum question) {
   Result<Query> query = query_from_datum(question[1]);
   if (!query) co_return fail(query);
   const Result<Answers> found = co_await context_.board.ask(std::move(*query));
@@ -121,16 +121,16 @@ Task<Result<Datum>> Stage::find_answers(Datum question) {
   co_return Datum::list(std::move(answers));
 }
 
-Task<Result<Datum>> Stage::ask_agent(Datum question) {
+Task<Result<Datum>> PartRunner::ask_agent(Datum question) {
   const bool named = question[1].is_symbol();
   if (!named) co_return fail("bad-call", "the agent that is called is a symbol", question[1]);
   const std::string agent(question[1].text());
-  const Datum operation = question[2];
+  const Datum& operation = question[2];
   const Duration patience = std::chrono::milliseconds(question[3].integer());
   co_return co_await caller_.call(agent, operation, patience);
 }
 
-Task<Datum> Stage::answer_to(Datum question) {
+Task<Datum> PartRunner::answer_to(Datum question) {
   const Duration wait = allowance_.take(1, context_.executor.now());
   if (wait > Duration(0)) co_await sleep(context_.executor, wait);
   Result<Datum> answer = Datum();
@@ -145,27 +145,27 @@ Task<Datum> Stage::answer_to(Datum question) {
   co_return list("fail"_sym, Datum::symbol(answer.error().symbol), answer.error().sentence);
 }
 
-Task<Result<Performed>> Stage::carry_through(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
-                                             std::vector<FactId> because) {
+Task<Result<Performed>> PartRunner::carry_through(std::shared_ptr<PartRunner> runner, std::string part, Datum bindings,
+                                                  std::vector<FactId> because) {
   Performed performed;
-  forms::ProgramOutcome outcome = stage->program_->run(part, std::move(bindings), stage->now_ms());
+  forms::ProgramOutcome outcome = runner->program_->run(part, std::move(bindings), runner->now_ms());
   while (outcome.effects) {
-    Suspended suspended(stage->program_, outcome.waiting);
+    Suspended suspended(runner->program_, outcome.waiting);
     for (Datum& fact : facts_told(*outcome.effects)) performed.told.push_back(std::move(fact));
-    const Result<void> carried_out = co_await stage->carry_out(*outcome.effects, because);
+    const Result<void> carried_out = co_await runner->carry_out(*outcome.effects, because);
     if (!carried_out) co_return fail(carried_out);
     if (!outcome.question) {
       performed.value = outcome.value;
       co_return performed;
     }
     const Datum question = *outcome.question;
-    Datum answer = co_await stage->answer_to(question);
-    outcome = suspended.resume(std::move(answer), stage->now_ms());
+    Datum answer = co_await runner->answer_to(question);
+    outcome = suspended.resume(std::move(answer), runner->now_ms());
   }
   co_return fail(outcome.effects);
 }
 
-Task<void> Stage::tell_fault(std::string part, Failure failure) {
+Task<void> PartRunner::tell_fault(std::string part, Failure failure) {
   std::string text = failure.sentence;
   if (off_.contains(part)) text += "; it is off until the file is saved again";
   // It stands on the board, and in the log; who fails again and again in the same way fills neither.
@@ -178,29 +178,29 @@ Task<void> Stage::tell_fault(std::string part, Failure failure) {
   [[maybe_unused]] const Result<Revision> told = co_await commit(std::move(fault));
 }
 
-Task<void> Stage::take_back_fault(std::string part) {
+Task<void> PartRunner::take_back_fault(std::string part) {
   if (faults_.erase(part) == 0) co_return;
   Transaction well;
   well.retract(list("program-fault"_sym, Datum::symbol(context_.name), Datum::symbol(part), "?"_sym));
   [[maybe_unused]] const Result<Revision> told = co_await commit(std::move(well));
 }
 
-Task<Result<Performed>> Stage::perform(std::shared_ptr<Stage> stage, std::string part, Datum bindings,
-                                       std::vector<FactId> because) {
-  if (stage->off_.contains(part)) {
+Task<Result<Performed>> PartRunner::perform(std::shared_ptr<PartRunner> runner, std::string part, Datum bindings,
+                                            std::vector<FactId> because) {
+  if (runner->off_.contains(part)) {
     co_return fail("off", fmt::format("{} broke a limit and is off until the file is saved again", part));
   }
-  Result<Performed> performed = co_await carry_through(stage, part, std::move(bindings), std::move(because));
+  Result<Performed> performed = co_await carry_through(runner, part, std::move(bindings), std::move(because));
   if (performed) co_return performed;
   const Failure& failure = performed.error();
-  if (breaks_a_limit(failure)) stage->off_.insert(part);
-  if (failure.symbol == "too-much-kept") stage->broken_ = failure;
-  const bool answered = is_operation(*stage->program_, part) && !breaks_a_limit(failure);
-  if (!answered) co_await stage->tell_fault(part, failure);
+  if (breaks_a_limit(failure)) runner->off_.insert(part);
+  if (failure.symbol == "too-much-kept") runner->broken_ = failure;
+  const bool answered = is_operation(*runner->program_, part) && !breaks_a_limit(failure);
+  if (!answered) co_await runner->tell_fault(part, failure);
   co_return performed;
 }
 
-Task<Result<void>> Stage::introduce() {
+Task<Result<void>> PartRunner::introduce() {
   if (!program_) co_return {};
   const Datum agent = Datum::symbol(context_.name);
   Transaction rules;
@@ -223,11 +223,11 @@ Task<Result<void>> Stage::introduce() {
   co_return co_await carry_out(program_->effects(), std::move(no_reason));
 }
 
-void Stage::hold(const std::vector<Datum>& facts) {
+void PartRunner::hold(const std::vector<Datum>& facts) {
   for (const Datum& fact : facts) ++held_[fact];
 }
 
-Task<Result<void>> Stage::let_go(std::vector<Datum> facts) {
+Task<Result<void>> PartRunner::let_go(std::vector<Datum> facts) {
   Transaction transaction;
   for (Datum& fact : facts) {
     const auto held = held_.find(fact);
