@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "drivers/simulation/render/painter.hpp"
+#include "drivers/simulation/render/seen_solid.hpp"
 
 namespace pizarra::simulation {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/simulation/render/paint_order.hpp"
+
 namespace pizarra::simulation {
 
 namespace {

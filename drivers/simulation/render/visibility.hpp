@@ -4,7 +4,7 @@
 //
 //   const std::vector<MarkView> marks = seen_marks(eye, scene.solids);
 
-#include "drivers/simulation/render/painter.hpp"
+#include "drivers/simulation/render/seen_solid.hpp"
 
 namespace pizarra::simulation {
 

@@ -1,13 +1,9 @@
 #pragma once
 
-// Solids as one eye sees them, and the order in which they must be painted: the far ones first.
+// A solid as one eye sees it: outlines in the image, in the colours of the faces that are turned to the eye.
 //
-// Of two convex solids that do not enter each other a plane separates them, and the one on the eye's side may hide the
-// other, never the reverse; the order follows from all pairs whose silhouettes overlap in the image. It is exact,
-// however the solids lie, as long as no three hide each other in a ring.
-//
-//   for (const Solid& solid : solids) seen.push_back(see(eye, solid));
-//   for (const std::size_t i : paint_order(eye, solids, seen)) paint(seen[i]);
+//   const SeenSolid seen = see(eye, solid);
+//   paint(canvas, seen, seen.rect);
 
 #include "drivers/simulation/render/eye.hpp"
 #include "drivers/simulation/render/outline.hpp"
@@ -43,9 +39,5 @@ struct SeenSolid {
 
 SeenSolid see(const Eye& eye, const Solid& solid);
 std::vector<Eigen::Vector2d> see(const Eye& eye, const Points& points);
-
-// Indices, far to near.
-std::vector<std::size_t> paint_order(const Eye& eye, const std::vector<Solid>& solids,
-                                     const std::vector<SeenSolid>& seen);
 
 }  // namespace pizarra::simulation

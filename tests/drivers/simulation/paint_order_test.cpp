@@ -1,4 +1,4 @@
-#include "drivers/simulation/render/painter.hpp"
+#include "drivers/simulation/render/paint_order.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
