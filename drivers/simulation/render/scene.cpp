@@ -1,20 +1,18 @@
 #include "drivers/simulation/render/scene.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "drivers/simulation/gripper_shape.hpp"
-#include "drivers/simulation/render/convex.hpp"
+#include "drivers/simulation/render/arm_solids.hpp"
 #include "drivers/simulation/render/second_lamp.hpp"
 #include "drivers/simulation/render/seen_photograph.hpp"
+#include "drivers/simulation/render/table_shadow.hpp"
 
 namespace pizarra::simulation {
 
 namespace {
 
-using Eigen::Vector2d;
 const Colour cube_white(238, 242, 244);
 const Colour thing_grey(150, 160, 156);
 const Colour mark_black(30, 28, 28);
@@ -28,75 +26,11 @@ const Colour skin(150, 176, 222);
 const Colour sleeve(150, 96, 70);
 
 constexpr int round_sides = 14;
+constexpr int cylinder_sides = 24;
 constexpr double grid_mm = 100;
 constexpr double grid_line_mm = 3;
 
 using Eigen::Vector3d;
-
-const Colour arm_paint(62, 138, 232);
-const Colour joint_paint(92, 84, 78);
-const Colour pedestal_grey(118, 112, 108);
-
-constexpr int limb_sides = 14;
-constexpr int foot_sides = 24;
-constexpr double pedestal_below_axis_2_mm = 110;
-
-void add_turret(std::vector<Solid>& solids, const arm::ArmModel& arm, const Vector3d& foot, const Vector3d& ahead) {
-  Eigen::Isometry3d turret = Eigen::Isometry3d::Identity();
-  turret.linear() << ahead, Vector3d::UnitZ().cross(ahead), Vector3d::UnitZ();
-  turret.translation() = foot;
-  solids.push_back(make_box(turret, {30, 0, arm.height_mm - 55}, {75, 42, 55}, arm_paint));
-}
-
-// From joint to joint, less what the joints themselves take up.
-void add_link(std::vector<Solid>& solids, const Vector3d& from, const Vector3d& to, double from_mm, double to_mm) {
-  const Vector3d along = to - from;
-  if (along.norm() < from_mm + to_mm) return;
-  const Vector3d unit = along.normalized();
-  solids.push_back(
-      make_prism(from + unit * from_mm, to - unit * (to_mm - 6), from_mm - 4, to_mm - 4, limb_sides, arm_paint));
-}
-
-void add_joint(std::vector<Solid>& solids, const Vector3d& at, const Vector3d& axis, double half_length_mm,
-               double radius_mm) {
-  solids.push_back(make_prism(at - axis * half_length_mm, at + axis * half_length_mm, radius_mm, radius_mm, limb_sides,
-                              joint_paint));
-}
-
-// The solid under axis 1, `foot_mm` being where axis 1 meets the table. A gantry has none.
-void add_pedestal(std::vector<Solid>& solids, const arm::ArmModel& arm, const Vector3d& foot) {
-  if (arm.build == arm::Build::gantry) return;
-  const double top = arm.height_mm - pedestal_below_axis_2_mm;
-  solids.push_back(make_prism(foot, foot + Vector3d(0, 0, 24), 112, 112, foot_sides, joint_paint));
-  solids.push_back(
-      make_prism(foot + Vector3d(0, 0, 24), foot + Vector3d(0, 0, top), 92, 80, foot_sides, pedestal_grey));
-}
-
-// All that moves with the arm's axes, up to the flange; the pedestal too, where a track carries it.
-void add_arm(std::vector<Solid>& solids, const arm::ArmModel& arm, const arm::Joints& joints) {
-  const std::vector<Vector3d> points = arm::skeleton(arm, joints);
-  const Vector3d ahead = arm::stretch_of(arm, joints).ahead;
-  const Vector3d& wrist = points[points.size() - 2];
-  const Vector3d& flange = points.back();
-  Vector3d side = Vector3d::UnitZ().cross(ahead);
-  if (arm.build != arm::Build::gantry) {
-    if (arm.axis_of(arm::Role::track)) add_pedestal(solids, arm, points.front());
-    add_turret(solids, arm, points.front(), ahead);
-  }
-  const bool level = arm.build == arm::Build::scara || arm.build == arm::Build::gantry;
-  if (level) side = Vector3d::UnitZ();
-  double radius_mm = 46;
-  for (std::size_t i = arm.build == arm::Build::gantry ? 0 : 1; i + 2 < points.size(); ++i) {
-    add_joint(solids, points[i], side, radius_mm + 12, radius_mm);
-    add_link(solids, points[i], points[i + 1], radius_mm, radius_mm - 6);
-    radius_mm -= 6;
-  }
-  add_joint(solids, wrist, side, 38, 30);
-  const Vector3d down = flange - wrist;
-  if (down.norm() > 30) {
-    solids.push_back(make_prism(wrist + down.normalized() * 30, flange, 28, 28, limb_sides, pedestal_grey));
-  }
-}
 
 Solid table_solid(const WorldConfig& config) {
   const TableConfig& table = config.table;
@@ -127,7 +61,7 @@ Solid cylinder_solid(const Snapshot::Cube& body) {
   const Vector3d along = body.pose.linear().col(2) * (body.shape.size_mm.z() / 2);
   const double radius_mm = body.shape.size_mm.x() / 2;
   const Vector3d middle = body.pose.translation();
-  return make_prism(middle - along, middle + along, radius_mm, radius_mm, foot_sides, thing_grey);
+  return make_prism(middle - along, middle + along, radius_mm, radius_mm, cylinder_sides, thing_grey);
 }
 
 Solid cube_solid(const Snapshot::Cube& cube, std::size_t number) {
@@ -168,26 +102,6 @@ void add_fist(std::vector<Solid>& solids, const Vector3d& at) {
   solids.push_back(make_prism(at - out * 24, at + out * 22, 20, 27, round_sides, skin));
   solids.push_back(make_prism(at + out * 22, at + out * 110, 20, 25, round_sides, skin));
   solids.push_back(make_prism(at + out * 110, at + out * 480, 33, 44, round_sides, sleeve));
-}
-
-Points lying_on_table(const Polygon& polygon) {
-  Points out;
-  for (const Vector2d& point : polygon) out.emplace_back(point.x(), point.y(), 0);
-  return out;
-}
-
-// Where the solid keeps a lamp high above the table from shining; none beside the table.
-void add_shadow(std::vector<Points>& shadows, const Solid& solid, const TableConfig& table) {
-  const Vector3d light = (lamp() + Vector3d(0, 0, 1.2)).normalized();
-  std::vector<Vector2d> points;
-  for (const Vector3d& vertex : solid.vertices) {
-    const double height = std::max(0.0, vertex.z());
-    const Vector2d on = vertex.head<2>() - light.head<2>() * (height / light.z());
-    points.emplace_back(std::clamp(on.x(), table.x_low_mm, table.x_high_mm),
-                        std::clamp(on.y(), table.y_low_mm, table.y_high_mm));
-  }
-  Points hull = lying_on_table(convex_hull(std::move(points)));
-  if (hull.size() > 2) shadows.push_back(std::move(hull));
 }
 
 // Its shadows fall on the table and on cubes: those on the arm's round limbs would be many and narrow.
