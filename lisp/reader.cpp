@@ -9,9 +9,9 @@
 
 #include "lisp/characters.hpp"
 #include "lisp/decimal.hpp"
+#include "lisp/indentation.hpp"
 #include "lisp/shortened.hpp"
 #include "lisp/strict_reading.hpp"
-#include "lisp/unclosed_list.hpp"
 
 namespace pizarra {
 
@@ -117,6 +117,12 @@ class Reader {
     return refuse(*indented, "unclosed-list", "a list is not closed; by the indentation it is this one");
   }
 
+  [[gnu::cold]] bool refuse_close() {
+    const std::optional<std::size_t> early = end_before_indentation(text_.substr(0, at_));
+    if (!early) return refuse(at_, "unexpected-close", "nothing is open that this could close");
+    return refuse(*early, "unexpected-close", "there is a parenthesis too many; by the indentation it is this one");
+  }
+
   bool add(Datum&& datum, std::size_t offset) {
     if (++elements_ > limits_.elements) return refuse_element(offset);
     waiting_.push_back(std::move(datum));
@@ -139,7 +145,7 @@ class Reader {
   }
 
   bool close_list() {
-    if (open_.empty()) return refuse(at_, "unexpected-close", "nothing is open that this could close");
+    if (open_.empty()) return refuse_close();
     const Open open = open_.back();
     open_.pop_back();
     ++at_;

@@ -56,16 +56,25 @@ TEST(ReaderTest, RefusesWhatItDoesNotKnowExactly) {
   }
 }
 
+// What a person is told of a text, with the place.
+std::string complaint(std::string_view text) {
+  const Failure refused = read_source(text, "d").error();
+  return fmt::format("{} at {}", refused.sentence, refused.place.substr(0, refused.place.find('\n')));
+}
+
 TEST(ReaderTest, PointsAtTheListThatByTheIndentationLacksItsEnd) {
-  const auto unclosed = [](std::string_view text) {
-    const Failure refused = read_source(text, "d").error();
-    return fmt::format("{} at {}", refused.sentence, refused.place.substr(0, refused.place.find('\n')));
-  };
   const std::string by_indentation = "a list is not closed; by the indentation it is this one at ";
-  EXPECT_EQ(unclosed("(domain d\n  (types A\n  (predicates (p)))"), by_indentation + "d:2:3");
-  EXPECT_EQ(unclosed("(a\n  (b \"(\\\"\") ; (\n\t (c (d)\n  (e))\n(f)"), by_indentation + "d:3:3");
-  EXPECT_EQ(unclosed("(a\n  (b)\n"), "this list is not closed at d:1:1");
-  EXPECT_TRUE(read_source("(a\n(b)\n(c))", "d.scm"));
+  EXPECT_EQ(complaint("(domain d\n  (types A\n  (predicates (p)))"), by_indentation + "d:2:3");
+  EXPECT_EQ(complaint("(a\n  (b \"(\\\"\") ; (\n\t (c (d)\n  (e))\n(f)"), by_indentation + "d:3:3");
+  EXPECT_EQ(complaint("(a\n  (b)\n"), "this list is not closed at d:1:1");
+  EXPECT_TRUE(read_source("(a\n(b)\n(c))", "d"));
+}
+
+TEST(ReaderTest, PointsAtTheParenthesisThatByTheIndentationIsTooMany) {
+  const std::string by_indentation = "there is a parenthesis too many; by the indentation it is this one at ";
+  EXPECT_EQ(complaint("(domain d\n  (types A))\n  (predicates (p)))"), by_indentation + "d:2:12");
+  EXPECT_EQ(complaint("(a)\n(b\n  \")\" ; )\n  (c)))\n"), "nothing is open that this could close at d:4:7");
+  EXPECT_TRUE(read_source("(a)\n  (b)", "d"));
 }
 
 TEST(ReaderTest, KeepsItsLimits) {
