@@ -7,8 +7,10 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <poll.h>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "lisp/nearest.hpp"
 #include "lisp/outside_text.hpp"
@@ -48,17 +50,29 @@ std::string unknown_command(const CLI::App& app) {
   return fmt::format("{} no word {}{}", whose, typed.front(), suggestion(typed.front(), known));
 }
 
+// What CLI11's own check of a file says, in the words of the other sentences.
+std::string in_our_words(std::string sentence) {
+  constexpr std::pair<std::string_view, std::string_view> ours[] = {
+      {"File does not exist: ", "there is no file "},
+      {"File is actually a directory: ", "this is a folder, not a file: "}};
+  for (const auto& [theirs, words] : ours) {
+    const std::size_t at = sentence.find(theirs);
+    if (at != std::string::npos) sentence.replace(at, theirs.size(), words);
+  }
+  return sentence;
+}
+
 // What was wrong, as one line.
 std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   std::vector<const CLI::App*> stumbled{&app};
   for (const CLI::App* word : app.get_subcommands()) stumbled.push_back(word);
   for (const CLI::App* word : stumbled) {
-    const std::string unknown = unknown_option(*word);
+    std::string unknown = unknown_option(*word);
     if (!unknown.empty()) return unknown;
   }
   const bool has_word = !app.get_subcommands().empty();
   std::string sentence = unknown_command(*stumbled.back());
-  if (sentence.empty()) sentence = error.what();
+  if (sentence.empty()) sentence = in_our_words(error.what());
   for (std::size_t end = sentence.find('\n'); end != std::string::npos; end = sentence.find('\n')) {
     sentence.replace(end, 1, end + 1 == sentence.size() ? "" : "; ");
   }

@@ -8,6 +8,7 @@
 
 #include "agents/launcher/run_directory.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "lisp/nearest.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
@@ -31,15 +32,25 @@ Result<std::string> name_of(const std::string& cell) {
   return described->name;
 }
 
+// Of the cells that run here, the one that was probably meant.
+std::string likely_cell(const std::string& cell, const std::vector<RunState>& runs) {
+  if (cell.empty()) return {};
+  std::vector<std::string> names;
+  for (const RunState& run : runs) names.push_back(run.cell);
+  const std::string near = nearest_name(cell, names);
+  return near.empty() || near == cell ? std::string() : fmt::format("; did you mean {}?", near);
+}
+
 // What was named: the runs of one cell.
 Result<std::vector<RunState>> runs_of(const std::string& cell, const std::string& host) {
   std::vector<RunState> runs = launcher::running_cells();
+  const std::string meant = likely_cell(cell, runs);
   if (!cell.empty()) std::erase_if(runs, [&](const RunState& run) { return run.cell != cell; });
   if (!host.empty()) std::erase_if(runs, [&](const RunState& run) { return run.host != host; });
   if (runs.empty()) {
     const std::string which = cell.empty() ? "no cell" : "no cell named " + text_of_bytes(cell);
     const std::string where = host.empty() ? "" : " on the host " + text_of_bytes(host);
-    return fail("nothing-runs", fmt::format("{} runs here{}", which, where));
+    return fail("nothing-runs", fmt::format("{} runs here{}{}", which, where, meant));
   }
   // They are sorted by cell.
   if (runs.front().cell != runs.back().cell) {

@@ -56,17 +56,12 @@ struct FormChoices {
   bool old = false;
 };
 
-Result<Query> only_query(const Source& typed, const char* option) {
-  if (typed.data().size() != 1) return fail("malformed", fmt::format("with {} there is one query", option));
-  return query_from_datum(typed.data().front());
-}
-
 // The query, with the moment that it asks about, for a board that keeps a journal.
 Result<std::string> ask_at(const Source& typed, const std::string& at) {
   const auto now = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
   const Result<Moment> moment = moment_from_text(at, Time(now.time_since_epoch()));
   if (!moment) return fail(moment);
-  Result<Query> query = only_query(typed, "--at");
+  Result<Query> query = query_from_datum(typed.data().front());
   if (!query) return fail(query);
   query->at = *moment;
   return write(list("ask"_sym, query_to_datum(*query)));
@@ -84,9 +79,17 @@ int ask_journal(const std::string& form, const FormChoices& choices, repl::Style
 }
 
 int ask_even_if_old(const Source& typed, const Destination& to, repl::Style style) {
-  const Result<Query> query = only_query(typed, "--old");
+  const Result<Query> query = query_from_datum(typed.data().front());
   if (!query) return complain_as(style, query.error(), exit_usage);
   return print_recalled(to, *query, style);
+}
+
+// The words behind `goal` and `why` are of several kinds; every other command takes one form.
+Result<void> check_form(const FormWord& word, const Source& typed) {
+  const bool one_list = typed.data().size() == 1 && typed.data().front().is_list();
+  if (word.asks_agents || one_list) return {};
+  return fail("malformed",
+              fmt::format("{} takes one {} in parentheses: pizarra {}", word.name, word.argument, word.example));
 }
 
 int run_form(const FormWord& word, const FormChoices& choices) {
@@ -99,6 +102,8 @@ int run_form(const FormWord& word, const FormChoices& choices) {
   // Here, so that an error shows what was typed, and not the form that is made of it.
   const Result<Source> readable = read_source(typed, "input");
   if (!readable) return complain_as(style, readable.error(), exit_usage);
+  const Result<void> whole = check_form(word, *readable);
+  if (!whole) return complain_as(style, whole.error(), exit_usage);
   // On a line of its own: a comment at its end must not swallow the parenthesis.
   std::string form = fmt::format("({} {}\n)", word.name, typed);
   if (!choices.journal.empty()) return ask_journal(form, choices, style);

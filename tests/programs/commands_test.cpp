@@ -123,6 +123,19 @@ TEST(Words, AFormThatCannotBeReadIsShownAsItWasTyped) {
   EXPECT_TRUE(contains(said, "input:1:1\n  (on ?x ?y\n  ^\n")) << said.text;
 }
 
+TEST(Words, AQueryWithoutParenthesesIsAnsweredByAnExample) {
+  for (const char* words : {"ask 'on ?x ?y'", "ask on", "ask '(on ?x ?y) (clear ?x)'"}) {
+    const Said said = run(words);
+    EXPECT_EQ(said.status, 2) << words;
+    EXPECT_EQ(said.text, "pizarra: ask takes one QUERY in parentheses: pizarra ask '(and (on ?x ?y) (clear ?x))'\n");
+  }
+}
+
+TEST(Words, AFileThatIsNotThereIsNamed) {
+  EXPECT_TRUE(contains(run("demo no-such.scm"), "CELL: there is no file no-such.scm; pizarra demo --help says more"));
+  EXPECT_TRUE(contains(run("demo /tmp"), "CELL: this is a folder, not a file: /tmp; pizarra demo --help says more"));
+}
+
 TEST(Words, AFailureIsJsonForPrograms) {
   const Said unread = run("ask --json '(on ?x ?y'");
   EXPECT_EQ(unread.status, 2);

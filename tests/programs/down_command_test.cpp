@@ -45,6 +45,7 @@ TEST_F(Down, EndsACellOnAllItsHostsOfThisMachineAndSaysSo) {
   const Said unclear = run("down");
   EXPECT_EQ(unclear.status, 4) << unclear.text;
   EXPECT_TRUE(unclear.text.contains("several cells run here, other and pair among them: name one")) << unclear.text;
+  EXPECT_TRUE(run("down piar").text.contains("no cell named piar runs here; did you mean pair?"));
   const Said said = run("down pair");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_TRUE(said.text.contains("pair on bench, process ") && said.text.contains("pair on desk, process "))
