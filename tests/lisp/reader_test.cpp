@@ -56,7 +56,7 @@ TEST(ReaderTest, RefusesWhatItDoesNotKnowExactly) {
   }
 }
 
-// What a person is told of a text, with the place.
+// The sentence of an error in a text, with its place.
 std::string complaint(std::string_view text) {
   const Failure refused = read_source(text, "d").error();
   return fmt::format("{} at {}", refused.sentence, refused.place.substr(0, refused.place.find('\n')));
