@@ -5,10 +5,10 @@
 //   list_ended_by_indentation("(domain d\n  (types A\n  (predicates))");     // 12, the offset of (types
 //   end_before_indentation("(domain d\n  (types A))\n  (predicates))");      // 21, that of its second parenthesis
 //
-// The mistake may be hundreds of lines away from where the parentheses cease to add up: at the outermost list, or at the
-// end of the file. An editor indents what stands in a list further than the list. So an open list probably lacks its end
-// where a line begins another one no further to the right. An outermost list probably ended too early where the next
-// line begins another one further to the right.
+// The mistake may be hundreds of lines away from where the parentheses cease to add up: at the outermost list, or at
+// the end of the file. An editor indents what stands in a list further than the list. So an open list probably lacks
+// its end where a line begins another one no further to the right. An outermost list probably ended too early where the
+// next line begins another one further to the right.
 
 #include <cstddef>
 #include <optional>
