@@ -8,14 +8,6 @@ namespace pizarra::coordinator {
 
 namespace {
 
-// (RELATION FIRST ? ...), of as many arguments.
-Datum pattern_of(Datum relation, Datum first, std::size_t arguments) {
-  std::vector<Datum> items(arguments + 1, "?"_sym);
-  items[0] = std::move(relation);
-  items[1] = std::move(first);
-  return Datum::list(std::move(items));
-}
-
 // Of the objects of a look, each told as (NAME STATE ...).
 std::set<std::string> names_in(const Datum& objects) {
   std::set<std::string> names;
@@ -39,19 +31,14 @@ std::optional<Time> captured_in(const Datum& objects) {
 Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
                            const runtime::Service& service, Story& story)
     : context_(context),
-      options_(options),
       domain_(domain),
       story_(story),
       scene_(options, domain),
+      devices_(context, options, scene_),
       beliefs_(options.belief_looks),
       belief_teller_(context, options, domain, service, beliefs_),
       camera_pose_news_(context, options.camera.pose, story),
       looked_(context.executor) {}
-
-Job Surroundings::followed(Datum pattern, Take take) {
-  const auto handler = [this, take](Change change) { return (this->*take)(std::move(change)); };
-  return context_.executor.spawn(runtime::follow(context_, std::move(pattern), handler));
-}
 
 Task<void> Surroundings::resume() {
   const std::optional<forms::CameraPose> measured = co_await camera_pose_news_.told_before();
@@ -59,73 +46,17 @@ Task<void> Surroundings::resume() {
 }
 
 void Surroundings::start() {
-  if (options_.head) head_ = followed(pattern_of("head"_sym, "?"_sym, 3), &Surroundings::take_head);
+  devices_.start();
   belief_teller_.start();
 }
 
-// Other eyes may have another camera.
 void Surroundings::follow_eyes(const std::string& agent) {
-  const Datum eyes = Datum::symbol(agent);
-  eyes_.clear();
-  scene_.forget_camera();
+  eyes_ = Job();
   capture_clock_ = CaptureClock();
-  eyes_.push_back(followed(pattern_of("camera-model"_sym, eyes, 7), &Surroundings::take_model));
-  eyes_.push_back(followed(pattern_of("look"_sym, eyes, 4), &Surroundings::take_look));
-}
-
-void Surroundings::follow_robot(const std::string& agent) {
-  const Datum robot = Datum::symbol(agent);
-  robot_.clear();
-  robot_.push_back(followed(pattern_of("gripper"_sym, robot, 2), &Surroundings::take_gripper));
-  robot_.push_back(followed(pattern_of("arm-pose"_sym, robot, 7), &Surroundings::take_pose));
-  robot_.push_back(followed(pattern_of("arm-foot"_sym, robot, 3), &Surroundings::take_foot));
-  robot_.push_back(followed(pattern_of("arm"_sym, robot, 3), &Surroundings::take_arm));
-}
-
-Task<void> Surroundings::take_model(Change change) {
-  if (change.added.empty()) co_return;
-  const Result<CameraModel> model = camera_model_from_fact(change.added.back().facts.front().datum);
-  if (model) scene_.take_camera(*model);
-}
-
-Task<void> Surroundings::take_head(Change change) {
-  std::optional<HeadTurn> turn;
-  if (!change.added.empty()) {
-    const Datum& head = change.added.back().facts.front().datum;
-    if (head[3].is_symbol("still")) turn = HeadTurn{head[1].number(), head[2].number()};
-  }
-  scene_.take_head(turn);
-  co_return;
-}
-
-Task<void> Surroundings::take_gripper(Change change) {
-  if (!change.added.empty()) scene_.take_opening(change.added.back().facts.front().datum[2].number());
-  co_return;
-}
-
-Task<void> Surroundings::take_pose(Change change) {
-  if (change.added.empty()) co_return;
-  const Datum& pose = change.added.back().facts.front().datum;
-  const Eigen::Vector3d at(pose[2].number(), pose[3].number(), pose[4].number());
-  scene_.take_pose(tool_pose(at, pose[5].number(), pose[6].number(), pose[7].number()));
-}
-
-Task<void> Surroundings::take_foot(Change change) {
-  if (change.added.empty()) co_return;
-  const Datum& foot = change.added.back().facts.front().datum;
-  scene_.take_foot({foot[2].number(), foot[3].number(), 0});
-}
-
-Task<void> Surroundings::take_arm(Change change) {
-  rests_since_.reset();
-  bool moving = false;
-  if (!change.added.empty()) {
-    const Fact& arm = change.added.back().facts.front();
-    moving = arm.datum[2].is_symbol("moving");
-    if (!moving) rests_since_ = arm.when;
-  }
-  scene_.take_arm(moving);
-  co_return;
+  devices_.follow_camera(agent);
+  const Datum looks = list("look"_sym, Datum::symbol(agent), "?"_sym, "?"_sym, "?"_sym);
+  const auto handler = [this](Change change) { return take_look(std::move(change)); };
+  eyes_ = context_.executor.spawn(runtime::follow(context_, looks, handler));
 }
 
 Task<void> Surroundings::take_look(Change change) {
@@ -182,8 +113,9 @@ Task<bool> Surroundings::look_after(std::uint64_t look, Time deadline) {
 Task<bool> Surroundings::look_at_rest_after(std::uint64_t look, Time deadline) {
   const bool looked = co_await look_after(look, deadline);
   if (!looked) co_return false;
-  const bool is_known = captured_ && rests_since_;
-  if (is_known && *captured_ > *rests_since_) co_return true;
+  const std::optional<Time> rests_since = devices_.rests_since();
+  const bool is_known = captured_ && rests_since;
+  if (is_known && *captured_ > *rests_since) co_return true;
   co_return co_await second_look_after(look, deadline);
 }
 

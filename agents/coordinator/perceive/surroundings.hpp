@@ -1,8 +1,8 @@
 #pragma once
 
-// The coordinator's perception of its cell: it watches the agents' facts, makes of every look of the eyes where things
-// stand (Scene) and which of the domain's predicates hold (Beliefs), and has the latter told (BeliefTeller). Nothing
-// here acts.
+// The coordinator's perception of its cell: it makes of every look of the eyes where things stand (Scene) and which of
+// the domain's predicates hold (Beliefs), and has the latter told (BeliefTeller). What the devices say of themselves
+// comes to the same scene (DeviceFacts). Nothing here acts.
 //
 // Lifecycle: start() and follow_...() spawn the watches, which go on until it is destroyed or others are followed.
 //
@@ -17,7 +17,7 @@
 #include "agents/coordinator/perceive/belief_teller.hpp"
 #include "agents/coordinator/perceive/camera_pose_news.hpp"
 #include "agents/coordinator/perceive/capture_clock.hpp"
-#include "agents/coordinator/perceive/scene.hpp"
+#include "agents/coordinator/perceive/device_facts.hpp"
 #include "agents/coordinator/story.hpp"
 #include "blackboard/time/latch.hpp"
 
@@ -34,7 +34,7 @@ class Surroundings {
   void start();
   // Follows the facts of these agents from now on: they play the roles.
   void follow_eyes(const std::string& agent);
-  void follow_robot(const std::string& agent);
+  void follow_robot(const std::string& agent) { devices_.follow_robot(agent); }
 
   const Scene& scene() const { return scene_; }
   const Facts& beliefs() const { return beliefs_.facts(); }
@@ -62,34 +62,24 @@ class Surroundings {
   Task<bool> look_at_rest_after(std::uint64_t look, Time deadline);
 
  private:
-  using Take = Task<void> (Surroundings::*)(Change);
-  Job followed(Datum pattern, Take take);
-  Task<void> take_model(Change change);
-  Task<void> take_head(Change change);
-  Task<void> take_gripper(Change change);
-  Task<void> take_pose(Change change);
-  Task<void> take_foot(Change change);
-  Task<void> take_arm(Change change);
   Task<void> take_look(Change change);
   Task<void> tell_failure(Failure why);
 
   runtime::AgentContext& context_;
-  const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   Story& story_;
 
   Scene scene_;
+  DeviceFacts devices_;
   Beliefs beliefs_;
   BeliefTeller belief_teller_;
   CameraPoseNews camera_pose_news_;
   std::set<std::string> tracked_;
   CaptureClock capture_clock_;
-  // On the board's clock; none where it is not known, as while the arm moves.
-  std::optional<Time> captured_, rests_since_;
+  std::optional<Time> captured_;  // on the board's clock; none where it is not known
   std::string told_failure_;
   WaitList looked_;
-  Job head_;
-  std::vector<Job> eyes_, robot_;
+  Job eyes_;
 };
 
 }  // namespace pizarra::coordinator
