@@ -70,7 +70,7 @@ Task<Result<void>> Pushes::push_over(std::string object) {
   const double cube = domain_.cube_mm();
   const Eigen::Vector3d centre = surroundings_.scene().centre_mm(object, *seen);
   vigil_.commit();
-  const std::optional<Push> inwards = sweep_in_from(object, centre);
+  const std::optional<Push> inwards = sweep_inwards(object);
   if (inwards) co_return co_await sweep(*inwards);
   const Push push = push_over_from(elbow_room(), centre);
   const double height = std::max(centre.z() + above_centre * cube, grip_height * cube);
@@ -79,9 +79,12 @@ Task<Result<void>> Pushes::push_over(std::string object) {
 }
 
 // A cube that the images cut off is not measured well enough to be grasped.
-std::optional<Push> Pushes::sweep_in_from(const std::string& object, const Eigen::Vector3d& centre) const {
+std::optional<Push> Pushes::sweep_inwards(const std::string& object) const {
+  const Sighting* seen = surroundings_.scene().sightings().find(object);
   const ElbowRoom room = elbow_room();
-  if (!room.shown || room.shown(centre)) return std::nullopt;
+  if (!seen || !room.shown) return std::nullopt;
+  const Eigen::Vector3d centre = surroundings_.scene().centre_mm(object, *seen);
+  if (room.shown(centre)) return std::nullopt;
   const LostCube lies{centre, domain_.cube_mm() / 2};
   const std::vector<Push> sweeps = border_sweeps(room, centre.x(), lies, standing_but(object));
   const auto beside = std::ranges::find(sweeps, false, &Push::lifts);

@@ -29,6 +29,8 @@ class Pushes {
   Task<Result<void>> push_over(std::string object);
   // Whether the images cut off, wholly or in part, the place on the table where it was seen last.
   bool lay_cut_off(const std::string& object) const;
+  // Of an object that the side of the images cuts off; none where it does not, or there is no room to sweep it.
+  std::optional<Push> sweep_inwards(const std::string& object) const;
   // First pushes of others that the images cut off, since they may hide it; then sweeps of the table beside the images,
   // and grips before them, where it may lie, the likeliest first.
   std::vector<Push> sweeps_for(const std::string& missing) const;
@@ -40,7 +42,6 @@ class Pushes {
   Task<Result<void>> push_along(Push push, double height_mm);
   ElbowRoom elbow_room() const;
   std::optional<Push> push_for(std::string_view object) const;
-  std::optional<Push> sweep_in_from(const std::string& object, const Eigen::Vector3d& centre) const;
   // Of others that are not seen any more and lie where the images cut them off, as after a knock against the camera.
   std::vector<Push> pushes_into_view(const std::string& missing) const;
   // The middles of the cubes that are there but for this one.

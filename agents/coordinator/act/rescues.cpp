@@ -5,6 +5,13 @@
 
 namespace pizarra::coordinator {
 
+namespace {
+
+// That are taken out of the way of a sweep, such as a pile beside the object.
+constexpr int most_neighbours = 3;
+
+}  // namespace
+
 bool Rescues::is_held(double closed_mm) const { return domain_.edge_like(closed_mm).has_value(); }
 
 // The object is not known, so its mark does not say how it is held: the gripper alone is aimed.
@@ -30,9 +37,13 @@ Task<Result<void>> Rescues::lay_down_at(Datum spot, std::string object) {
 }
 
 Task<Result<void>> Rescues::set_aside(std::string object) {
-  const Datum name = Datum::symbol(object);
   const std::string sentence = fmt::format("setting {} aside, to see what it hides", object);
-  co_await story_.tell("servo", sentence, name);
+  co_await story_.tell("servo", sentence, Datum::symbol(object));
+  co_return co_await take_away(std::move(object));
+}
+
+Task<Result<void>> Rescues::take_away(std::string object) {
+  const Datum name = Datum::symbol(object);
   const std::vector<Datum> grasp{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
                                  list("align"_sym, name), list("lower"_sym, name), list("close"_sym),
                                  list("raise"_sym)};
@@ -48,6 +59,32 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
   const Sighting* lies = scene_.sightings().find(object);
   const double moved_mm = lies ? (scene_.centre_mm(object, *lies) - stood).head<2>().norm() : 0;
   if (moved_mm < domain_.cube_mm() / 2) co_return fail("missed", fmt::format("{} lies where it lay", object), name);
+  co_return Result<void>();
+}
+
+Task<Result<void>> Rescues::bring_into_view(std::string object) {
+  const std::string sentence = fmt::format("the images cut {} off: bringing it to where all of it shows", object);
+  co_await story_.tell("servo", sentence, Datum::symbol(object));
+  const Result<void> laid = co_await lay_down(object);
+  if (!laid) co_return laid;
+  const Result<void> cleared = co_await clear_way_inwards(object);
+  if (!cleared) co_return cleared;
+  const std::optional<Push> inwards = pushes_.sweep_inwards(object);
+  if (!inwards) co_return co_await take_away(std::move(object));
+  const Result<void> swept = co_await pushes_.sweep(*inwards);
+  if (!swept) co_return swept;
+  const std::vector<Datum> up{list("raise"_sym)};
+  co_return co_await runner_.improvise(up);
+}
+
+Task<Result<void>> Rescues::clear_way_inwards(std::string object) {
+  for (int moved = 0; moved < most_neighbours; ++moved) {
+    if (pushes_.sweep_inwards(object)) break;
+    const std::optional<std::string> neighbour = scene_.neighbour_of(object);
+    if (!neighbour) break;
+    const Result<void> away = co_await take_away(*neighbour);
+    if (!away) co_return away;
+  }
   co_return Result<void>();
 }
 

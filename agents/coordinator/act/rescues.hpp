@@ -33,6 +33,8 @@ class Rescues {
   Task<Result<void>> set_aside(std::string object);
   // Whether the object was seen last on the table, where the images now cut it off.
   bool lay_cut_off(const std::string& object) const { return pushes_.lay_cut_off(object); }
+  // What the images cut off and is seen nevertheless. Above it the gripper, and what it holds, are out of view.
+  Task<Result<void>> bring_into_view(std::string object);
   // Brings into view what may lie beyond the border of the images: the `nth` time from elsewhere. False where it may
   // lie nowhere else.
   Task<Result<bool>> sweep_in(std::string missing, std::size_t nth);
@@ -43,6 +45,8 @@ class Rescues {
 
  private:
   Task<Result<void>> lay_down_at(Datum spot, std::string object);
+  Task<Result<void>> take_away(std::string object);
+  Task<Result<void>> clear_way_inwards(std::string object);
   // Whether the raised fingers stay as open as they were although they are to close.
   Task<Result<bool>> fingers_stay_at(double opened_mm);
   // Whether fingers that closed so far have something as wide as a cube between them. Where they meet on an edge they

@@ -271,6 +271,11 @@ std::optional<std::string> Scene::may_hide(const std::string& missing, const std
   return hides ? std::optional(top_of_pile(*hides)) : std::nullopt;
 }
 
+std::optional<std::string> Scene::neighbour_of(const std::string& name) const {
+  const std::optional<std::string> nearest = nearest_to(name, {}, true);
+  return nearest ? std::optional(top_of_pile(*nearest)) : std::nullopt;
+}
+
 std::optional<std::string> Scene::under(const std::string& name) const {
   const Sighting* above = sightings_.find(name);
   if (!above) return std::nullopt;

@@ -58,6 +58,8 @@ class Scene {
   // How far from where it was seen last a cube may have come to lie by itself. One that was higher up, as in the
   // gripper, may lie as much further.
   double falls_within_mm(const Sighting& last) const;
+  // Of the seen cubes within the reach of a fall around it: the highest of the nearest pile.
+  std::optional<std::string> neighbour_of(const std::string& name) const;
   // The seen cube that it stands on.
   std::optional<std::string> under(const std::string& name) const;
   // A seen object that hangs in the air, and not in the gripper: somebody holds it.

@@ -179,6 +179,8 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
   progress.expected.reset();
   if (why.symbol == "difference" || is_of_the_camera(why)) {
     progress.announced.reset();
+    const std::optional<std::string> cut_off = carried_out_of_view(operation);
+    if (cut_off) co_await rescues_.bring_into_view(*cut_off);
     co_return Result<void>();
   }
   const int failures = ++progress.failures_of[operation.name];
@@ -187,6 +189,13 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
   const bool in_vain = failures % failures_till_otherwise == 0;
   if (in_vain) co_await try_otherwise(goal, operation, std::move(why));
   co_return Result<void>();
+}
+
+std::optional<std::string> Pursuit::carried_out_of_view(const GroundOperation& operation) const {
+  const bool carries_to_another = operation.name.size() == 3 && rescues_.seems_to_hold();
+  if (!carries_to_another) return std::nullopt;
+  std::string target(operation.name[2].text());
+  return rescues_.lay_cut_off(target) ? std::optional(std::move(target)) : std::nullopt;
 }
 
 // Whatever comes of it is seen afterwards.

@@ -68,6 +68,8 @@ class Pursuit {
   Task<Result<std::optional<NextOperation>>> choose(Goal goal, Progress& progress);
   // Takes note of a failed operation; a failure where it is to be the last.
   Task<Result<void>> recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress);
+  // What the object in hand was to be put on, where the images cut that off.
+  std::optional<std::string> carried_out_of_view(const GroundOperation& operation) const;
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(std::int64_t goal, GroundOperation operation, Failure why);
   Task<Result<void>> do_operation(NextOperation next);
