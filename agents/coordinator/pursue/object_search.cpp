@@ -15,6 +15,7 @@ constexpr std::size_t most_set_aside = 6;
 constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
 constexpr int most_swept_of_goal = 12;      // each strip beside the images twice
 constexpr int tries_to_set_aside = 3;       // a try that failed may have moved it to where it can be grasped
+constexpr int tries_to_sweep = 2;           // what ended a sweep early lies otherwise afterwards
 constexpr Duration look_behind = 1500ms;
 
 }  // namespace
@@ -168,7 +169,10 @@ Task<Result<bool>> ObjectSearch::lay_down_held(std::string missing, SetAside& se
 
 Task<Result<bool>> ObjectSearch::sweep_in(std::string missing, SetAside& set_aside) {
   if (swept_ >= most_swept_of_goal) co_return false;
-  Result<bool> swept = co_await rescues_.sweep_in(std::move(missing), set_aside.sweeps++);
+  Result<bool> swept = co_await rescues_.sweep_in(std::move(missing), set_aside.sweeps);
+  const bool was_met = !swept && swept.error().symbol == "stopped";
+  const bool again = was_met && ++set_aside.stops < tries_to_sweep;
+  if (!again) set_aside.next_sweep();
   const bool tried = !swept || *swept;
   if (tried) ++swept_;
   co_return swept;

@@ -55,12 +55,19 @@ class ObjectSearch {
   bool arm_stands_low() const;
 
  private:
-  // In search of one object: `done` once it was moved, or could not be moved however often that was tried.
+  // In search of one object: `done` once it was moved, or could not be moved however often that was tried. Of the
+  // sweeps, which is next, and how often something in its way ended it.
   struct SetAside {
     std::set<std::string> done;
     std::map<std::string, int> failed;
     std::size_t sweeps = 0;
+    int stops = 0;
     bool laid_down = false;  // what the gripper held
+
+    void next_sweep() {
+      ++sweeps;
+      stops = 0;
+    }
   };
 
   Task<Result<void>> look_for_named(Goal goal);

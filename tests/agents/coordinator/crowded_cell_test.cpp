@@ -230,6 +230,27 @@ TEST(CrowdedCell, BringsACubeIntoViewThatTheImagesCutOffBeforeItStacksOnIt) {
   EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
 }
 
+// What the fingers met on their way down lies otherwise afterwards.
+TEST(CrowdedCell, GoesDownAgainWhereACollisionEndedTheWayDownToACubeBeforeTheImages) {
+  FakeCell cell("blocks.scm", {{"circle", {530, -60, 30}}, {"square", {450, 100, 30}}});
+  cell.covered = [&cell](const std::string& name) { return cell.cubes[name].x() > 590; };
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {605, -60, 30};
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until(
+      "(event ? servo \"sweeping at the border of the images, where circle may lie or be hidden\" ?)", 120s));
+  constexpr int steps = 100;
+  for (int i = 0; i < steps && cell.grip.x() < 600; ++i) cell.run_for(50ms);
+  ASSERT_GE(cell.grip.x(), 600) << "the fingers are above it";
+  cell.refusal = "stopped";
+  ASSERT_TRUE(cell.run_until("(event ? servo \"the rescue failed: the test has the robot refuse\" ?)", 30s));
+  cell.refusal.clear();
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
+}
+
 TEST(CrowdedCell, TakesForMissingNoneThatShowsInSearchOfAnother) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 190, 30}}});
   cell.start_coordinator();
