@@ -14,7 +14,8 @@ constexpr Duration put_down_patience = 60s;
 constexpr std::size_t most_set_aside = 6;
 constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
 constexpr int most_swept_of_goal = 12;      // each strip beside the images twice
-constexpr int tries_to_set_aside = 3;       // a try that failed may have moved it to where it can be grasped
+constexpr int tries_to_set_aside = 3;       // of a cube that stays where it is
+constexpr double moved_cubes = 0.2;         // a try that failed moved it so far: it may be graspable there
 constexpr int tries_to_sweep = 2;           // what ended a sweep early lies otherwise afterwards
 constexpr Duration look_behind = 1500ms;
 
@@ -155,9 +156,20 @@ Task<Result<void>> ObjectSearch::set_aside_before(std::string before, std::strin
   const bool hides_again = done && !hid_.emplace(missing, before).second;
   const bool under_too = hides_again && under && *under != missing;
   if (under_too) done = co_await rescues_.set_aside(*under);
-  const bool in_vain = !done && ++set_aside.failed[before] == tries_to_set_aside;
+  const bool in_vain = !done && fails_for_good(before, set_aside);
   if (done || in_vain) set_aside.done.insert(before);
   co_return done;
+}
+
+bool ObjectSearch::fails_for_good(const std::string& before, SetAside& set_aside) const {
+  const Scene& scene = surroundings_.scene();
+  const Sighting* seen = scene.sightings().find(before);
+  if (!seen) return true;
+  const Eigen::Vector3d lies_mm = scene.centre_mm(before, *seen);
+  Failed& failed = set_aside.failed.try_emplace(before, Failed{lies_mm}).first->second;
+  const bool was_moved = (lies_mm - failed.at_mm).norm() > moved_cubes * domain_.cube_mm();
+  if (was_moved) failed = {lies_mm};
+  return ++failed.times == tries_to_set_aside;
 }
 
 Task<Result<bool>> ObjectSearch::lay_down_held(std::string missing, SetAside& set_aside) {

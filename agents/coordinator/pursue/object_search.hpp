@@ -55,11 +55,16 @@ class ObjectSearch {
   bool arm_stands_low() const;
 
  private:
+  // Tries in vain to take a cube that lay there.
+  struct Failed {
+    Eigen::Vector3d at_mm;
+    int times = 0;
+  };
   // In search of one object: `done` once it was moved, or could not be moved however often that was tried. Of the
   // sweeps, which is next, and how often something in its way ended it.
   struct SetAside {
     std::set<std::string> done;
-    std::map<std::string, int> failed;
+    std::map<std::string, Failed> failed;
     std::size_t sweeps = 0;
     int stops = 0;
     bool laid_down = false;  // what the gripper held
@@ -84,6 +89,8 @@ class ObjectSearch {
   std::optional<std::string> to_set_aside(std::int64_t goal, const std::string& missing,
                                           const SetAside& set_aside) const;
   Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);
+  // Counts a failure to set it aside. Whether that failed often enough where it lies.
+  bool fails_for_good(const std::string& before, SetAside& set_aside) const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;

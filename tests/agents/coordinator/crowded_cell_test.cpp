@@ -174,6 +174,30 @@ TEST(CrowdedCell, SetsTheSameCubeAsideAgainWhereItSlippedFromTheFingers) {
   EXPECT_EQ(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 2);
 }
 
+TEST(CrowdedCell, SetsTheSameCubeAsideAtTheFourthTryWhereTheFirstThreeMovedIt) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.covered = [&cell](const std::string& name) {
+    return name == "circle" && std::abs(cell.cubes["triangle"].y() + 40) < 50;
+  };
+  cell.lowest_mm = 100;
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  constexpr int steps = 300;
+  for (int tries = 1; tries <= 3; ++tries) {
+    const auto failed = [&] {
+      return cell.times_told("(event ? servo \"the rescue failed: the arm feels a collision\" ?)") >= tries;
+    };
+    for (int i = 0; i < steps && !failed(); ++i) cell.run_for(100ms);
+    ASSERT_TRUE(failed());
+    cell.cubes["triangle"].x() -= 15;
+  }
+  cell.lowest_mm = 0;
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
 // The circle is found, comes to lie where the images cut it off, and is wanted then.
 void expect_built_after_it_came_to(FakeCell& cell, const Eigen::Vector3d& place_mm) {
   cell.start_coordinator();
