@@ -159,6 +159,8 @@ Task<Result<void>> TaskRunner::check_held(std::string object) {
     if (!grip || !seen || !surroundings_.scene().sightings().recent(object, 1)) continue;
     const Eigen::Vector3d wanted = *grip + surroundings_.scene().set_back_mm(object);
     if ((seen->place_mm - wanted).norm() < held_mm) co_return Result<void>();
+    // The raised arm took nothing with it.
+    if (surroundings_.scene().still({object})) break;
   }
   co_return fail("missed", fmt::format("{} is not seen between the fingers", object), Datum::symbol(object));
 }

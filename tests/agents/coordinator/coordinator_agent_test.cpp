@@ -318,6 +318,15 @@ TEST_F(Coordinator, FetchesAgainWhatWasTakenOutOfTheGripper) {
   EXPECT_FALSE(cell.facts("(event ? difference ? ?)").empty());
 }
 
+TEST_F(Coordinator, NoticesAtOnceThatTheRaisedArmLeftACubeWhereItLay) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 60s));
+  cell.held.clear();
+  ASSERT_TRUE(cell.run_until("(micro-task ? (check-held circle) running)", 30s));
+  EXPECT_TRUE(cell.run_until("(micro-task ? (check-held circle) failed)", 500ms));
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+}
+
 TEST_F(Coordinator, BuildsAgainWhatIsKnockedOverBeforeItHasSettled) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(on circle triangle)", 60s));
