@@ -6,6 +6,7 @@
 
 #include "agents/runtime/follow.hpp"
 #include "drivers/arm/meeting.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::follower {
 
@@ -190,7 +191,7 @@ Task<void> FollowerAgent::go_after() {
 }
 
 Task<std::optional<Failure>> FollowerAgent::leg(Eigen::Vector3d to_mm) {
-  const Datum move = list("do-action"_sym, fmt::format("(move {:.2f} {:.2f} {:.2f})", to_mm.x(), to_mm.y(), to_mm.z()));
+  const Datum move = list("move-to"_sym, rounded(to_mm.x(), 100), rounded(to_mm.y(), 100), rounded(to_mm.z(), 100));
   const Result<Datum> moved = co_await caller_.call(slave_, move, longest_leg);
   if (moved) co_return std::nullopt;
   co_return moved.error();

@@ -48,7 +48,7 @@ class Script {
 
  private:
   Result<Vector3d> point(const Datum& given) const;
-  Result<void> line(const Vector3d& to);
+  Result<void> line(const Vector3d& to) { return path_.reach_by_line(to); }
   Result<void> move(std::span<const Datum> arguments);
   Result<void> path(std::span<const Datum> arguments);
   Result<void> track(std::span<const Datum> arguments);
@@ -86,18 +86,6 @@ Result<Vector3d> Script::point(const Datum& given) const {
   const bool numbers = given.size() == 3 && std::ranges::all_of(given.items(), &Datum::is_number);
   if (!numbers) return fail("bad-action", "a point is a learned variable or (X Y Z)", given);
   return Vector3d(given[0].number(), given[1].number(), given[2].number());
-}
-
-Result<void> Script::line(const Vector3d& to) {
-  const Vector3d way_mm = to - path_.point();
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    // Written so that a distance that is not finite is refused too.
-    if (std::abs(way_mm[i]) < 10'000) continue;
-    return fail("unreachable", fmt::format("the point's {} is over 10 m away", "xyz"[i]));
-  }
-  const LineEnd end = path_.line_to(to);
-  if (end.ended_by) return fail(*end.ended_by);
-  return {};
 }
 
 Result<void> Script::move(std::span<const Datum> arguments) {

@@ -128,6 +128,13 @@ Result<Motion> turned(const arm::ArmModel& model, const arm::Joints& from, arm::
   return Motion{{to}};
 }
 
+Result<Motion> line_to(const arm::ArmModel& model, const arm::Joints& from, const Datum& operation) {
+  ToolPath path(model, from);
+  const Result<void> done = path.reach_by_line({operation[1].number(), operation[2].number(), operation[3].number()});
+  if (!done) return fail(done);
+  return Motion{path.waypoints()};
+}
+
 Result<Motion> joint_move(const arm::ArmModel& model, const arm::Joints& from, const arm::Joints& to) {
   const Result<void> within = arm::check_limits(model, to);
   if (!within) return fail(within);
@@ -162,7 +169,7 @@ Result<Motion> directed(const arm::ArmModel& model, const Datum& operation, cons
 }  // namespace
 
 bool is_motion(const Datum& operation) {
-  constexpr std::string_view others[] = {"do-action", "retract", "extend", "home", "ready", "goto"};
+  constexpr std::string_view others[] = {"do-action", "move-to", "retract", "extend", "home", "ready", "goto"};
   return std::ranges::find(others, operation.head()) != std::end(others) ||
          std::ranges::find(directions, operation.head(), &Direction::operation) != std::end(directions);
 }
@@ -176,6 +183,7 @@ Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, c
     if (!to) return fail(to);
     return joint_move(model, from, *to);
   }
+  if (operation.is_form("move-to")) return line_to(model, from, operation);
   if (operation.is_form("retract")) {
     const Result<Eigen::Vector3d> out = extension(model, from, "keep-height"_sym);
     return stretched(model, from, -*out, operation[1]);

@@ -11,7 +11,8 @@
 // gantry, carries its tool round the base instead, where a turn would.
 //
 // Failures: no-such-axis, out-of-range (an amount below 0), wrong-direction, unknown-variable, singular (the line
-// cannot be kept to), and of places that are named (goto, do-action): unreachable, joint-limit, bad-action, too-long.
+// cannot be kept to), and of places that are named (goto, move-to, do-action): unreachable, joint-limit, bad-action,
+// too-long.
 
 #include <map>
 #include <optional>

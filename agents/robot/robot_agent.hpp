@@ -1,7 +1,7 @@
 #pragma once
 
-// The robot agent: the thesis' seventeen operations, `get-control`, `release-control` and held jogs (holds.hpp), over
-// any ArmDriver, the same for every arm.
+// The robot agent: the thesis' seventeen operations, `move-to`, `get-control`, `release-control` and held jogs
+// (holds.hpp), over any ArmDriver, the same for every arm.
 //
 // Lifecycle: constructed, run() spawned. It asks the controller which arm it is of (one that says another than
 // the cell describes ends run() with `unknown-arm`; most protocols say less, see the drivers) and stops what moves

@@ -9,6 +9,7 @@ namespace pizarra::robot {
 inline constexpr std::string_view robot_contract = R"scheme(
 (contract robot
   (offers (get-status) (do-action (text string))
+          (move-to (x number) (y number) (z number))
           (retract (mm number)) (extend (keep symbol) (mm number))
           (turn (direction symbol) (degrees number))
           (move-h (direction symbol) (mm number)) (move-v (direction symbol) (mm number))

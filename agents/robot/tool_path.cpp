@@ -119,6 +119,18 @@ LineEnd ToolPath::line_by(const Eigen::Vector3d& offset_mm) {
   return {length_mm, {}};
 }
 
+Result<void> ToolPath::reach_by_line(const Eigen::Vector3d& point_mm) {
+  const Eigen::Vector3d way_mm = point_mm - point();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    // Written so that a distance that is not finite is refused too.
+    if (std::abs(way_mm[i]) < 10'000) continue;
+    return fail("unreachable", fmt::format("the point's {} is over 10 m away", "xyz"[i]));
+  }
+  const LineEnd end = line_to(point_mm);
+  if (end.ended_by) return fail(*end.ended_by);
+  return {};
+}
+
 Result<void> ToolPath::joints_to(const arm::Joints& joints) {
   const Result<void> within = arm::check_limits(model_, joints);
   if (!within) return within;

@@ -45,6 +45,8 @@ class ToolPath {
   // Goes on along a straight line, as far as the arm can.
   LineEnd line_by(const Eigen::Vector3d& offset_mm);
   LineEnd line_to(const Eigen::Vector3d& point_mm) { return line_by(point_mm - point()); }
+  // The same, all the way. Failures: unreachable, joint-limit, singular.
+  Result<void> reach_by_line(const Eigen::Vector3d& point_mm);
   // Goes on with a joint move.
   Result<void> joints_to(const arm::Joints& joints);
 

@@ -181,19 +181,19 @@ Task<Result<void>> HandEye::look_with(ptu::HeadTurn head, SeenPairs& seen, std::
 
 // The tool points down again first: a tilted tool is not carried across.
 Task<Result<void>> HandEye::carry_to(CarriedPose pose) {
-  const std::string move =
-      fmt::format("(move {:.2f} {:.2f} {:.2f})", pose.grip_mm.x(), pose.grip_mm.y(), pose.grip_mm.z());
+  const Eigen::Vector3d& to = pose.grip_mm;
   const Result<Eigen::Isometry3d> now = co_await tool();
   if (!now) co_return fail(now);
   const double tilted = degrees(std::asin(std::clamp(now->linear()(0, 2), -1.0, 1.0)));
   const double yaw = degrees(std::atan2(now->linear()(1, 0), now->linear()(0, 0)));
   const double turn = std::remainder(pose.yaw_deg - yaw, 360);
   const std::vector<Datum> operations{
-      list("turn-ef"_sym, Datum::symbol(tilted > 0 ? "down" : "up"), std::abs(tilted)), list("do-action"_sym, move),
+      list("turn-ef"_sym, Datum::symbol(tilted > 0 ? "down" : "up"), std::abs(tilted)),
+      list("move-to"_sym, rounded(to.x(), 100), rounded(to.y(), 100), rounded(to.z(), 100)),
       list("turn-wrist"_sym, Datum::symbol(turn > 0 ? "right" : "left"), std::abs(turn)),
       list("turn-ef"_sym, "up"_sym, pose.tilt_deg)};
   for (const Datum& operation : operations) {
-    const bool nothing = !operation.is_form("do-action") && operation[2].number() < 0.05;
+    const bool nothing = !operation.is_form("move-to") && operation[2].number() < 0.05;
     if (nothing) continue;
     const Result<Datum> done = co_await ask(robot_, operation);
     if (!done) co_return fail(done);

@@ -1,9 +1,9 @@
 #include "agents/coordinator/act/arm.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
 
 #include "agents/coordinator/retried_commit.hpp"
+#include "lisp/numbers.hpp"
 
 namespace pizarra::coordinator {
 
@@ -91,8 +91,8 @@ Task<Result<void>> Arm::cut_short() {
 }
 
 Task<Result<void>> Arm::move_to(Eigen::Vector3d point_mm) {
-  const std::string script = fmt::format("(move {:.2f} {:.2f} {:.2f})", point_mm.x(), point_mm.y(), point_mm.z());
-  const Datum operation = list("do-action"_sym, script);
+  const Datum operation =
+      list("move-to"_sym, rounded(point_mm.x(), 100), rounded(point_mm.y(), 100), rounded(point_mm.z(), 100));
   const Result<Datum> moved = co_await ask(operation);
   if (!moved) co_return fail(moved);
   co_return Result<void>();

@@ -181,9 +181,7 @@ Task<Result<bool>> CameraSurvey::look_from(Eigen::Vector3d grip_mm) {
   way.push_back(grip_mm);
   for (const Eigen::Vector3d& place : way) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
-    const std::string action = fmt::format("(move {:.2f} {:.2f} {:.2f})", place.x(), place.y(), place.z());
-    const Datum move = list("do-action"_sym, action);
-    const Result<Datum> moved = co_await arm_.ask(move);
+    const Result<void> moved = co_await arm_.move_to(place);
     const bool elsewhere = !moved && is_of_the_place(moved.error());
     if (elsewhere) co_return false;
     if (!moved) co_return fail(moved);

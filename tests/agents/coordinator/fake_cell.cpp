@@ -21,7 +21,7 @@ constexpr std::string_view robot_text = R"(
 (contract robot
   (offers (retract (mm number)) (extend (keep symbol) (mm number)) (turn (d symbol) (deg number))
           (move-h (d symbol) (mm number)) (move-v (d symbol) (mm number)) (turn-wrist (d symbol) (deg number))
-          (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)) (finish (option symbol)) (finish (option symbol) (request symbol)))
+          (ready) (speed (percent number)) (gripper (mm number)) (monitor) (move-to (x number) (y number) (z number)) (finish (option symbol)) (finish (option symbol) (request symbol)))
   (posts (relation gripper ((robot symbol) (opening number)) (key robot))
          (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
                    (key robot))
@@ -277,10 +277,7 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
     to = {radius * std::cos(bearing), radius * std::sin(bearing), grip.z()};
     turn_tool(amount);
   }
-  if (name == "do-action") {
-    const Datum move = form(operation[1].text());
-    to = {move[1].number(), move[2].number(), move[3].number()};
-  }
+  if (name == "move-to") to = {operation[1].number(), operation[2].number(), operation[3].number()};
   const Datum moving = "moving"_sym;
   co_await tell_arm(moving);
   move_to(to);

@@ -158,6 +158,17 @@ TEST(Motion, NothingAskedForIsNothingMovedAndNoLimit) {
   EXPECT_TRUE(planned("(ready)", model.ready)->waypoints.empty());
 }
 
+TEST(Motion, ALineToAPointEndsThereOrIsRefused) {
+  const Eigen::Vector3d to(400, 50, 150);
+  const Result<Motion> motion = planned("(move-to 400 50 150)");
+  ASSERT_TRUE(motion) << motion.error().sentence;
+  EXPECT_LT((point(motion->waypoints.back()) - to).norm(), 0.01);
+  EXPECT_LT(deviation_mm(at_work, motion->waypoints), 0.1);
+  EXPECT_EQ(motion->waypoints, planned("(do-action \"(move 400 50 150)\")")->waypoints);
+  EXPECT_EQ(refusal("(move-to 400 50 -9999)"), "unreachable");
+  EXPECT_EQ(refusal("(move-to 400 50000 150)"), "unreachable");
+}
+
 TEST(Motion, BadDirectionsAndAmountsAreRefused) {
   EXPECT_EQ(refusal("(turn up 10)"), "wrong-direction");
   EXPECT_EQ(refusal("(move-v left 10)"), "wrong-direction");
