@@ -30,6 +30,6 @@ struct SizeRange {
 // Those with the longest edges first, of each place and size one; no more than most_guesses.
 std::vector<OutlineGuess> outline_guesses(const EdgeChains& edges, const PlaneOutline& outline, MarkTone tone,
                                           const SizeRange& sizes, double least_shown);
-inline constexpr std::size_t most_guesses = 128;
+inline constexpr std::size_t most_guesses = 512;
 
 }  // namespace pizarra::vision

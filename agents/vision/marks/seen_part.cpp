@@ -41,16 +41,32 @@ struct Print {
     ground = median(outer);
     slack_ = std::hypot(same_level * std::abs(ground - ink), same_in_noise * noise);
   }
-  bool is_print(MarkTone tone) const {
+  double ratio(MarkTone tone) const {
+    constexpr double darkest = 1;
     const auto [dark, light] = tone == MarkTone::dark ? std::pair(ink, ground) : std::pair(ground, ink);
-    return light > least_ratio * dark;
+    return light / std::max(dark, darkest);
   }
+  bool is_print(MarkTone tone) const { return ratio(tone) > least_ratio; }
   bool is_ink(double level) const { return std::abs(level - ink) < slack_; }
   bool is_ground(double level) const { return std::abs(level - ground) < slack_; }
 
  private:
   double slack_ = 0;
 };
+
+// How much the levels of the supporting places scatter on the side where they do so more, as a part of the contrast.
+double unevenness(const PlaneFit& fit, const Print& print) {
+  double inner = 0;
+  double outer = 0;
+  int count = 0;
+  for (const PlaneEdge& edge : fit.edges) {
+    if (!edge.is_border) continue;
+    inner += (edge.inner - print.ink) * (edge.inner - print.ink);
+    outer += (edge.outer - print.ground) * (edge.outer - print.ground);
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(std::max(inner, outer) / count) / std::max(1.0, std::abs(print.ground - print.ink));
+}
 
 }  // namespace
 
@@ -61,6 +77,7 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
   int counted = 0;
   int supported = 0;
   int contradicted = 0;
+  int going_on = 0;
   double squares = 0;
   for (PlaneEdge& edge : fit.edges) {
     if (!edge.counts) continue;
@@ -76,16 +93,23 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
       continue;
     }
     const cv::Point2d at = fit.in_image(point.at);
-    const bool none_there = print.is_ground(nearest_level(pixels, at + beside_px * inward)) &&
-                            print.is_ground(nearest_level(pixels, at - beside_px * inward));
+    const double inside = nearest_level(pixels, at + beside_px * inward);
+    const double outside = nearest_level(pixels, at - beside_px * inward);
+    const bool none_there = print.is_ground(inside) && print.is_ground(outside);
+    going_on += print.is_ink(inside) && print.is_ink(outside) ? 1 : 0;
     contradicted += none_there || is_print ? 1 : 0;
   }
   SeenPart out;
   if (counted == 0 || supported == 0) return out;
   out.supported = static_cast<double>(supported) / counted;
   out.contradicted = static_cast<double>(contradicted) / counted;
+  out.goes_on = static_cast<double>(going_on) / counted;
   out.hidden = 1 - out.supported - out.contradicted;
   out.rms_px = std::sqrt(squares / supported);
+  out.ink = print.ink;
+  out.ground = print.ground;
+  out.ratio = print.ratio(tone);
+  out.uneven = unevenness(fit, print);
   double length = 0;
   for (std::size_t i = 1; i < outline.points.size(); ++i) {
     if (fit.edges[i].is_border) {

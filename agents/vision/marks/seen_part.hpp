@@ -18,8 +18,13 @@ struct SeenPart {
   double supported = 0;
   double contradicted = 0;
   double hidden = 0;
+  double goes_on = 0;       // of what is hidden: ink lies on both sides, as where it is an arm of something larger
   double rms_px = 0;        // of the places that support it
   double supported_px = 0;  // how long they are together
+  double ink = 0;           // grey levels, as most of them show them
+  double ground = 0;
+  double ratio = 0;   // how many times as light the lighter one is
+  double uneven = 0;  // how much either scatters, as a part of the contrast: a standard deviation
 };
 
 // Edges that are not the mark's border stop being it (PlaneEdge::is_border).

@@ -19,14 +19,14 @@ constexpr double least_at_first = 0.3;
 constexpr double least_supported = 0.42;
 constexpr double most_contradicted = 0.04;
 // Shorter edges make shapes everywhere.
-constexpr double least_supported_px = 70;
+constexpr double least_supported_px = 50;
 // Of the mark's standard deviation, and px.
 constexpr double most_rms_share = 0.03;
 constexpr double most_rms_px = 0.2;
 // A part says too little of a face that is turned farther away.
 constexpr double least_slimness = 0.75;
 // A place that the part leaves more open is none.
-constexpr double most_spread_px = 1;
+constexpr double most_spread_px = 1.2;
 // What is told has more: a turn makes up for what a part lacks, and where two sides alone show, the mark may be larger
 // and lie farther along them.
 constexpr double least_supported_px_told = 75;
@@ -35,6 +35,16 @@ constexpr double most_spread_px_told = 0.35;
 // A print's edges are where it says, those of other things only nearly: such a fit may leave more open.
 constexpr double most_spread_px_if_exact = 0.75;
 constexpr double exact_rms_px = 0.1;
+// Ink on paper; edges of other things are mostly fainter. Where the levels of either side are those of one print, edges
+// are rarer still, so that fewer of them say as much.
+constexpr double least_ratio_told = 5;
+constexpr double most_uneven_print = 0.035;
+constexpr double least_supported_px_of_print = 55;
+constexpr double most_spread_px_of_print = 1.2;
+constexpr double exact_rms_px_of_print = 0.18;
+// Three sides of the arm of a larger thing are most of a small square: its fourth is ink on both sides. What hides a
+// part is seldom as dark all along.
+constexpr double most_going_on = 0.15;
 constexpr double smallest_px = 5;  // a standard deviation
 // Another explanation of the same edges must be so much shorter.
 constexpr double most_of_rival = 0.9;
@@ -60,10 +70,21 @@ bool may_be(const PartLook& look) {
          slimness_of(look.fit) >= least_slimness;
 }
 
+bool is_even_print(const SeenPart& part) { return part.uneven <= most_uneven_print; }
+
+double least_supported_px_of(const SeenPart& part) {
+  const bool fewer_do = is_even_print(part) && part.goes_on <= most_going_on;
+  return fewer_do ? least_supported_px_of_print : least_supported_px_told;
+}
+
+double most_spread_of(const SeenPart& part) {
+  if (is_even_print(part) && part.rms_px <= exact_rms_px_of_print) return most_spread_px_of_print;
+  return part.rms_px <= exact_rms_px ? most_spread_px_if_exact : most_spread_px_told;
+}
+
 bool may_be_told(const PartLook& look) {
-  const double most_spread = look.part.rms_px <= exact_rms_px ? most_spread_px_if_exact : most_spread_px_told;
-  return look.part.supported_px >= least_supported_px_told && look.fit.middle_spread_px <= most_spread &&
-         slimness_of(look.fit) >= least_slimness_told;
+  return look.part.ratio >= least_ratio_told && look.part.supported_px >= least_supported_px_of(look.part) &&
+         look.fit.middle_spread_px <= most_spread_of(look.part) && slimness_of(look.fit) >= least_slimness_told;
 }
 
 // With whatever larger it may be a part of.
@@ -142,6 +163,8 @@ SeenMark whole_mark(const ImageCut& cut, const PartLook& look) {
   SeenMark out;
   set_place(out, look.fit, look.sample->plane.middle);
   out.tone = look.sample->tone;
+  out.mark_level = look.part.ink;
+  out.ground_level = look.part.ground;
   out.flattened = true;
   const double size2 = std::abs(cv::determinant(look.fit.slope()));
   out.area_px = look.sample->area_px * size2 / (look.sample->height_px * look.sample->height_px);

@@ -119,7 +119,7 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   if (most < clearly_sure || is_contradicted) {
     for (SeenPair& thorough : sight.find_in_plane(objects_, object)) take_surer(std::move(thorough));
   }
-  if (most < clearly_sure) {
+  if (most < clearly_sure || is_faint) {
     for (SeenPair& part : sight.find_parts(objects_, object)) take_surer(std::move(part));
   }
   return best;

@@ -78,6 +78,18 @@ bool yaw_explains(double left_width, double left_slope, double right_width, doub
   return false;
 }
 
+// The arm of a near cross shows three sides of a square.
+bool is_part_of_another(const SeenMark& part, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                        const LearnedObject& object) {
+  constexpr double most_of_it = 0.8;
+  return std::ranges::any_of(marks, [&](const SeenMark& mark) {
+    if ((mark.box & part.box).area() < most_of_it * part.box.area() || mark.area_px <= part.area_px) return false;
+    return std::ranges::any_of(objects.all(), [&](const LearnedObject& other) {
+      return !same_name(other.name, object.name) && is_recognised(mark, objects, other);
+    });
+  });
+}
+
 // `shown_height`: what of the height a tilt of the face would show.
 bool is_whole_if_shown(double shown_height, const camera::StereoModel& model, const LearnedObject& object,
                        const SeenMark& left, const SeenMark& right) {
@@ -220,7 +232,7 @@ std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, con
   const PlaneLens lens{model_.focal_px, {model_.centre_x_px, model_.centre_y_px}};
   for (PartLook& look : look_for_parts(cut, *left_edges_, objects, object, lens)) {
     SeenPair pair{.left = whole_mark(cut, look), .right = std::nullopt};
-    if (!holds(pair.left)) continue;
+    if (!holds(pair.left) || is_part_of_another(pair.left, left_segmentation().marks(), objects, object)) continue;
     pair.left.focal_px = model_.focal_px;
     std::optional<PlanePose> pose = pose_in_plane(model_, *look.sample, look.fit);
     pair.plane = PlaneView{look.sample, std::move(look.fit), true, std::move(pose), true};
