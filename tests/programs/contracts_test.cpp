@@ -28,7 +28,8 @@ const Names of_every_agent = {"agent", "bound", "context", "contract", "request"
 // The relations that an agent reads or posts only where something goes wrong, or where somebody asks for it, which
 // nobody does in these cells.
 using Occasions = std::map<std::string, Names>;
-const Occasions read_on_occasion = {{"coordinator", {"robot-speed"}}, {"pan-tilt", {"place"}}};
+const Occasions read_on_occasion = {{"coordinator", {"looking-at", "pan-tilt-unit", "robot-speed", "stop"}},
+                                    {"pan-tilt", {"place"}}};
 const Occasions told_on_occasion = {{"coordinator", {"camera-pose", "leans"}},
                                     {"pan-tilt", {"head-speed", "looking-at"}},
                                     {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},

@@ -33,10 +33,22 @@ class MovingHead : public testing::Test {
     ASSERT_TRUE(built) << describe(built.error());
   }
 
-  void ask_head(std::string_view operation) {
+  void ask(std::string_view agent, std::string_view operation) {
     Transaction request;
-    request.tell(list("request"_sym, Datum::symbol("r" + std::to_string(++asked)), "pan-tilt"_sym, form(operation)));
+    const Datum id = Datum::symbol("r" + std::to_string(++asked));
+    request.tell(list("request"_sym, id, Datum::symbol(agent), form(operation)));
     ASSERT_TRUE(cell.board().transact("user", request));
+  }
+  void ask_head(std::string_view operation) { ask("pan-tilt", operation); }
+  // Why the second goal was refused, in words; empty while it is not.
+  std::string refusal() {
+    const std::optional<Datum> state = fact_like("(goal-state 2 refused ?why)");
+    return state ? write(*state) : "";
+  }
+  bool runs_until_refused(Duration patience) {
+    const Time deadline = executor.now() + patience;
+    executor.run_until([&] { return !refusal().empty() || executor.now() > deadline; });
+    return !refusal().empty();
   }
   std::optional<Datum> fact_like(std::string_view pattern) {
     const Result<Answers> answers = cell.board().ask(query_from_datum(form(pattern)).value());
@@ -131,6 +143,52 @@ TEST_F(MovingHead, LooksAtAnObjectAndKeepsItInTheMiddleWhenAHandMovesIt) {
   ASSERT_EQ(seen.size(), 2U);
   EXPECT_NEAR(seen[0].number(), 160, 60);
   EXPECT_NEAR(seen[1].number(), 120, 60);
+}
+
+TEST_F(MovingHead, LooksAroundForAMissingBlockAndTurnsBackWhereItIsNowhere) {
+  ask_head("(set-pan-pos 3)");
+  executor.run_for(2s);
+  ask_world("(hand remove cross)");
+  ask("coordinator", "(goal (on cross square))");
+  double furthest_deg = 0;
+  const Time deadline = executor.now() + 300s;
+  while (refusal().empty() && executor.now() < deadline) {
+    executor.run_for(100ms);
+    if (pan() < 900) furthest_deg = std::max(furthest_deg, std::abs(pan()));
+  }
+  EXPECT_NE(refusal().find("cross is not seen, and the head looked in "), std::string::npos) << refusal();
+  EXPECT_GT(furthest_deg, 10);
+  EXPECT_NEAR(pan(), 3, 0.1);
+}
+
+TEST_F(MovingHead, IsLeftAloneWhileItKeepsAnObjectInViewForSomebodyAndTheRefusalSaysSo) {
+  ask_head("(look-at square)");
+  executor.run_for(3s);
+  const double before_deg = pan();
+  ask_world("(hand remove cross)");
+  ask("coordinator", "(goal (on cross square))");
+  ASSERT_TRUE(runs_until_refused(300s));
+  EXPECT_NE(refusal().find("somebody has it keep square in view"), std::string::npos) << refusal();
+  EXPECT_NEAR(pan(), before_deg, 0.1);
+}
+
+TEST_F(MovingHead, DoesNotTurnUnderAStopAndLooksAroundOnceThatIsRetracted) {
+  Transaction stop;
+  stop.tell(form("(stop me \"wait\")"));
+  ASSERT_TRUE(cell.board().transact("user", stop));
+  ask_world("(hand remove cross)");
+  ask("coordinator", "(goal (on cross square))");
+  const Time end = executor.now() + 30s;
+  while (executor.now() < end) {
+    executor.run_for(100ms);
+    ASSERT_NEAR(pan(), 0, 0.1);
+  }
+  EXPECT_EQ(refusal(), "");
+  Transaction go_on;
+  go_on.retract(form("(stop me ?)"));
+  ASSERT_TRUE(cell.board().transact("user", go_on));
+  ASSERT_TRUE(runs_until_refused(300s));
+  EXPECT_NE(refusal().find("the head looked in "), std::string::npos) << refusal();
 }
 
 TEST_F(MovingHead, AHeadThatLosesItsPowerIsWaitedForAndTheCellGoesOn) {

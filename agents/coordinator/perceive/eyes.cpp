@@ -126,15 +126,32 @@ Task<Result<void>> Eyes::await_look(Wait wait) {
     const bool looked = co_await (surroundings_.*wait)(before, soon);
     if (looked) co_return Result<void>();
     if (context_.executor.now() > deadline) {
-      co_return fail("absent", "vision shows nothing any more", Datum::symbol(roles_.holder("eyes").server));
+      const Failure why = nothing_shown();
+      co_return fail(why);
     }
-    const std::string eyes = roles_.holder("eyes").server;
-    const std::string sentence = fmt::format("no looks come from {}: asking it to track again", eyes);
-    const Datum subject = Datum::symbol(eyes);
-    co_await story_.tell("agent", sentence, subject);
-    const Result<void> tracking = co_await track();
-    if (!tracking) co_return tracking;
+    const Result<void> again = co_await look_again();
+    if (!again) co_return again;
   }
+}
+
+// What is seen has no place while nobody knows how the head stands, however well the eyes work.
+Failure Eyes::nothing_shown() const {
+  const bool head_known = surroundings_.scene().head().has_value();
+  if (head_known) return {"absent", "vision shows nothing any more", Datum::symbol(roles_.holder("eyes").server), {}};
+  return {"absent", "nobody knows where the head looks any more", Datum::symbol(roles_.holder("head").server), {}};
+}
+
+Task<Result<void>> Eyes::look_again() {
+  if (!surroundings_.scene().head()) {
+    const Datum head = Datum::symbol(roles_.holder("head").server);
+    co_await story_.tell("agent", "nobody knows where the head looks: waiting until it stands", head);
+    co_return Result<void>();
+  }
+  const std::string eyes = roles_.holder("eyes").server;
+  const std::string sentence = fmt::format("no looks come from {}: asking it to track again", eyes);
+  const Datum subject = Datum::symbol(eyes);
+  co_await story_.tell("agent", sentence, subject);
+  co_return co_await track();
 }
 
 }  // namespace pizarra::coordinator

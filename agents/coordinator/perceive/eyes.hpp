@@ -43,6 +43,8 @@ class Eyes {
  private:
   using Wait = Task<bool> (Surroundings::*)(std::uint64_t looks, Time deadline);
   Task<Result<void>> await_look(Wait wait);
+  Failure nothing_shown() const;
+  Task<Result<void>> look_again();
   bool tracks_all() const;
   Task<Result<void>> begin_tracking();
   Task<Result<Datum>> ask(Datum operation);

@@ -27,6 +27,8 @@ class Scene {
   // None before the camera-model fact is there.
   const std::optional<CameraView>& view() const { return view_; }
   const CameraWatch& camera() const { return camera_; }
+  // How the camera's head is turned; none while it turns, or nobody knows. In its middle where there is none.
+  const std::optional<HeadTurn>& head() const { return head_; }
   std::optional<double> opening_mm() const { return opening_mm_; }
   // How far the tool is turned about the base's z axis, by the arm's word.
   std::optional<double> tool_yaw_deg() const;

@@ -11,16 +11,23 @@ namespace pizarra::coordinator {
 
 namespace {
 
+std::vector<runtime::Role> roles_of(const CoordinatorOptions& options) {
+  std::vector<runtime::Role> roles = {runtime::robot_role(), runtime::eyes_role(), runtime::planner_role()};
+  if (options.head) roles.push_back(head_role());
+  return roles;
+}
+
 // All that exists while the agent serves, each part standing on those before it.
 struct Life {
   Life(runtime::AgentContext& context, const CoordinatorOptions& options, TaskDomain task, runtime::Service& service)
       : domain(std::move(task)),
         caller(context, service),
         story(context.board, context.executor),
-        roles(context, service, {runtime::robot_role(), runtime::eyes_role(), runtime::planner_role()}),
+        roles(context, service, roles_of(options)),
         surroundings(context, options, domain, service, story),
         arm(context, options, roles, caller, story),
         eyes(context, options, roles, caller, surroundings, story),
+        head(context, options, roles, caller, surroundings),
         changes(context, roles, surroundings, eyes, story, service),
         planning(context, options, domain, roles, caller, surroundings),
         aims(options, domain, surroundings.scene()),
@@ -32,7 +39,8 @@ struct Life {
         goal(context, story, vigil),
         plan(planning, story),
         differences(surroundings, story),
-        search(context, options, domain, surroundings, story, eyes, plan, runner, rescues, vigil),
+        head_search(options, surroundings, story, eyes, head, vigil),
+        search(context, options, domain, surroundings, story, eyes, head_search, plan, runner, rescues, vigil),
         replanning(context, surroundings, planning, plan, search, runner, rescues, vigil),
         pursuit(context, options, domain, surroundings, story, eyes, planning, plan, differences, search, replanning,
                 runner, rescues, survey, vigil),
@@ -47,6 +55,7 @@ struct Life {
   Vigil vigil;
   Arm arm;
   Eyes eyes;
+  Head head;
   RoleChanges changes;
   Planning planning;
   Aims aims;
@@ -58,6 +67,7 @@ struct Life {
   GoalFacts goal;
   PlanInHand plan;
   Differences differences;
+  HeadSearch head_search;
   ObjectSearch search;
   Replanning replanning;
   Pursuit pursuit;

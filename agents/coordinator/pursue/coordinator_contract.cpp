@@ -36,7 +36,7 @@ std::string coordinator_contract(const TaskDomain& domain, bool head) {
     relations += ' ' + write(relation_to_datum(predicate));
     names += ' ' + predicate.name;
   }
-  return fmt::format(contract_form, relations, names + (head ? " head" : ""));
+  return fmt::format(contract_form, relations, names + (head ? " head looking-at pan-tilt-unit stop" : ""));
 }
 
 }  // namespace pizarra::coordinator

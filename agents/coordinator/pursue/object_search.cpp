@@ -40,6 +40,7 @@ Task<Result<void>> ObjectSearch::look_for(Goal goal) {
 
 // Each object is found, whatever was seen of it lately, and all that are missing are named.
 Task<Result<void>> ObjectSearch::look_for_named(Goal goal) {
+  head_.begin();
   std::vector<std::string> missing;
   for (const std::string& name : domain_.objects_in(goal.facts)) {
     const Time deadline = context_.executor.now() + options_.missing_patience;
@@ -52,7 +53,8 @@ Task<Result<void>> ObjectSearch::look_for_named(Goal goal) {
   const Sightings& sightings = surroundings_.scene().sightings();
   std::erase_if(missing, [&](const std::string& name) { return sightings.remembered(name, options_.grace_looks); });
   if (missing.empty()) co_return Result<void>();
-  const Failure why = missing_objects(missing);
+  Failure why = missing_objects(missing);
+  why.sentence += head_.in_vain();
   co_return fail(why);
 }
 
@@ -115,7 +117,7 @@ Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string ob
       out_of_the_way = raised.has_value();
     }
     if (context_.executor.now() > doubtful) {
-      const Result<bool> cleared = co_await clear_view(goal, object, set_aside);
+      const Result<bool> cleared = co_await look_elsewhere(goal, object, set_aside);
       if (!cleared) co_return fail(cleared);
       doubtful = context_.executor.now() + look_behind;
       const bool goes_on = *cleared || !looked_behind;
@@ -131,6 +133,17 @@ Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string ob
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
   }
+}
+
+Task<Result<bool>> ObjectSearch::look_elsewhere(std::int64_t goal, std::string object, SetAside& set_aside) {
+  if (!set_aside.head_looked) {
+    set_aside.head_looked = true;
+    const Result<bool> shown = co_await head_.look_for(object);
+    if (!shown) co_return shown;
+    if (*shown) co_return true;
+  }
+  const Result<bool> cleared = co_await clear_view(goal, std::move(object), set_aside);
+  co_return cleared;
 }
 
 Task<Result<void>> ObjectSearch::clear_view_of(std::int64_t goal, std::string missing) {

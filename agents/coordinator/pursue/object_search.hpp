@@ -1,12 +1,13 @@
 #pragma once
 
-// Looks for the objects of a goal (steps b and c): the eyes find each one; where it does not show, what may hide it is
-// set aside, one thing after another, and the table beside the images is swept.
+// Looks for the objects of a goal (steps b and c): the eyes find each one. Where it does not show, the head turns, if
+// the cameras stand on one; what may hide it is set aside, one thing after another; and the table beside the images is
+// swept.
 //
 // An object that the goal only quantifies over is looked for once it has been seen in this life. Where that is in vain
 // it counts as away, until it is seen again or another goal comes.
 //
-//   ObjectSearch search(context, options, domain, surroundings, story, eyes, plan, runner, rescues, vigil);
+//   ObjectSearch search(context, options, domain, surroundings, story, eyes, head, plan, runner, rescues, vigil);
 //   search.begin();                                            // a goal, or a stage of it
 //   Result<void> there = co_await search.look_for(goal);       // missing-object names all that it names and are
 //   missing
@@ -19,6 +20,7 @@
 
 #include "agents/coordinator/act/rescues.hpp"
 #include "agents/coordinator/pursue/goal_facts.hpp"
+#include "agents/coordinator/pursue/head_search.hpp"
 #include "agents/coordinator/pursue/plan_in_hand.hpp"
 
 namespace pizarra::coordinator {
@@ -26,14 +28,15 @@ namespace pizarra::coordinator {
 class ObjectSearch {
  public:
   ObjectSearch(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-               Surroundings& surroundings, Story& story, Eyes& eyes, const PlanInHand& plan, TaskRunner& runner,
-               Rescues& rescues, Vigil& vigil)
+               Surroundings& surroundings, Story& story, Eyes& eyes, HeadSearch& head, const PlanInHand& plan,
+               TaskRunner& runner, Rescues& rescues, Vigil& vigil)
       : context_(context),
         options_(options),
         domain_(domain),
         surroundings_(surroundings),
         story_(story),
         eyes_(eyes),
+        head_(head),
         plan_(plan),
         runner_(runner),
         rescues_(rescues),
@@ -68,6 +71,7 @@ class ObjectSearch {
     std::size_t sweeps = 0;
     int stops = 0;
     bool laid_down = false;  // what the gripper held
+    bool head_looked = false;
 
     void next_sweep() {
       ++sweeps;
@@ -79,6 +83,8 @@ class ObjectSearch {
   // Seen before, not seen now, and not known to be away.
   std::vector<std::string> others_unseen() const;
   Task<Result<void>> look_once_for(std::int64_t goal, std::string object, Time deadline);
+  // Whether it came into view as the head turned, or clear_view() tried something.
+  Task<Result<bool>> look_elsewhere(std::int64_t goal, std::string object, SetAside& set_aside);
   // Whether one rescue was tried, after which one looks again: to lay down what the gripper holds, to set something
   // aside that may hide the missing object, or to sweep the object into view. The second time that the same thing hides
   // it, what that stood on goes too: there the plan would put it again.
@@ -98,6 +104,7 @@ class ObjectSearch {
   Surroundings& surroundings_;
   Story& story_;
   Eyes& eyes_;
+  HeadSearch& head_;
   const PlanInHand& plan_;
   TaskRunner& runner_;
   Rescues& rescues_;
