@@ -21,6 +21,17 @@ struct Mask {
   }
 };
 
+// How many pixels each number has, from 0 to the highest that there is.
+std::vector<int> pixels_by_id(const Mask& mask) {
+  std::vector<int> pixels(1);
+  for (const int id : mask.ids) {
+    const auto index = static_cast<std::size_t>(id);
+    if (index >= pixels.size()) pixels.resize(index + 1);
+    ++pixels[index];
+  }
+  return pixels;
+}
+
 struct Rows {
   int top;
   int bottom;
@@ -74,6 +85,7 @@ std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solid
       }
     }
   }
+  const std::vector<int> pixels = pixels_by_id(mask);
   std::vector<MarkView> marks;
   for (const SeenSolid& solid : seen) {
     const Rect whole = rect_around(solid.corners);
@@ -90,7 +102,8 @@ std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solid
         if (mark.all_pixels == 0) continue;
         mark.centre_px /= mark.all_pixels;
         mark.all_pixels += cut_off(eye, face.outline, rows);
-        mark.pixels = static_cast<int>(std::ranges::count(mask.ids, decal.id));
+        const auto id = static_cast<std::size_t>(decal.id);
+        mark.pixels = id < pixels.size() ? pixels[id] : 0;
         marks.push_back(mark);
       }
     }
