@@ -9,6 +9,8 @@ namespace pizarra::coordinator {
 namespace {
 
 constexpr Duration steady_patience = 8s;
+// Of that, for what does not come into sight: it is searched for, and not waited for.
+constexpr Duration unseen_patience = 1s;
 constexpr Duration put_down_patience = 60s;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
@@ -233,11 +235,22 @@ Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missi
 }
 
 Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {
-  const Time deadline = context_.executor.now() + steady_patience;
-  while (!surroundings_.steady(objects) && context_.executor.now() < deadline && !vigil_.interrupted()) {
+  const Time begun = context_.executor.now();
+  const std::uint64_t first_look = surroundings_.looks();
+  while (!surroundings_.steady(objects) && !vigil_.interrupted()) {
+    const Duration waited = context_.executor.now() - begun;
+    if (waited >= steady_patience) co_return;
+    const std::uint64_t looks = surroundings_.looks() - first_look;
+    const bool is_long = waited >= unseen_patience && looks >= options_.belief_looks;
+    if (is_long) drop_unseen(objects, looks);
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return;
   }
+}
+
+void ObjectSearch::drop_unseen(std::vector<std::string>& objects, std::uint64_t looks) const {
+  const Sightings& sightings = surroundings_.scene().sightings();
+  std::erase_if(objects, [&](const std::string& name) { return !sightings.recent(name, looks); });
 }
 
 Task<void> ObjectSearch::await_put_down() {

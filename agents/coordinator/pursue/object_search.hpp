@@ -50,7 +50,8 @@ class ObjectSearch {
   Task<Result<void>> look_for_others(Goal goal);
   // Tries once to set something aside that may hide the object.
   Task<Result<void>> clear_view_of(std::int64_t goal, std::string missing);
-  // A hand may be at work: what is planned on should have come to rest. Not for ever.
+  // A hand may be at work: what is planned on should have come to rest. Not for ever, and only for what shows: the rest
+  // is searched for.
   Task<void> await_steady(std::vector<std::string> objects);
   // Somebody holds a thing in the air: it is waited for until it is put down. Not for ever.
   Task<void> await_put_down();
@@ -97,6 +98,8 @@ class ObjectSearch {
   Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);
   // Counts a failure to set it aside. Whether that failed often enough where it lies.
   bool fails_for_good(const std::string& before, SetAside& set_aside) const;
+  // Leaves those that so many looks have shown.
+  void drop_unseen(std::vector<std::string>& objects, std::uint64_t looks) const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;

@@ -198,6 +198,19 @@ TEST(CrowdedCell, SetsTheSameCubeAsideAtTheFourthTryWhereTheFirstThreeMovedIt) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }
 
+TEST(CrowdedCell, SearchesSoonForACubeThatFellOutOfSightAndWaitsNotUntilItLiesStill) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK circle square) running)", 60s));
+  cell.held.clear();
+  cell.opening_mm = 0;
+  cell.cubes["circle"] = {410, -40, 30};
+  cell.hidden.insert("circle");
+  ASSERT_TRUE(cell.run_until("(event ? difference ? ?)", 10s));
+  EXPECT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 7s));
+}
+
 // The circle is found, comes to lie where the images cut it off, and is wanted then.
 void expect_built_after_it_came_to(FakeCell& cell, const Eigen::Vector3d& place_mm) {
   cell.start_coordinator();
