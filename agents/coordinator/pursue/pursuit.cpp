@@ -130,6 +130,11 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
       progress.announced.reset();
       continue;
     }
+    const std::optional<std::string> cut_off = to_bring_into_view(next.rest.front(), progress);
+    if (cut_off) {
+      co_await rescues_.bring_into_view(*cut_off);
+      continue;
+    }
     const Result<void> done = co_await do_operation(next);
     if (done) {
       hold_up_.went_on();
@@ -196,6 +201,13 @@ std::optional<std::string> Pursuit::carried_out_of_view(const GroundOperation& o
   if (!carries_to_another) return std::nullopt;
   std::string target(operation.name[2].text());
   return rescues_.lay_cut_off(target) ? std::optional(std::move(target)) : std::nullopt;
+}
+
+// Each second time, so that one that cannot be swept is tried as it lies.
+std::optional<std::string> Pursuit::to_bring_into_view(const GroundOperation& operation, Progress& progress) const {
+  std::optional<std::string> target = carried_out_of_view(operation);
+  if (!target || ++progress.carries_to_cut_off[*target] % 2 == 1) return std::nullopt;
+  return target;
 }
 
 // Whatever comes of it is seen afterwards.

@@ -53,6 +53,7 @@ class Pursuit {
     std::optional<NextOperation> expected;  // what is handed out next unless something differs
     std::optional<std::size_t> announced;   // the one that the story has said to be next
     std::map<Datum, int> failures_of;
+    std::map<std::string, int> carries_to_cut_off;  // to each object that the images cut off
     int failures = 0;
     int plans = 0;
   };
@@ -70,6 +71,8 @@ class Pursuit {
   Task<Result<void>> recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress);
   // What the object in hand was to be put on, where the images cut that off.
   std::optional<std::string> carried_out_of_view(const GroundOperation& operation) const;
+  // The same where it is to be brought into view first: what was put on it before did not stay.
+  std::optional<std::string> to_bring_into_view(const GroundOperation& operation, Progress& progress) const;
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(std::int64_t goal, GroundOperation operation, Failure why);
   Task<Result<void>> do_operation(NextOperation next);

@@ -267,6 +267,23 @@ TEST(CrowdedCell, BringsACubeIntoViewThatTheImagesCutOffBeforeItStacksOnIt) {
   EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
 }
 
+// The eyes know the place of the circle's mark by a part of it, not well enough to stack on.
+TEST(CrowdedCell, BringsACubeIntoViewOnWhichAnotherDidNotStay) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -285, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on square circle))");
+  int fallen = 0;
+  for (int steps = 0; steps < 1200 && cell.facts("(goal-state 1 reached ?)").empty(); ++steps) {
+    cell.run_for(100ms);
+    const bool put_down = cell.held.empty() && cell.cubes["square"].z() > 60;
+    if (!put_down || cell.cubes["circle"].y() > -240) continue;
+    cell.cubes["square"] = {450, 100, 30};
+    ++fallen;
+  }
+  EXPECT_FALSE(cell.facts("(goal-state 1 reached ?)").empty());
+  EXPECT_EQ(fallen, 1);
+}
+
 // What the fingers met on their way down lies otherwise afterwards.
 TEST(CrowdedCell, GoesDownAgainWhereACollisionEndedTheWayDownToACubeBeforeTheImages) {
   FakeCell cell("blocks.scm", {{"circle", {530, -60, 30}}, {"square", {450, 100, 30}}});
