@@ -80,12 +80,12 @@ TEST_F(VideoCameraTest, ColourIsMadeWhenAskedForAndGreyGoesOn) {
 TEST_F(VideoCameraTest, WhoIsSlowSeesTheNewestAndWhatWasMissedIsCounted) {
   ASSERT_TRUE(open());
   const StereoFrame first = *next({});
-  run_for(100ms);
+  wait_until([&] { return camera.drops().late > 5; });
+  const std::uint64_t missed = camera.drops().late;
+  ASSERT_GT(missed, 5U);
   const Result<StereoFrame> frame = next(first.captured);
   ASSERT_TRUE(frame);
-  EXPECT_GT(frame->number, first.number + 5);
-  EXPECT_LT(executor.now() - frame->captured, 100ms);
-  EXPECT_GT(camera.drops().late, 5u);
+  EXPECT_GE(frame->number, first.number + missed);
 }
 
 TEST_F(VideoCameraTest, ACameraThatIsNotThereIsSaidSoAndFoundWhenItComes) {
