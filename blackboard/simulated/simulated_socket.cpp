@@ -19,14 +19,14 @@ SimulatedSocket::~SimulatedSocket() {
   for (const Executor::TimerId delivery : deliveries_) process_.cancel(delivery);
 }
 
-Result<std::string> SimulatedSocket::bind(const std::string& address, const wire::KeyPair* own) {
+Result<std::string> SimulatedSocket::bind(const std::string& address, [[maybe_unused]] const wire::KeyPair* own) {
   assert(own == nullptr && "the simulated network has no keys");
   return network_.bind(*this, address);
 }
 
 void SimulatedSocket::admit(Admit) { assert(false && "the simulated network has no keys"); }
 
-Result<void> SimulatedSocket::connect(const std::string& address, const wire::ClientKeys* keys,
+Result<void> SimulatedSocket::connect(const std::string& address, [[maybe_unused]] const wire::ClientKeys* keys,
                                       std::optional<Listener> listener) {
   assert(keys == nullptr && "the simulated network has no keys");
   address_ = address;
