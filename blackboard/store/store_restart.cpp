@@ -1,4 +1,4 @@
-// What becomes of a store's facts where its board starts again, or another board takes over with them.
+// Removes, keeps or renews a store's facts when its board starts again, or another board takes over with them.
 
 #include "blackboard/store/store.hpp"
 #include "blackboard/store/store_change.hpp"

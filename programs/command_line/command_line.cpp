@@ -50,7 +50,7 @@ std::string unknown_command(const CLI::App& app) {
   return fmt::format("{} no word {}{}", whose, typed.front(), suggestion(typed.front(), known));
 }
 
-// What CLI11's own check of a file says, in the words of the other sentences.
+// Replaces the words in which CLI11 refuses a file by those of our other sentences.
 std::string in_our_words(std::string sentence) {
   constexpr std::pair<std::string_view, std::string_view> ours[] = {
       {"File does not exist: ", "there is no file "},

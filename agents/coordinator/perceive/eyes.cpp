@@ -134,7 +134,7 @@ Task<Result<void>> Eyes::await_look(Wait wait) {
   }
 }
 
-// What is seen has no place while nobody knows how the head stands, however well the eyes work.
+// While nobody knows how the head stands, no object can be placed, however well the eyes work.
 Failure Eyes::nothing_shown() const {
   const bool head_known = surroundings_.scene().head().has_value();
   if (head_known) return {"absent", "vision shows nothing any more", Datum::symbol(roles_.holder("eyes").server), {}};

@@ -1,8 +1,8 @@
 #pragma once
 
 // The coordinator's perception of its cell: it makes of every look of the eyes where things stand (Scene) and which of
-// the domain's predicates hold (Beliefs), and has the latter told (BeliefTeller). What the devices say of themselves
-// comes to the same scene (DeviceFacts). Nothing here acts.
+// the domain's predicates hold (Beliefs), and has the latter told (BeliefTeller). The facts of the
+// devices come to the same scene (DeviceFacts). Nothing here acts.
 //
 // Lifecycle: start() and follow_...() spawn the watches, which go on until it is destroyed or others are followed.
 //

@@ -8,12 +8,12 @@ namespace pizarra::coordinator {
 
 namespace {
 
-// Of one view: what is there is found and placed in the first or the second look.
+// From one view: the first look or the second finds and places the object if it is there.
 constexpr int looks_of_a_view = 2;
 // Around a mark that is to stay in view while the arm works there.
 constexpr double kept_around_mm = 45;
 
-// What is of the head alone: the search goes on without it.
+// A failure of the head alone: the search goes on without it.
 bool is_of_the_head(const Failure& why) {
   return why.symbol == "head-away" || why.symbol == "head-taken" || why.symbol == "out-of-range" ||
          why.symbol == "closed" || why.symbol == "disconnected" || why.symbol == "timeout" ||

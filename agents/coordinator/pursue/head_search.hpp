@@ -25,7 +25,7 @@ class HeadSearch {
 
   // Whether it is seen now.
   Task<Result<bool>> look_for(std::string object);
-  // What came of the newest search in vain, to be said after "circle is not seen"; empty where no search was needed.
+  // The end of the sentence "circle is not seen" after a search in vain; empty where the head did not search.
   const std::string& in_vain() const { return in_vain_; }
   void begin() { in_vain_.clear(); }
 

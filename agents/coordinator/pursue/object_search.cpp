@@ -9,7 +9,7 @@ namespace pizarra::coordinator {
 namespace {
 
 constexpr Duration steady_patience = 8s;
-// Of that, for what does not come into sight: it is searched for, and not waited for.
+// An object that does not come into sight is searched for after this time.
 constexpr Duration unseen_patience = 1s;
 constexpr Duration put_down_patience = 60s;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
@@ -18,7 +18,7 @@ constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again
 constexpr int most_swept_of_goal = 12;      // each strip beside the images twice
 constexpr int tries_to_set_aside = 3;       // of a cube that stays where it is
 constexpr double moved_cubes = 0.2;         // a try that failed moved it so far: it may be graspable there
-constexpr int tries_to_sweep = 2;           // what ended a sweep early lies otherwise afterwards
+constexpr int tries_to_sweep = 2;           // the thing that ended a sweep early has moved
 constexpr Duration look_behind = 1500ms;
 
 }  // namespace
@@ -220,8 +220,8 @@ Task<Result<bool>> ObjectSearch::search_the_table(std::int64_t goal, std::string
 }
 
 // Where a thing is nowhere to be seen, the gripper may hold it, another may stand before it, or it lies beside the
-// images. What the gripper held is looked at before anything else is moved. That a try fails is no reason to give up
-// looking; one that somebody's stop kept from being made is to be made yet.
+// images. The object from the gripper is looked at before anything else is moved. The search goes on after a try that
+// failed; one that somebody's stop prevented is made later.
 Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missing, SetAside& set_aside) {
   const bool lays_down = !set_aside.laid_down && rescues_.seems_to_hold();
   Result<bool> tried = false;

@@ -98,7 +98,7 @@ class ObjectSearch {
   Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);
   // Counts a failure to set it aside. Whether that failed often enough where it lies.
   bool fails_for_good(const std::string& before, SetAside& set_aside) const;
-  // Leaves those that so many looks have shown.
+  // Drops the objects that none of the newest looks has shown.
   void drop_unseen(std::vector<std::string>& objects, std::uint64_t looks) const;
 
   runtime::AgentContext& context_;

@@ -203,7 +203,7 @@ std::optional<std::string> Pursuit::carried_out_of_view(const GroundOperation& o
   return rescues_.lay_cut_off(target) ? std::optional(std::move(target)) : std::nullopt;
 }
 
-// Each second time, so that one that cannot be swept is tried as it lies.
+// Every second time: in between, a cube that cannot be swept is tried as it lies.
 std::optional<std::string> Pursuit::to_bring_into_view(const GroundOperation& operation, Progress& progress) const {
   std::optional<std::string> target = carried_out_of_view(operation);
   if (!target || ++progress.carries_to_cut_off[*target] % 2 == 1) return std::nullopt;

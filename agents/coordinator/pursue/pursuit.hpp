@@ -69,9 +69,9 @@ class Pursuit {
   Task<Result<std::optional<NextOperation>>> choose(Goal goal, Progress& progress);
   // Takes note of a failed operation; a failure where it is to be the last.
   Task<Result<void>> recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress);
-  // What the object in hand was to be put on, where the images cut that off.
+  // The object on which the operation puts the one in hand, if the images cut it off.
   std::optional<std::string> carried_out_of_view(const GroundOperation& operation) const;
-  // The same where it is to be brought into view first: what was put on it before did not stay.
+  // The same from the second time on, when it is brought into view first: the one put on it before did not stay.
   std::optional<std::string> to_bring_into_view(const GroundOperation& operation, Progress& progress) const;
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(std::int64_t goal, GroundOperation operation, Failure why);

@@ -6,9 +6,10 @@
 ;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP
 ;;        ((NAME FAMILY NUMBER SIDE) ...) BACKGROUND TABLE-PICTURE LENS))
 ;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take, in
-;; images of WIDTH and HEIGHT; ROOM is that of the arm, or (); DRIVER how its controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the
-;; simulated arm; OBJECTS the folder of the object database, or empty; SLAVE the second arm,
-;; (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or (); RATE how often a second the arm tells its state.
+;; images of WIDTH and HEIGHT; ROOM is that of the arm, or (); DRIVER how its controller is reached,
+;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm; OBJECTS the folder of the object database, or
+;; empty; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or (); RATE how often a second the
+;; arm tells its state.
 ;; The modules used below say the rest: cubes, CUBE-SIZE, OPENINGS, ROW; hosts, BOARD-..., agents that are Scheme files;
 ;; PAN-TILT, DOOR, and the tags that the eyes look for; CAMERA, the agent's own, or () for the simulated ones; GRIPPER,
 ;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,

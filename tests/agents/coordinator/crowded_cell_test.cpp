@@ -284,7 +284,7 @@ TEST(CrowdedCell, BringsACubeIntoViewOnWhichAnotherDidNotStay) {
   EXPECT_EQ(fallen, 1);
 }
 
-// What the fingers met on their way down lies otherwise afterwards.
+// The fingers move the cube that they meet on their way down.
 TEST(CrowdedCell, GoesDownAgainWhereACollisionEndedTheWayDownToACubeBeforeTheImages) {
   FakeCell cell("blocks.scm", {{"circle", {530, -60, 30}}, {"square", {450, 100, 30}}});
   cell.covered = [&cell](const std::string& name) { return cell.cubes[name].x() > 590; };

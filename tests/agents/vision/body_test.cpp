@@ -242,7 +242,8 @@ TEST(Body, IsToldByTheNewestFrameAlone) {
   EXPECT_EQ(body_sighting(cube(), marks, front).by, std::vector<std::string>{"right"});
 }
 
-// What is wrong with a cell file of so many bodies, each of which has so many marks at that distance.
+// Reads a cell file of so many bodies, each with so many marks at that distance. Answers the error's
+// sentence, or nothing.
 std::string fault_of_file(std::size_t bodies, std::size_t marks, double distance_mm) {
   std::string tagged;
   std::string defined;

@@ -70,7 +70,7 @@ class Tags : public testing::Test {
   Time now = {};
 };
 
-// Who walks along the contour counts its rows from the box.
+// The eyes count the contour's rows from the top of the box.
 TEST_F(Tags, HaveTheirContourWithinTheirBoxWhereverInAPixelTheirCornersAre) {
   const cv::Point2d first = scene.marks.front().centre;
   for (const double right : {0.0, 0.2, 0.4, 0.6, 0.8}) {

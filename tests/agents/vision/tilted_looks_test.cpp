@@ -204,7 +204,7 @@ class CoveredSquare : public testing::Test {
   TiltedLooks looks_;
 };
 
-// What is left looks like a square aslant as well, on ground that no square has: the three sides in view speak for one
+// The rest looks like a square aslant as well, on ground that no square has. The three sides in view speak for a square
 // that faces the camera.
 TEST_F(CoveredSquare, IsFoundWhereItIsWithAQuarterHidden) {
   const Result<FoundMark> found = find_with(15.4);

@@ -12,7 +12,8 @@ std::string fault(const WorldConfig& config) {
   return checked ? "" : checked.error().sentence;
 }
 
-// What is wrong with a cell file whose world has so many of what `form` writes at a place of its own.
+// Reads a cell file with `count` things, each as `form` writes it at a place of its own. Answers the
+// error's sentence, or nothing.
 std::string fault_of_file(std::size_t count, fmt::format_string<std::size_t&, std::size_t&, int&> form) {
   std::string world;
   for (std::size_t i = 0; i < count; ++i) {
