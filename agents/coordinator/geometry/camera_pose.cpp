@@ -75,6 +75,11 @@ double deviation_px(const MarkPair& pair) {
   return std::hypot(look_px / std::sqrt(pair.looks), lasting_px);
 }
 
+Eigen::Vector3d eigenvalues_of(const Eigen::Matrix3d& symmetric) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  return solver.computeDirect(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
 SeenMark expected_mark(const MountedCamera& camera, const MarkPair& pair, const CameraModel& model) {
   return seen_mark(CameraView(camera.pose, model, pair.head), pair.tool * camera.mark_mm);
 }
@@ -130,8 +135,8 @@ std::optional<forms::CameraPose> pose_from_pairs(const Eigen::Vector3d& mark_mm,
     said.col(static_cast<Eigen::Index>(i)) = pairs[i].tool * mark_mm;
   }
   const Eigen::Matrix3Xd apart = said.colwise() - said.rowwise().mean();
-  const Eigen::Vector3d ways = apart.jacobiSvd().singularValues() / std::sqrt(static_cast<double>(pairs.size()));
-  if (ways[1] < least_way_mm) return std::nullopt;
+  const Eigen::Matrix3d scatter = apart * apart.transpose() / static_cast<double>(pairs.size());
+  if (eigenvalues_of(scatter)[1] < least_way_mm * least_way_mm) return std::nullopt;
   const Eigen::Matrix4d pose = Eigen::umeyama(seen, said, false);
   return pose_of_axes(pose.topRightCorner<3, 1>(), pose.topLeftCorner<3, 3>(), pairs[0].head);
 }
@@ -142,7 +147,7 @@ double MountFit::spread_mm(const Eigen::Vector3d& point_mm) const {
     return CameraView(camera_of(numbers, {}).pose, {}).from_camera(seen);
   });
   const Eigen::Matrix3d placed = slope * covariance * slope.transpose();
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(placed).eigenvalues().maxCoeff());
+  return std::sqrt(eigenvalues_of(placed)[2]);
 }
 
 Surprise surprise(const MountFit& fit, const MarkPair& pair, const CameraModel& model) {

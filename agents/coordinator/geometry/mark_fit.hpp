@@ -29,6 +29,9 @@ struct MarkFit {
 // Of a pair's looks together, each coordinate.
 double deviation_px(const MarkPair& pair);
 
+// Of a symmetric matrix, the least first. Its closed form: the iterative one takes ten seconds to compile.
+Eigen::Vector3d eigenvalues_of(const Eigen::Matrix3d& symmetric);
+
 // How what `value` answers, three numbers, changes with each of N.
 template <int N, class Value>
 Eigen::Matrix<double, 3, N> slopes(const Numbers<N>& numbers, const Value& value) {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include "agents/coordinator/geometry/mark_fit.hpp"
+
 namespace pizarra::coordinator {
 
 std::optional<PixelMap> PixelMap::from(std::span<const MarkPair> pairs) {
@@ -19,8 +21,7 @@ std::optional<PixelMap> PixelMap::from(std::span<const MarkPair> pairs) {
   places.rowwise() -= places.colwise().mean().eval();
   pixels.rowwise() -= pixels.colwise().mean().eval();
   const Eigen::Matrix3d scatter = places.transpose() * places;
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  if (least < least_way_mm * least_way_mm) return std::nullopt;
+  if (eigenvalues_of(scatter)[0] < least_way_mm * least_way_mm) return std::nullopt;
   const Eigen::Matrix<double, 3, 2> slopes = scatter.ldlt().solve(places.transpose() * pixels);
   return PixelMap(slopes.transpose());
 }
