@@ -21,6 +21,8 @@ constexpr int strange_looks_of_a_place = 3;
 constexpr double elsewhere_mm = 40;
 // Looks that tell of one pose agree with it so well.
 constexpr double one_pose_px = 1;
+// Of three places one may be wrong, and bend the pose so that it agrees with all of them.
+constexpr std::size_t least_places = 4;
 constexpr double mark_sure_mm = 0.5;
 constexpr Sureness after_a_move{.at_mm = 30, .turned_deg = 3, .mark_mm = mark_sure_mm};
 constexpr Sureness as_measured{.at_mm = 1.5, .turned_deg = 0.15, .mark_mm = mark_sure_mm};
@@ -44,6 +46,18 @@ bool add(std::vector<MarkPair>& pairs, const MarkPair& pair, std::size_t most) {
   ++known->looks;
   known->seen += (pair.seen - known->seen) / known->looks;
   return true;
+}
+
+// That lie apart from each other.
+std::size_t places_in(const std::vector<MarkPair>& pairs) {
+  std::vector<Eigen::Vector3d> places;
+  for (const MarkPair& pair : pairs) {
+    const Eigen::Vector3d at = pair.tool.translation();
+    const bool is_new =
+        std::ranges::all_of(places, [&](const Eigen::Vector3d& place) { return (at - place).norm() >= elsewhere_mm; });
+    if (is_new) places.push_back(at);
+  }
+  return places.size();
 }
 
 int looks_in(const std::vector<MarkPair>& pairs) {
@@ -79,6 +93,8 @@ void CameraWatch::begin_anew(const Sureness& sure, std::vector<MarkPair> pairs, 
   strange_.clear();
   doubtful_ = false;
   fit(model);
+  // A guess that is so sure was measured by others.
+  confirmed_ = pairs_.empty() && spread_mm_ <= most_spread_mm;
 }
 
 void CameraWatch::place_by(const forms::CameraPose& pose) {
@@ -104,10 +120,12 @@ CameraWatch::News CameraWatch::take_first(const MarkPair& pair, const CameraMode
 }
 
 CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraModel& model) {
-  strange_.clear();
   doubtful_ = false;
-  if (!add(pairs_, pair, most_pairs)) return News::nothing;
-  fit(model);
+  const bool is_new = add(pairs_, pair, most_pairs);
+  if (is_new) fit(model);
+  std::erase_if(strange_, [&](const MarkPair& other) { return confirmed_ || same_place(pair, other); });
+  confirmed_ = confirmed_ || is_confirmed();
+  if (!is_new) return News::nothing;
   double off_mm = 0;
   for (const Eigen::Vector3d& point : row_) off_mm = std::max(off_mm, apart_mm(pose_, fit_.camera.pose, point));
   if (off_mm < least_shift_mm || off_mm < sure_deviations * spread_mm_) return News::nothing;
@@ -129,10 +147,20 @@ CameraWatch::News CameraWatch::take_strange(const MarkPair& pair, const CameraMo
   return News::doubtful;
 }
 
-bool CameraWatch::tell_of_one_pose(const MountFit& moved) const {
+std::vector<MarkPair> CameraWatch::strange_well_seen() const {
   std::vector<MarkPair> well_seen;
   std::ranges::copy_if(strange_, std::back_inserter(well_seen),
                        [](const MarkPair& pair) { return pair.looks >= strange_looks_of_a_place; });
+  return well_seen;
+}
+
+// Places that do not agree with it are outvoted.
+bool CameraWatch::is_confirmed() const {
+  return places_in(pairs_) >= least_places + places_in(strange_well_seen()) && fit_.error_px <= one_pose_px;
+}
+
+bool CameraWatch::tell_of_one_pose(const MountFit& moved) const {
+  const std::vector<MarkPair> well_seen = strange_well_seen();
   const bool elsewhere = std::ranges::any_of(well_seen, [&](const MarkPair& pair) {
     return (pair.tool.translation() - well_seen.front().tool.translation()).norm() >= elsewhere_mm;
   });

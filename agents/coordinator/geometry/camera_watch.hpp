@@ -7,6 +7,8 @@
 // not agree make it doubtful: the arm's word may be old as well. Where the arm has been elsewhere meanwhile and both
 // places tell of one and the same other pose, the camera was moved. All is solved anew from there.
 //
+// A pose that was made from looks is known once so many places agree that a wrong one among them would not.
+//
 //   CameraWatch watch(believed, row);
 //   if (watch.take(pair, model) == CameraWatch::News::moved) ...
 //   watch.pose();                    // by which things are placed
@@ -34,7 +36,7 @@ class CameraWatch {
   // Nothing at all is known of it yet: what is seen has pixels, and no place.
   bool unknown() const { return unknown_; }
   bool doubtful() const { return doubtful_; }
-  bool known() const { return !unknown_ && !doubtful_ && spread_mm_ <= most_spread_mm; }
+  bool known() const { return !unknown_ && !doubtful_ && confirmed_ && spread_mm_ <= most_spread_mm; }
   // Looks at the mark that agree, one a place of the tool.
   const std::vector<MarkPair>& pairs() const { return pairs_; }
   // How far things in the row may be placed off.
@@ -48,6 +50,8 @@ class CameraWatch {
   News take_first(const MarkPair& pair, const CameraModel& model);
   News take_agreeing(const MarkPair& pair, const CameraModel& model);
   News take_strange(const MarkPair& pair, const CameraModel& model);
+  std::vector<MarkPair> strange_well_seen() const;
+  bool is_confirmed() const;
   bool tell_of_one_pose(const MountFit& moved) const;
   // From the pose by which things are placed now.
   void begin_anew(const Sureness& sure, std::vector<MarkPair> pairs, const CameraModel& model);
@@ -58,13 +62,14 @@ class CameraWatch {
   MountedCamera guess_;
   Sureness sure_;
   std::vector<MarkPair> pairs_;    // that agree; one a place of the tool, the oldest first
-  std::vector<MarkPair> strange_;  // that did not, since the last that did
+  std::vector<MarkPair> strange_;  // that did not, since the last that did; before the pose is confirmed all of them
   MountFit fit_;
   forms::CameraPose pose_;
   double spread_mm_ = 0;
   double shift_mm_ = 0;
   bool unknown_ = false;
   bool doubtful_ = false;
+  bool confirmed_ = false;  // by places enough that agree
 };
 
 }  // namespace pizarra::coordinator

@@ -82,10 +82,11 @@ void DeviceFacts::take_foot(const Change& change) {
 
 void DeviceFacts::take_arm(const Change& change) {
   const Datum* arm = newest(change);
-  const bool moving = arm != nullptr && (*arm)[2].is_symbol("moving");
+  // Of an agent that died nobody knows whether its arm still moves.
+  const bool rests = arm != nullptr && !(*arm)[2].is_symbol("moving");
   rests_since_.reset();
-  if (arm != nullptr && !moving) rests_since_ = change.added.back().facts.front().when;
-  scene_.take_arm(moving);
+  if (rests) rests_since_ = change.added.back().facts.front().when;
+  scene_.take_arm(rests);
 }
 
 }  // namespace pizarra::coordinator

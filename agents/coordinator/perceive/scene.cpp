@@ -72,8 +72,8 @@ std::optional<double> Scene::tool_yaw_deg() const {
   return std::atan2(tool_->linear()(1, 0), tool_->linear()(0, 0)) * 180 / std::numbers::pi;
 }
 
-void Scene::take_arm(bool moving) {
-  moving_ = moving;
+void Scene::take_arm(bool rests) {
+  rests_ = rests;
   pose_look_ = sightings_.looks();
 }
 
@@ -116,8 +116,8 @@ CameraWatch::News Scene::take_look(std::int64_t frame, const forms::PerceivedLoo
 
 // As far as it says, and its mark is seen.
 bool Scene::arm_rests() const {
-  const bool rests = sightings_.looks() >= pose_look_ + looks_till_rest;
-  return tool_ && !moving_ && rests && sightings_.recent(options_.gripper.mark, 1);
+  const bool long_enough = sightings_.looks() >= pose_look_ + looks_till_rest;
+  return tool_ && rests_ && long_enough && sightings_.recent(options_.gripper.mark, 1);
 }
 
 // The look was placed by the view that is taken back here.

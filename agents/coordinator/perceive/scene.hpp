@@ -81,7 +81,7 @@ class Scene {
   void take_pose(const Eigen::Isometry3d& tool);
   void take_foot(const Eigen::Vector3d& foot_mm) { foot_mm_ = foot_mm; }
   // While it moves its word for where it is may be old.
-  void take_arm(bool moving);
+  void take_arm(bool rests);
   // An object that the gripper hides may not be where it was.
   void doubt_hidden() { sightings_.end_excuses(); }
   void doubt_camera() { camera_.doubt(); }
@@ -123,7 +123,7 @@ class Scene {
   std::optional<double> opening_mm_;
   std::optional<Eigen::Isometry3d> tool_;  // by the arm's word
   Eigen::Vector3d foot_mm_ = Eigen::Vector3d::Zero();
-  bool moving_ = false;                                    // by the arm's word, as the pose is
+  bool rests_ = false;                                     // by the arm's word, as the pose is
   std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose, or came to rest
   Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen
 };

@@ -16,7 +16,7 @@ constexpr int most_pauses = 3;
 constexpr int most_rounds = 150;
 constexpr int most_plans = 30;
 constexpr int most_failures = 25;
-constexpr int most_failures_of_one = 5;
+constexpr int most_failures_in_a_row = 5;  // of one operation, while no other succeeds
 // Failures of one operation till something else is tried.
 constexpr int failures_till_otherwise = 2;
 // Verdicts of one attempt after another that may come of a camera that was moved.
@@ -141,6 +141,7 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
       progress.expected = once_done(next);
       progress.announced = next.index + 1;
       progress.failures_of.erase(next.rest.front().name);
+      progress.failures_in_a_row.clear();
       continue;
     }
     const Result<void> recovered = co_await recover(goal.number, next.rest.front(), done.error(), progress);
@@ -189,7 +190,8 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
     co_return Result<void>();
   }
   const int failures = ++progress.failures_of[operation.name];
-  const bool too_often = ++progress.failures > most_failures || failures > most_failures_of_one;
+  const int in_a_row = ++progress.failures_in_a_row[operation.name];
+  const bool too_often = ++progress.failures > most_failures || in_a_row > most_failures_in_a_row;
   if (too_often) co_return fail(why);
   const bool in_vain = failures % failures_till_otherwise == 0;
   if (in_vain) co_await try_otherwise(goal, operation, std::move(why));

@@ -50,9 +50,10 @@ class Pursuit {
  private:
   // How far the rounds of one goal have come.
   struct Progress {
-    std::optional<NextOperation> expected;  // what is handed out next unless something differs
-    std::optional<std::size_t> announced;   // the one that the story has said to be next
-    std::map<Datum, int> failures_of;
+    std::optional<NextOperation> expected;          // what is handed out next unless something differs
+    std::optional<std::size_t> announced;           // the one that the story has said to be next
+    std::map<Datum, int> failures_of;               // of each operation, since it succeeded
+    std::map<Datum, int> failures_in_a_row;         // since any did
     std::map<std::string, int> carries_to_cut_off;  // to each object that the images cut off
     int failures = 0;
     int plans = 0;

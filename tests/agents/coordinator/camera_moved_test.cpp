@@ -117,6 +117,21 @@ TEST_F(CameraMoved, AnArmWhoseWordComesLateIsNoReasonToDoubtTheCamera) {
   EXPECT_EQ(cell.times_told("(camera-pose ? ? ? ? ? ? doubtful ? ?)"), 0);
 }
 
+// Its word goes with it, and the last of that is from the middle of the motion.
+TEST_F(CameraMoved, AnArmWhoseAgentDiedInAMotionIsNoReasonToDoubtTheCamera) {
+  begin();
+  cell.word_late = 1s;
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK circle triangle) running)", 60s));
+  ASSERT_TRUE(cell.run_until("(arm robot moving ?)", 10s));
+  cell.run_for(50ms);
+  cell.stop_robot();
+  cell.forget("(arm robot ? ?)");
+  cell.forget("(arm-pose robot ? ? ? ? ? ?)");
+  cell.run_for(5s);
+  EXPECT_EQ(cell.times_told("(camera-pose ? ? ? ? ? ? doubtful ? ?)"), 0);
+}
+
 TEST_F(CameraMoved, AMarkThatIsNeverSeenIsRefusedWithWhatToDo) {
   cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
   cell.mark_hidden = [] { return true; };

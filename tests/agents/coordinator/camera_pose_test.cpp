@@ -240,6 +240,31 @@ TEST(CameraWatch, FindsACameraThatIsBumpedAgainWhileItIsInDoubt) {
   }
 }
 
+// The arm was stopped a little before the second place, and its word was from the motion.
+TEST(CameraWatch, KnowsNoPoseThatOneWrongLookAmongThreeBends) {
+  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    SCOPED_TRACE(seed);
+    Watched cell({}, {}, seed);
+    for (int i = 0; i < 6; ++i) cell.stop_at(somewhere(cell.random));
+    cell.stands = off_by({}, 15, 1.5, cell.random);
+    const auto at = [](double x_mm, double y_mm, double z_mm) { return tool_pose({x_mm, y_mm, z_mm}, 180, 0, 0); };
+    cell.stop_at(at(360, -160, 300));
+    for (int i = 0; i < 10; ++i) {
+      MarkPair late = look(cell.stands, at(500, 160, 280), 0.15, cell.random);
+      late.tool = at(500, 160, 300);
+      cell.watch.take(late, model);
+    }
+    const Eigen::Isometry3d places[] = {at(360, 160, 300),  at(500, -160, 200), at(360, 0, 200),   at(500, 0, 300),
+                                        at(360, -160, 200), at(500, 160, 300),  at(360, -160, 300)};
+    for (int stop = 0; stop < 14; ++stop) {
+      cell.stop_at(places[stop % std::size(places)]);
+      EXPECT_TRUE(!cell.watch.known() || worst_mm(cell.stands, cell.watch.pose()) < 15);
+    }
+    EXPECT_TRUE(cell.watch.known());
+    EXPECT_LT(worst_mm(cell.stands, cell.watch.pose()), 6);
+  }
+}
+
 TEST(CameraWatch, ForgivesAnOldWordOfTheArm) {
   Watched cell({}, {}, 1);
   const Eigen::Isometry3d here = tool_pose({450, -100, 300}, 180, 0, 0);

@@ -327,6 +327,23 @@ TEST_F(Coordinator, NoticesAtOnceThatTheRaisedArmLeftACubeWhereItLay) {
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
 }
 
+// It slides off what it is put on, and is picked up again each time.
+TEST_F(Coordinator, TriesAnOperationAgainAsLongAsOthersSucceedBetween) {
+  int falls = 0;
+  cell.covered = [&](const std::string& name) {
+    Eigen::Vector3d& circle = cell.cubes["circle"];
+    const bool is_stacked = name == "circle" && cell.held.empty() && circle.z() > 60;
+    if (is_stacked && falls < 8) {
+      ++falls;
+      circle = {450, -150, 30};
+    }
+    return false;
+  };
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 300s)) << write(Datum::list(cell.facts("(goal-state ? ? ?)")));
+  EXPECT_EQ(cell.times_told("(operation ? (STACK circle triangle) failed)"), 8);
+}
+
 TEST_F(Coordinator, BuildsAgainWhatIsKnockedOverBeforeItHasSettled) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(on circle triangle)", 60s));
