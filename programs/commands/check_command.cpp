@@ -12,6 +12,7 @@
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/check_agent.hpp"
 #include "programs/commands/check_planning.hpp"
+#include "programs/commands/check_sight.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/goal_text.hpp"
 #include "programs/host/this_host.hpp"
@@ -42,10 +43,19 @@ Result<std::string> check_domain(const forms::CellDescription& cell) {
   return check_domain(cell.domain_file);
 }
 
+void warn(const std::string& file, const std::string& sentence) {
+  fmt::print(stderr, "{}: warning: {}\n", text_of_bytes(file), text_of_bytes(sentence));
+}
+
 // A cell with the domain that it names.
-Result<std::string> check_cell_whole(const forms::CellDescription& cell) {
+Result<std::string> check_cell_whole(const std::string& file, const forms::CellDescription& cell) {
   const Result<simulation::WorldConfig> sound = launcher::world_config(cell, 1);
   if (!sound) return fail(sound);
+  if (cell.eyes.sources.empty()) {
+    for (const std::string& cube : cubes_out_of_sight(*sound)) {
+      warn(file, fmt::format("the images do not show all of the cube {} where it stands", cube));
+    }
+  }
   const bool has_domain = !cell.domain_file.empty() || story::needs_domain(cell);
   const Result<std::string> domain = has_domain ? check_domain(cell) : "no domain";
   if (!domain) return fail(domain);
@@ -69,10 +79,6 @@ bool sees_from_here(const forms::CellDescription& cell) {
   return host && std::ranges::find(host->agents, "vision") != host->agents.end();
 }
 
-void warn(const std::string& file, const std::string& sentence) {
-  fmt::print(stderr, "{}: warning: {}\n", text_of_bytes(file), text_of_bytes(sentence));
-}
-
 // A file that is missing now may come before the cell is run.
 void warn_of_missing_recordings(const std::string& file, const forms::CellDescription& cell) {
   if (!sees_from_here(cell)) return;
@@ -93,7 +99,7 @@ Result<std::string> check_cell(const std::string& file) {
   const Result<void> calibrated = check_calibration(cell->eyes);
   if (!calibrated) return fail(calibrated);
   warn_of_missing_recordings(file, *cell);
-  return check_cell_whole(*cell);
+  return check_cell_whole(file, *cell);
 }
 
 Result<std::string> check_arm(const std::string& file) {
@@ -117,7 +123,7 @@ Result<std::string> check_scenario_file(const std::string& file) {
   if (!playable) return fail(playable);
   const Result<forms::CellDescription> cell = story::cell_of(*scenario);
   if (!cell) return fail(cell);
-  const Result<std::string> whole = check_cell_whole(*cell);
+  const Result<std::string> whole = check_cell_whole(file, *cell);
   if (!whole) return fail(whole);
   return fmt::format("scenario \"{}\": {}; {}", scenario->name, counted(scenario->events.size(), "event"), *whole);
 }

@@ -305,6 +305,18 @@ TEST(Words, CheckTellsEveryErrorOfACellFile) {
   EXPECT_TRUE(contains(said, "nearest is arm")) << said.text;
 }
 
+TEST(Words, CheckWarnsOfACubeThatTheImagesDoNotShow) {
+  const std::string file = scratch_folder() + "beside.scm";
+  std::ofstream(file) << "(cell c (world (cube circle (at 450 0)) (cube star (on circle)) (cube cross (at 450 330))"
+                      << " (cube square (on cross))) (domain \"" << source_dir() << "/domains/blocks.scm\"))";
+  const Said said = run("check " + file);
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "beside.scm: warning: the images do not show all of the cube cross ")) << said.text;
+  EXPECT_TRUE(contains(said, "the cube square ")) << said.text;
+  EXPECT_FALSE(contains(said, "circle")) << said.text;
+  EXPECT_FALSE(contains(said, "star")) << said.text;
+}
+
 TEST(Words, CheckFindsTheShippedFilesInOrder) {
   const std::string top = source_dir();
   const Said said =
