@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "agents/runtime/follow.hpp"
+#include "agents/runtime/stop_fact.hpp"
 #include "blackboard/away.hpp"
 
 namespace pizarra::robot {
@@ -15,9 +16,7 @@ Failure stopped(std::string sentence, Datum subject) {
   return {"stopped", std::move(sentence), std::move(subject), {}};
 }
 
-Failure stopped_by(const Datum& stop) {
-  return stopped(fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
-}
+Failure stopped_by(const Datum& stop) { return stopped(runtime::stop_in_words(stop), stop); }
 
 bool among(const std::map<FactId, std::string>& names, const std::string& name) {
   return std::ranges::any_of(names, [&](const auto& entry) { return entry.second == name; });
@@ -118,7 +117,7 @@ void Reflex::gone(const std::string& client) {
 Result<void> Reflex::allows(const std::string& client) const {
   if (!stops_.empty()) {
     const Datum& stop = stops_.begin()->second;
-    return fail("halted", fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
+    return fail("halted", runtime::stop_in_words(stop), stop);
   }
   const std::string* now = commander();
   if (now != nullptr && *now != client) {

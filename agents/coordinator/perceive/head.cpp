@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/retried_commit.hpp"
+#include "agents/runtime/stop_fact.hpp"
 
 namespace pizarra::coordinator {
 
@@ -24,11 +25,11 @@ Task<Result<void>> Head::may_turn() {
   const Datum who = Datum::symbol(holder.server);
   if (!holder.is_present()) co_return fail("head-away", "the pan-tilt agent is not there", who);
   if (!surroundings_.scene().head()) co_return fail("head-away", "nobody knows where the head looks", who);
-  const Datum of_stops = list("stop"_sym, "?"_sym, "?"_sym);
+  const Datum of_stops = runtime::any_stop();
   const std::vector<Fact> stops = co_await facts_now(context_.board, context_.executor, of_stops);
   if (!stops.empty()) {
     const Datum& stop = stops.front().datum;
-    co_return fail("halted", fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
+    co_return fail("halted", runtime::stop_in_words(stop), stop);
   }
   const Datum of_target = list("looking-at"_sym, "?"_sym);
   const std::vector<Fact> targets = co_await facts_now(context_.board, context_.executor, of_target);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/retried_commit.hpp"
+#include "agents/runtime/stop_fact.hpp"
 
 namespace pizarra::coordinator {
 
@@ -49,7 +50,7 @@ Task<Result<void>> HoldUp::await_end(Failure why) {
 }
 
 Task<void> HoldUp::await_no_stop() {
-  const Datum pattern = list("stop"_sym, "?"_sym, "?"_sym);
+  const Datum pattern = runtime::any_stop();
   pause_ = {};
   while (!vigil_.interrupted()) {
     const std::vector<Fact> stops = co_await facts_now(context_.board, context_.executor, pattern);
