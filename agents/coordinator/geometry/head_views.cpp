@@ -71,8 +71,7 @@ std::vector<Eigen::Vector3d> table_within(const ElbowRoom& room, const Eigen::Ve
 }
 
 std::vector<HeadTurn> views_of(const HeadCamera& camera, const HeadRange& range, const HeadTurn& now,
-                               std::vector<Eigen::Vector3d> points) {
-  const double around_mm = ElbowRoom().cube_mm / 2;
+                               std::vector<Eigen::Vector3d> points, double around_mm) {
   erase_shown(points, CameraView(camera.pose, camera.model, now), around_mm);
   const std::vector<HeadTurn> turns = turns_within(range);
   std::vector<HeadTurn> views;

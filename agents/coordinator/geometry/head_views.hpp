@@ -4,7 +4,8 @@
 // within the arm's reach, or a set of objects together.
 //
 //   const Result<HeadRange> range = head_range_from_fact(fact);
-//   for (const HeadTurn& turn : views_of(camera, *range, now, table_within(room, foot_mm, camera))) ...
+//   const std::vector<Eigen::Vector3d> table = table_within(room, foot_mm, camera);
+//   for (const HeadTurn& turn : views_of(camera, *range, now, table, cube_mm / 2)) ...
 //   const std::optional<HeadTurn> all = turn_that_shows(camera, *range, marks, 40);
 //
 // Points are marks in the base frame, mm.
@@ -36,10 +37,10 @@ struct HeadCamera {
 std::vector<Eigen::Vector3d> table_within(const ElbowRoom& room, const Eigen::Vector3d& foot_mm,
                                           const HeadCamera& camera);
 
-// The fewest turns, at most six, that show nearly all of the points which `now` does not show. The one that shows most
-// comes first.
+// The fewest turns, at most six, that show nearly all of the points which `now` does not show, each with all within
+// `around_mm` of it. The one that shows most comes first.
 std::vector<HeadTurn> views_of(const HeadCamera& camera, const HeadRange& range, const HeadTurn& now,
-                               std::vector<Eigen::Vector3d> points);
+                               std::vector<Eigen::Vector3d> points, double around_mm);
 
 // The turn nearest the middle in which all within `around_mm` of every point shows; none where no turn shows them all.
 std::optional<HeadTurn> turn_that_shows(const HeadCamera& camera, const HeadRange& range,

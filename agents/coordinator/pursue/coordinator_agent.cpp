@@ -39,7 +39,7 @@ struct Life {
         goal(context, story, vigil),
         plan(planning, story),
         differences(surroundings, story),
-        head_search(options, surroundings, story, eyes, head, vigil),
+        head_search(options, domain, surroundings, story, eyes, head, vigil),
         search(context, options, domain, surroundings, story, eyes, head_search, plan, runner, rescues, vigil),
         replanning(context, surroundings, planning, plan, search, runner, rescues, vigil),
         pursuit(context, options, domain, surroundings, story, eyes, planning, plan, differences, search, replanning,

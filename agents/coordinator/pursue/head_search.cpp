@@ -10,8 +10,8 @@ namespace {
 
 // From one view: the first look or the second finds and places the object if it is there.
 constexpr int looks_of_a_view = 2;
-// Around a mark that is to stay in view while the arm works there.
-constexpr double kept_around_mm = 45;
+// Around a mark that is to stay in view while the arm works there, in cubes.
+constexpr double kept_around = 0.75;
 
 // A failure of the head alone: the search goes on without it.
 bool is_of_the_head(const Failure& why) {
@@ -63,8 +63,10 @@ Task<Result<bool>> HeadSearch::without_head(Failure why) {
 }
 
 Task<Result<bool>> HeadSearch::look_around(Search search) {
-  const std::vector<Eigen::Vector3d> table = table_within({}, surroundings_.scene().foot_mm(), search.camera);
-  const std::vector<HeadTurn> views = views_of(search.camera, search.range, search.before, table);
+  ElbowRoom room;
+  room.cube_mm = domain_.cube_mm();
+  const std::vector<Eigen::Vector3d> table = table_within(room, surroundings_.scene().foot_mm(), search.camera);
+  const std::vector<HeadTurn> views = views_of(search.camera, search.range, search.before, table, room.cube_mm / 2);
   const std::string begins = fmt::format("{} is not in view: the head turns to look for it", search.object);
   const Datum subject = Datum::symbol(search.object);
   co_await story_.tell("missing", begins, subject);
@@ -107,7 +109,8 @@ Task<Result<void>> HeadSearch::show_with_others(Search search) {
   if (!found) co_return Result<void>();
   std::vector<Eigen::Vector3d> marks = search.seen_mm;
   marks.push_back(found->place_mm);
-  const std::optional<HeadTurn> all = turn_that_shows(search.camera, search.range, marks, kept_around_mm);
+  const double around_mm = kept_around * domain_.cube_mm();
+  const std::optional<HeadTurn> all = turn_that_shows(search.camera, search.range, marks, around_mm);
   if (!all) co_return Result<void>();
   const Result<bool> shown = co_await look_from(*all, search.object);
   if (!shown) co_return fail(shown);

@@ -19,9 +19,15 @@ namespace pizarra::coordinator {
 class HeadSearch {
  public:
   // All outlive it.
-  HeadSearch(const CoordinatorOptions& options, Surroundings& surroundings, Story& story, Eyes& eyes, Head& head,
-             Vigil& vigil)
-      : options_(options), surroundings_(surroundings), story_(story), eyes_(eyes), head_(head), vigil_(vigil) {}
+  HeadSearch(const CoordinatorOptions& options, const TaskDomain& domain, Surroundings& surroundings, Story& story,
+             Eyes& eyes, Head& head, Vigil& vigil)
+      : options_(options),
+        domain_(domain),
+        surroundings_(surroundings),
+        story_(story),
+        eyes_(eyes),
+        head_(head),
+        vigil_(vigil) {}
 
   // Whether it is seen now.
   Task<Result<bool>> look_for(std::string object);
@@ -49,6 +55,7 @@ class HeadSearch {
   Task<Result<bool>> without_head(Failure why);
 
   const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
   Surroundings& surroundings_;
   Story& story_;
   Eyes& eyes_;
