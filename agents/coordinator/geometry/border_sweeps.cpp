@@ -98,19 +98,41 @@ bool is_free_to_pull(const Push& pull, const ElbowRoom& room, const std::vector<
   return std::ranges::none_of(standing, is_met);
 }
 
+// Where a cube may have left the images by their lower border: straight on from where it was lost, or `pitch` cubes
+// aside of that.
+struct Crossing {
+  double y_mm;
+  double border_mm;  // the x up to which all of a cube shows
+  double way_mm;     // how far it must have come
+};
+
+std::vector<Crossing> crossings(const ElbowRoom& room, double row_x_mm, const LostCube& lost, double pitch) {
+  std::vector<Crossing> out;
+  for (const double off : {0.0, -pitch, pitch}) {
+    const double aside_mm = off * room.cube_mm;
+    const double y_mm = lost.seen_mm.y() + aside_mm;
+    const std::optional<double> border_mm = border_before(room, row_x_mm, y_mm);
+    if (!border_mm) continue;
+    const double before_mm = std::max(0.0, *border_mm - lost.seen_mm.x());
+    out.push_back({y_mm, *border_mm, std::hypot(before_mm, aside_mm)});
+  }
+  return out;
+}
+
+// The x at which an arm that reaches so far ends.
+double furthest_x_mm(double reach_mm, double y_mm) {
+  return std::sqrt(std::max(0.0, reach_mm * reach_mm - y_mm * y_mm));
+}
+
 // Towards the arm, where it comes to places beyond a cube that the lower border cuts off.
 void add_pulls_before(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
                       const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
-  for (const double off : {0.0, -strip_pitch, strip_pitch}) {
-    const double aside_mm = off * room.cube_mm;
-    const double y_mm = lost.seen_mm.y() + aside_mm;
-    const double from_mm = std::sqrt(std::max(0.0, room.reach_high_mm * room.reach_high_mm - y_mm * y_mm));
-    const std::optional<double> border_mm = border_before(room, row_x_mm, y_mm);
-    const double touching_mm = room.cube_mm / 2 + room.finger_half_mm;
-    if (!border_mm || *border_mm + touching_mm > from_mm) continue;
-    const Push pull{{from_mm, y_mm}, {*border_mm - inside_mm + touching_mm, y_mm}};
-    const double before_mm = std::max(0.0, *border_mm - lost.seen_mm.x());
-    if (is_free_to_pull(pull, room, standing)) out.push_back({std::hypot(before_mm, aside_mm), pull});
+  const double touching_mm = room.cube_mm / 2 + room.finger_half_mm;
+  for (const auto& [y_mm, border_mm, way_mm] : crossings(room, row_x_mm, lost, strip_pitch)) {
+    const double from_mm = furthest_x_mm(room.reach_high_mm, y_mm);
+    if (border_mm + touching_mm > from_mm) continue;
+    const Push pull{{from_mm, y_mm}, {border_mm - inside_mm + touching_mm, y_mm}};
+    if (is_free_to_pull(pull, room, standing)) out.push_back({way_mm, pull});
   }
 }
 
@@ -128,17 +150,11 @@ bool is_free(const Eigen::Vector2d& grip_mm, const ElbowRoom& room, const std::v
 // side of that.
 void add_grips_before(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
                       const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
-  for (const double off : {0.0, -grip_pitch, grip_pitch}) {
-    const double aside_mm = off * room.cube_mm;
-    const double y_mm = lost.seen_mm.y() + aside_mm;
-    const double x_mm = std::sqrt(std::max(0.0, room.grip_high_mm * room.grip_high_mm - y_mm * y_mm));
-    const std::optional<double> border_mm = border_before(room, row_x_mm, y_mm);
-    const Eigen::Vector2d grip_mm(x_mm, y_mm);
-    const bool beyond_border = border_mm && *border_mm < x_mm;
-    if (!beyond_border || !is_free(grip_mm, room, standing)) continue;
-    const double before_mm = std::max(0.0, *border_mm - lost.seen_mm.x());
-    out.push_back({std::hypot(before_mm, aside_mm),
-                   {.from_mm = grip_mm, .to_mm = grip_mm, .face_deg = fingers_side_by_side_deg, .lifts = true}});
+  for (const auto& [y_mm, border_mm, way_mm] : crossings(room, row_x_mm, lost, grip_pitch)) {
+    const Eigen::Vector2d grip_mm(furthest_x_mm(room.grip_high_mm, y_mm), y_mm);
+    if (border_mm >= grip_mm.x() || !is_free(grip_mm, room, standing)) continue;
+    out.push_back(
+        {way_mm, {.from_mm = grip_mm, .to_mm = grip_mm, .face_deg = fingers_side_by_side_deg, .lifts = true}});
   }
 }
 
