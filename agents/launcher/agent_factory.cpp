@@ -226,15 +226,6 @@ bool needs_world(const std::string& agent, const forms::CellDescription& descrip
   return kind == "person";
 }
 
-// The same lens before a sensor that has more pixels on the same area.
-void resize(camera::StereoModel& model, const forms::CellImageSize& image) {
-  model.focal_px *= static_cast<double>(image.width_px) / model.width;
-  model.width = image.width_px;
-  model.height = image.height_px;
-  model.centre_x_px = (image.width_px - 1) / 2.0;
-  model.centre_y_px = (image.height_px - 1) / 2.0;
-}
-
 Result<simulation::WorldConfig> world_config(const forms::CellDescription& description, std::uint64_t seed) {
   simulation::WorldConfig config;
   Result<arm::ArmModel> arm = arm::read_arm_file(description.arm_file);
@@ -248,7 +239,7 @@ Result<simulation::WorldConfig> world_config(const forms::CellDescription& descr
   config.seed = seed;
   config.cube_mm = description.cube_mm;
   simulation::CameraConfig& camera = config.camera;
-  resize(camera.model, description.image);
+  camera.model = camera.model.with_size(description.image.width_px, description.image.height_px);
   camera.pose = description.world_camera;
   camera.head = description.head;
   camera.frames_per_s = description.frames_per_s;

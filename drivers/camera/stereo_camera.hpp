@@ -46,6 +46,16 @@ struct StereoModel {
   StereoDeviations deviations = {};
 
   bool is_single() const { return base_line_mm == 0; }
+  // The same lenses before sensors that have so many pixels on the same area.
+  StereoModel with_size(int width_px, int height_px) const {
+    StereoModel out = *this;
+    out.focal_px *= static_cast<double>(width_px) / width;
+    out.width = width_px;
+    out.height = height_px;
+    out.centre_x_px = (width_px - 1) / 2.0;
+    out.centre_y_px = (height_px - 1) / 2.0;
+    return out;
+  }
 };
 
 // Frames that were lost before anybody was given them.
