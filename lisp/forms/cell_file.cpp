@@ -7,12 +7,20 @@
 
 #include "lisp/forms/arm_names.hpp"
 #include "lisp/forms/file_paths.hpp"
+#include "lisp/forms/named_parts.hpp"
 #include "lisp/guile/scheme.hpp"
 #include "lisp/nearest.hpp"
 
 namespace pizarra::forms {
 
 namespace {
+
+// As (pizarra cell) tells them.
+constexpr std::string_view parts_of_a_cell[] = {
+    "name",        "camera",    "noise",    "cubes",      "arm",           "domain",   "board-host", "board-address",
+    "hosts",       "cube-size", "openings", "row",        "board-keys",    "pan-tilt", "room",       "driver",
+    "objects",     "eyes",      "slave",    "gripper",    "rate",          "agents",   "tags",       "door",
+    "camera-pose", "lamp",      "tagged",   "background", "table-picture", "lens",     "bodies",     "things"};
 
 std::vector<CellHost> hosts_from_datum(const Datum& hosts, const std::string& file) {
   std::vector<CellHost> out;
@@ -227,41 +235,45 @@ ThingPlacement thing_from_datum(const Datum& thing) {
           thing[7].number()};
 }
 
-CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
+CellDescription cell_from_parts(const NamedParts& parts, const std::string& file) {
   CellDescription cell;
-  cell.name = datum[0].text();
-  const Datum& camera = datum[1];
+  cell.name = parts.at("name").text();
+  const Datum& camera = parts.at("camera");
   cell.world_camera = camera_pose_from_datum(camera, camera[9]);
   cell.head = camera[6].text();
   cell.frames_per_s = static_cast<int>(camera[7].integer());
   cell.image = {static_cast<int>(camera[8][0].integer()), static_cast<int>(camera[8][1].integer())};
-  cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
-  for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
-  cell.arm_file = arm_file_from_datum(datum[4], file);
-  cell.arm = datum[4].is_string() ? std::filesystem::path(cell.arm_file).stem().string() : datum[4].text();
-  cell.domain_file = beside(file, std::string(datum[5].text()));
-  cell.board_host = datum[6].text();
-  cell.board_address = datum[7].text();
-  cell.hosts = hosts_from_datum(datum[8], file);
-  cell.cube_mm = datum[9].number();
-  cell.openings = {datum[10][0].number(), datum[10][1].number(), datum[10][2].number()};
-  cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
-  cell.board_keys = beside(file, std::string(datum[12].text()));
-  cell.pan_tilt = pan_tilt_from_datum(datum[13]);
-  cell.arm_room = room_from_datum(datum[14]);
-  cell.arm_line = arm_line_from_datum(datum[15]);
-  cell.arm_line.gripper = gripper_from_datum(datum[19]);
-  cell.objects_directory = beside(file, std::string(datum[16].text()));
-  cell.eyes = eyes_from_datum(datum[17], file);
-  cell.slave = slave_from_datum(datum[18], file);
-  cell.arm_rate_hz = datum[20].number();
-  cell.scheme_agents = scheme_agents_from_datum(datum[21], file);
-  cell.tags = tags_from_datum(datum[22]);
-  cell.door = door_from_datum(datum[23], file);
-  cell.second_lamp = lamp_from_datum(datum[25]);
-  for (const Datum& thing : datum[31].items()) cell.things.push_back(thing_from_datum(thing));
-  cell.tagged = tagged_from_datum(datum[26]);
-  for (const Datum& body : datum[30].items()) {
+  const Datum& noise = parts.at("noise");
+  cell.noise = {noise[0].number(), noise[1].number(), noise[2].number()};
+  for (const Datum& cube : parts.at("cubes").items()) cell.cubes.push_back(cube_from_datum(cube));
+  const Datum& arm = parts.at("arm");
+  cell.arm_file = arm_file_from_datum(arm, file);
+  cell.arm = arm.is_string() ? std::filesystem::path(cell.arm_file).stem().string() : arm.text();
+  cell.domain_file = beside(file, std::string(parts.at("domain").text()));
+  cell.board_host = parts.at("board-host").text();
+  cell.board_address = parts.at("board-address").text();
+  cell.hosts = hosts_from_datum(parts.at("hosts"), file);
+  cell.cube_mm = parts.at("cube-size").number();
+  const Datum& openings = parts.at("openings");
+  cell.openings = {openings[0].number(), openings[1].number(), openings[2].number()};
+  const Datum& row = parts.at("row");
+  cell.row = {row[0].number(), row[1].number(), row[2].number()};
+  cell.board_keys = beside(file, std::string(parts.at("board-keys").text()));
+  cell.pan_tilt = pan_tilt_from_datum(parts.at("pan-tilt"));
+  cell.arm_room = room_from_datum(parts.at("room"));
+  cell.arm_line = arm_line_from_datum(parts.at("driver"));
+  cell.arm_line.gripper = gripper_from_datum(parts.at("gripper"));
+  cell.objects_directory = beside(file, std::string(parts.at("objects").text()));
+  cell.eyes = eyes_from_datum(parts.at("eyes"), file);
+  cell.slave = slave_from_datum(parts.at("slave"), file);
+  cell.arm_rate_hz = parts.at("rate").number();
+  cell.scheme_agents = scheme_agents_from_datum(parts.at("agents"), file);
+  cell.tags = tags_from_datum(parts.at("tags"));
+  cell.door = door_from_datum(parts.at("door"), file);
+  cell.second_lamp = lamp_from_datum(parts.at("lamp"));
+  for (const Datum& thing : parts.at("things").items()) cell.things.push_back(thing_from_datum(thing));
+  cell.tagged = tagged_from_datum(parts.at("tagged"));
+  for (const Datum& body : parts.at("bodies").items()) {
     const auto marks = body.items().subspan(1);
     cell.bodies.push_back({std::string(body[0].text()), Datum::list({marks.begin(), marks.end()})});
   }
@@ -272,16 +284,18 @@ Result<CellDescription> interpret_cell(const Result<Source>& source) {
   if (!source) return fail(source);
   std::vector<Datum> arms;
   for (const std::string& name : arm_names()) arms.push_back(Datum::symbol(name));
-  const Result<Datum> cell = guile::interpret(*source, "cell", {Datum::list(std::move(arms))});
+  const Result<Datum> interpreted = guile::interpret(*source, "cell", {Datum::list(std::move(arms))});
+  if (!interpreted) return fail(interpreted);
+  const Result<NamedParts> cell = NamedParts::of(*interpreted, "cell", parts_of_a_cell);
   if (!cell) return fail(cell);
-  CellDescription described = cell_from_datum(*cell, source->file());
-  const Result<BelievedCamera> camera = believed_camera((*cell)[24], source->file());
+  CellDescription described = cell_from_parts(*cell, source->file());
+  const Result<BelievedCamera> camera = believed_camera(cell->at("camera-pose"), source->file());
   if (!camera) return fail(camera);
   described.camera = *camera;
-  described.background = picture_from_datum((*cell)[27], *source);
-  for (std::size_t i = 0; i < described.lens.size(); ++i) described.lens[i] = (*cell)[29][i].number();
-  described.table_picture = picture_from_datum((*cell)[28], *source);
-  described.camera_pose_file = beside(source->file(), std::string((*cell)[24][3].text()));
+  described.background = picture_from_datum(cell->at("background"), *source);
+  for (std::size_t i = 0; i < described.lens.size(); ++i) described.lens[i] = cell->at("lens")[i].number();
+  described.table_picture = picture_from_datum(cell->at("table-picture"), *source);
+  described.camera_pose_file = beside(source->file(), std::string(cell->at("camera-pose")[3].text()));
   return described;
 }
 

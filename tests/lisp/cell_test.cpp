@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "lisp/forms/cell_file.hpp"
+#include "lisp/forms/named_parts.hpp"
+#include "lisp/reader.hpp"
 
 namespace pizarra {
 namespace {
@@ -36,6 +38,19 @@ TEST(Cell, AGripperIsLaidOutAsItsSetupIsUnlessTheFileSaysOtherwise) {
         &forms::GripperSetup::force_field, &forms::GripperSetup::active, &forms::GripperSetup::object,
         &forms::GripperSetup::fault, &forms::GripperSetup::opening}) {
     EXPECT_EQ(given.*field, otherwise.*field);
+  }
+}
+
+TEST(Cell, ModulesOfAnotherVersionAreToldByThePartThatTheyDoNotTell) {
+  constexpr std::string_view names[] = {"arm", "hosts"};
+  const Datum told = read_one("((hosts (a b)) (arm crs-f3))").value();
+  const Result<forms::NamedParts> parts = forms::NamedParts::of(told, "cell", names);
+  ASSERT_TRUE(parts) << describe(parts.error());
+  EXPECT_EQ(parts->at("arm"), Datum::symbol("crs-f3"));
+  for (const char* other : {"((arm crs-f3))", "((arm crs-f3) (hosts))", "(crs-f3 (a b))", "()"}) {
+    const Result<forms::NamedParts> wrong = forms::NamedParts::of(read_one(other).value(), "cell", names);
+    ASSERT_FALSE(wrong) << other;
+    EXPECT_TRUE(wrong.error().sentence.starts_with("the module (pizarra cell) is of another version: it tells no "));
   }
 }
 

@@ -2,9 +2,9 @@
 
 ;; The bodies of a cell file with two tagged objects, or how many complaints it has and the first one.
 (define (bodies . given)
-  (cell-part 30 '(tagged (front apriltag-36h11 17 40) (top apriltag-36h11 18 40)) `(bodies ,@given)))
+  (cell-part 'bodies '(tagged (front apriltag-36h11 17 40) (top apriltag-36h11 18 40)) `(bodies ,@given)))
 
-(check "a cell may have no bodies" (cell-part 30) '())
+(check "a cell may have no bodies" (cell-part 'bodies) '())
 (check "a body has tagged objects at places of it, turned"
        (bodies '(box (front (0 0 -30) (0 0 0)) (Top (0 -30 0.5) (-90 0 0))))
        '((box ("front" (0 0 -30) (0 0 0)) ("top" (0 -30 0.5) (-90 0 0)))))

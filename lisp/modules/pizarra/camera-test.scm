@@ -2,10 +2,10 @@
 
 ;; The value of a cell file with these words in its (camera ...), or how many complaints it has and the first one.
 (define (camera . words)
-  (cell-part 17 `(camera ,@words)))
+  (cell-part 'eyes `(camera ,@words)))
 
 (check "a cell without words about cameras has the simulated ones"
-       (cell-part 17) '())
+       (cell-part 'eyes) '())
 (check "one camera leaves the rest to its device" (camera '(single (device 0)))
        '(single ((device "/dev/video0")) (0 0) 0 0 colour 0 "" 0 0 0))
 (check "all can be said"
@@ -18,7 +18,7 @@
 (check "one camera says where objects are when they are learned"
        (list-ref (camera '(single (images "shots")) '(learned-at 600)) 10) 600)
 (check "the cell's own cameras have no simulated person before them"
-       (cell-part 8 '(camera (single (device 0))))
+       (cell-part 'hosts '(camera (single (device 0))))
        '(("localhost" "" robot vision planner coordinator)))
 (check "a person asked for beside them is refused"
        (complaint '(camera (single (device 0))) '(host "a" (agents vision person))) '(1 unknown-agent (0 3 2 2)))
@@ -29,7 +29,7 @@
 (check "a plug-in is one file" (camera '(plugin "a.so" "b.so")) '(1 malformed (0 2 1 2)))
 (check "a plug-in takes no option" (camera '(plugin "libmycamera.so") '(rate 10)) '(1 malformed (0 2 2)))
 (check "a cell that looks through a plug-in has no simulated person"
-       (cell-part 8 '(camera (plugin "libmycamera.so")))
+       (cell-part 'hosts '(camera (plugin "libmycamera.so")))
        '(("localhost" "" robot vision planner coordinator)))
 (check "something must give images" (camera) '(1 malformed (0 2)))
 (check "an arrangement that is not known is refused" (camera '(twin (device 0))) '(1 unknown-name (0 2 1)))

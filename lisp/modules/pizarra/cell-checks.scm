@@ -2,7 +2,7 @@
 ;;
 ;; (complaint SECTION ...) reads a cell of these sections. It answers (ok ...), or (COUNT SYMBOL PATH): how many
 ;;   complaints there are, and the first one.
-;; (cell-part INDEX SECTION ...) answers that part of the cell's value, or the complaint.
+;; (cell-part NAME SECTION ...) answers that part of the cell's value, or the complaint.
 
 (define-module (pizarra cell-checks)
   #:use-module (pizarra cell)
@@ -14,6 +14,6 @@
         (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome)))
         outcome)))
 
-(define (cell-part index . sections)
+(define (cell-part name . sections)
   (let ((outcome (apply complaint sections)))
-    (if (eq? (car outcome) 'ok) (list-ref (cadr outcome) index) outcome)))
+    (if (eq? (car outcome) 'ok) (cadr (assq name (cadr outcome))) outcome)))

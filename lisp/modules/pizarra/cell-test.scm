@@ -1,35 +1,40 @@
 (use-modules (pizarra cell) (pizarra cell-checks) (pizarra checks))
 
 (check "what is left out has a default" (interpret '((cell c)))
-       '(ok (c (1330 0 200 0 0 0 "" 10 (320 240) ()) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10 () () () ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ()) () () () () (0 0 0 0 0) () ())))
+       '(ok ((name c) (camera (1330 0 200 0 0 0 "" 10 (320 240) ())) (noise (3 0.7 0.12)) (cubes ()) (arm crs-f3)
+             (domain "") (board-host "localhost") (board-address "")
+             (hosts (("localhost" "" robot vision planner coordinator person)))
+             (cube-size 60) (openings (76 84 96)) (row (450 -200 200)) (board-keys "") (pan-tilt ("" "" 0 ()))
+             (room ()) (driver ()) (objects "") (eyes ()) (slave ()) (gripper ()) (rate 10) (agents ()) (tags ())
+             (door ()) (camera-pose ((1330 0 200 0 0 0) (1 0.1) (30 0 -66) "" ())) (lamp ()) (tagged ())
+             (background ()) (table-picture ()) (lens (0 0 0 0 0)) (bodies ()) (things ()))))
 (check "a blur up to what the renderer can make is accepted" (car (complaint '(world (noise (blur 2))))) 'ok)
 (check "a wider blur is refused" (complaint '(world (noise (blur 2.1)))) '(1 out-of-range (0 2 1 1 1)))
 (define (agents-of . sections)
-  (cddar (apply cell-part 8 sections)))
+  (cddar (apply cell-part 'hosts sections)))
 (check "a second lamp has a place and a part of the light"
-       (list (cell-part 25 '(world (lamp (at 900 -600 1200)))) (cell-part 25 '(world (lamp (part 0.6) (at 0 0 900)))))
+       (list (cell-part 'lamp '(world (lamp (at 900 -600 1200)))) (cell-part 'lamp '(world (lamp (part 0.6) (at 0 0 900)))))
        '((900 -600 1200 0.4) (0 0 900 0.6)))
 (check "a lamp without a place, among the cubes or too bright is refused"
        (list (complaint '(world (lamp (part 0.4)))) (complaint '(world (lamp (at 900 -600 100))))
              (complaint '(world (lamp (at 900 -600 900) (part 0.8)))))
        '((1 malformed (0 2 1 2)) (1 out-of-range (0 2 1 1 3)) (1 out-of-range (0 2 1 2 1))))
 (check "a picture is a file, and where the text names it"
-       (list (cell-part 27 '(world (background "wall.jpg"))) (cell-part 28 '(world (table-picture "cloth.png"))))
+       (list (cell-part 'background '(world (background "wall.jpg"))) (cell-part 'table-picture '(world (table-picture "cloth.png"))))
        '(("wall.jpg" (0 2 1 1)) ("cloth.png" (0 2 1 1))))
 (check "a picture without a file, with an empty one or with two is refused"
        (list (complaint '(world (background))) (complaint '(world (background "")))
              (complaint '(world (table-picture "a.png" "b.png"))))
        '((1 malformed (0 2 1)) (1 malformed (0 2 1 1)) (1 malformed (0 2 1 2))))
 (check "a lens has the numbers of OpenCV, and those left out are none"
-       (list (cell-part 29 '(world (camera (lens -0.3)))) (cell-part 29 '(world (camera (lens -0.3 0.1 0.001 0 0.02)))))
+       (list (cell-part 'lens '(world (camera (lens -0.3)))) (cell-part 'lens '(world (camera (lens -0.3 0.1 0.001 0 0.02)))))
        '((-0.3 0 0 0 0) (-0.3 0.1 0.001 0 0.02)))
 (check "a lens without a number, with six or out of range is refused"
        (list (complaint '(world (camera (lens)))) (complaint '(world (camera (lens 0 0 0 0 0 0))))
              (complaint '(world (camera (lens -0.3 2)))))
        '((1 malformed (0 2 1 1)) (1 malformed (0 2 1 1)) (1 out-of-range (0 2 1 1 2))))
 (check "cameras on a pan-tilt unit bring the agent that turns it"
-       (list (list-ref (cell-part 1 '(world (camera (head ptu46-70)))) 6) (agents-of '(world (camera (head ptu46-70)))))
+       (list (list-ref (cell-part 'camera '(world (camera (head ptu46-70)))) 6) (agents-of '(world (camera (head ptu46-70)))))
        '(ptu46-70 (robot vision pan-tilt planner coordinator person)))
 (check "nobody moves a real arm by himself who is not named"
        (list (agents-of '(arm crs-f3)) (agents-of '(arm crs-f3 (driver hses "10.0.0.3")))
@@ -37,7 +42,7 @@
        '((robot vision planner coordinator person) (robot vision planner coordinator) (robot person)))
 ;; Where the camera stands, and where the agents take it to be.
 (define (camera-poses-of . sections)
-  (map (lambda (part) (apply cell-part part sections)) '(1 24)))
+  (map (lambda (part) (apply cell-part part sections)) '(camera camera-pose)))
 (check "agents take the camera to be where the world has it"
        (camera-poses-of '(world (camera (at 1350 0 210) (roll 1))))
        '((1350 0 210 0 0 1 "" 10 (320 240) ()) ((1350 0 210 0 0 1) (1 0.1) (30 0 -66) "" ())))
@@ -66,15 +71,15 @@
 (check "an agent without anything to turn is refused"
        (complaint '(host "a" (agents robot pan-tilt))) '(1 unknown-agent (0 2 2 2)))
 (check "what the eyes learn is kept in a folder where one is named"
-       (cell-part 16 '(objects "learned")) "learned")
+       (cell-part 'objects '(objects "learned")) "learned")
 (check "the folder of the objects is text" (complaint '(objects learned)) '(1 malformed (0 2 1)))
 (check "an arm may be given room"
-       (cell-part 14 '(arm crs-f3 (room (x 200 600) (z 20 700))))
+       (cell-part 'room '(arm crs-f3 (room (x 200 600) (z 20 700))))
        '((200 600) (-10000 10000) (20 700)))
 (check "an arm's room has its low ends first" (complaint '(arm crs-f3 (room (z 700 20)))) '(1 malformed (0 2 2 1)))
 ;; How the arm's controller is reached.
 (define (driver-of . parts)
-  (cell-part 15 `(arm crs-f3 ,@parts)))
+  (cell-part 'driver `(arm crs-f3 ,@parts)))
 (check "an arm's controller is reached by its protocol"
        (list (driver-of '(driver hses "10.0.0.3")) (driver-of '(room (z 20 700)) '(driver hses "up6" 10041)) (driver-of))
        '((hses ("10.0.0.3") (10040)) (hses ("up6") (10041)) ()))
@@ -95,11 +100,11 @@
 (check "a controller has no more ports than its protocol"
        (complaint '(arm crs-f3 (driver hses "a" 1 2))) '(1 malformed (0 2 2 4)))
 (check "an arm tells its state as often as its section says"
-       (cell-part 20 '(arm crs-f3 (rate 125))) 125)
+       (cell-part 'rate '(arm crs-f3 (rate 125))) 125)
 (check "an arm tells its state 500 times a second at most" (complaint '(arm crs-f3 (rate 501))) '(1 out-of-range (0 2 2 1)))
 ;; A second arm.
 (define (slave-of . parts)
-  (apply cell-part 18 parts))
+  (apply cell-part 'slave parts))
 (check "a second arm has a place for each of the first's"
        (list (slave-of '(slave crs-f3 (offset 10 -20 30) (mirror) (driver hses "up6")))
              (slave-of '(slave crs-f3 (room (z 20 700)))) (slave-of))

@@ -1,21 +1,29 @@
 ;; Cell files: see lisp/forms/cell_file.hpp for the language and for what is taken where something is left out.
 ;;
-;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME (X Y Z PAN TILT ROLL HEAD FRAMES (WIDTH HEIGHT) AXES) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN
-;;        BOARD-HOST BOARD-ADDRESS (HOST ...) CUBE-SIZE OPENINGS ROW BOARD-KEYS PAN-TILT ROOM DRIVER OBJECTS CAMERA
-;;        SLAVE GRIPPER RATE (AGENT ...) ((FAMILY SIDE) ...) DOOR CAMERA-POSE LAMP
-;;        ((NAME FAMILY NUMBER SIDE) ...) BACKGROUND TABLE-PICTURE LENS))
-;; HEAD is the simulated pan-tilt unit under the cameras or the empty string, FRAMES how many a second they take, in
-;; images of WIDTH and HEIGHT; ROOM is that of the arm, or (); DRIVER how its controller is reached,
-;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm; OBJECTS the folder of the object database, or
-;; empty; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or (); RATE how often a second the
-;; arm tells its state.
-;; The modules used below say the rest: cubes, CUBE-SIZE, OPENINGS, ROW; hosts, BOARD-..., agents that are Scheme files;
-;; PAN-TILT, DOOR, and the tags that the eyes look for; CAMERA, the agent's own, or () for the simulated ones; GRIPPER,
-;; or () for the arm's own; CAMERA-POSE, where the agents take the camera to be. LAMP is the world's second one,
-;; (X Y Z PART), or (); BACKGROUND and TABLE-PICTURE are photographs in it, (FILE PATH), PATH leading to where the
-;; text names the file, or (). LENS is the distortion of the simulated cameras, (K1 K2 P1 P2 K3).
-;; The last two are the bodies of several tags, and the world's plain things.
+;; (interpret DATA), the data of a file, answers (errors ...) or (ok ((PART VALUE) ...)). C++ reads the parts by their
+;; names (lisp/forms/cell_file.cpp):
+;;   name
+;;   camera         (X Y Z PAN TILT ROLL HEAD FRAMES (WIDTH HEIGHT) AXES), the world's: HEAD is the simulated pan-tilt
+;;                  unit under the cameras or the empty string, FRAMES how many a second they take
+;;   noise          (SENSOR BLUR GRADIENT)
+;;   lens           the distortion of the simulated cameras, (K1 K2 P1 P2 K3)
+;;   lamp           the world's second one, (X Y Z PART), or ()
+;;   background, table-picture   photographs in the world, (FILE PATH), PATH leading to where the text names the file,
+;;                  or ()
+;;   cubes, things  of the world; cube-size, openings and row belong to them (the modules cubes and things)
+;;   arm            its name, or its file
+;;   room           the arm's, or ()
+;;   driver         how the arm's controller is reached, (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm
+;;   gripper        or () for the arm's own (the module gripper)
+;;   rate           how often a second the arm tells its state
+;;   slave          the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or ()
+;;   eyes           the agent's own cameras, or () for the simulated ones (the module camera)
+;;   camera-pose    where the agents take the camera to be (the module camera-pose)
+;;   tags, tagged, bodies   ((FAMILY SIDE) ...), ((NAME FAMILY NUMBER SIDE) ...), and the bodies of several tags
+;;   objects        the folder of the object database, or empty
+;;   domain         the domain's file, or empty
+;;   board-host, board-address, board-keys, hosts, agents   the modules hosts and scheme-agents
+;;   pan-tilt, door the modules of these names
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -232,39 +240,40 @@
                 '(slave follower)))
     (when own-cameras
       (refuse-agent named-hosts 'person "the person is simulated, and sees nothing through the cell's own cameras"))
-    (list name
-          camera
-          (noise-of things)
-          cubes
-          (or (and arm (arm-of arm arms)) 'crs-f3)
-          (text-of-section found 'domain "the domain's file" "")
-          (first board)
-          (second board)
-          hosts
-          size
-          (openings-of things size)
-          (row-of things)
-          (third board)
-          pan-tilt
-          (room-of arm-parts)
-          (driver-of arm-parts)
-          (text-of-section found 'objects "the folder of the objects" "")
-          (if own-cameras (camera-of-section own-cameras) '())
-          (if slave (slave-of (node-within slave "in the second arm") arms) '())
-          (gripper-of arm-parts)
-          (rate-of arm-parts)
-          agents
-          (tags-of found)
-          (door-of found (third board))
-          (believed-camera-of found camera)
-          (lamp-of things)
-          tagged
-          (picture-of things 'background)
-          (picture-of things 'table-picture)
-          (lens-of things)
-          (bodies-of found tagged)
-          (things-of (filter-map (lambda (section) (and (memq (car section) '(brick cylinder)) (cdr section))) things)
-                     cubes))))
+    `((name ,name)
+      (camera ,camera)
+      (noise ,(noise-of things))
+      (cubes ,cubes)
+      (arm ,(or (and arm (arm-of arm arms)) 'crs-f3))
+      (domain ,(text-of-section found 'domain "the domain's file" ""))
+      (board-host ,(first board))
+      (board-address ,(second board))
+      (hosts ,hosts)
+      (cube-size ,size)
+      (openings ,(openings-of things size))
+      (row ,(row-of things))
+      (board-keys ,(third board))
+      (pan-tilt ,pan-tilt)
+      (room ,(room-of arm-parts))
+      (driver ,(driver-of arm-parts))
+      (objects ,(text-of-section found 'objects "the folder of the objects" ""))
+      (eyes ,(if own-cameras (camera-of-section own-cameras) '()))
+      (slave ,(if slave (slave-of (node-within slave "in the second arm") arms) '()))
+      (gripper ,(gripper-of arm-parts))
+      (rate ,(rate-of arm-parts))
+      (agents ,agents)
+      (tags ,(tags-of found))
+      (door ,(door-of found (third board)))
+      (camera-pose ,(believed-camera-of found camera))
+      (lamp ,(lamp-of things))
+      (tagged ,tagged)
+      (background ,(picture-of things 'background))
+      (table-picture ,(picture-of things 'table-picture))
+      (lens ,(lens-of things))
+      (bodies ,(bodies-of found tagged))
+      (things ,(things-of
+                (filter-map (lambda (section) (and (memq (car section) '(brick cylinder)) (cdr section))) things)
+                cubes)))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -1,13 +1,13 @@
 (use-modules (pizarra cell-checks) (pizarra checks))
 
 (define (cubes-in . cubes)
-  (cell-part 3 `(world ,@cubes)))
+  (cell-part 'cubes `(world ,@cubes)))
 
 (check "the gripper opens as the cubes' size asks"
-       (map (lambda (part) (cell-part part '(world (cube-size 50) (row (x 460) (y -150 150))))) '(9 10 11))
+       (map (lambda (part) (cell-part part '(world (cube-size 50) (row (x 460) (y -150 150))))) '(cube-size openings row))
        '(50 (66 74 86) (460 -150 150)))
 (check "openings are the file's where it says them"
-       (cell-part 10 '(world (openings 70 80 90)))
+       (cell-part 'openings '(world (openings 70 80 90)))
        '(70 80 90))
 (check "a cube that no gripper takes is refused" (complaint '(world (cube-size 70))) '(1 out-of-range (0 2 1 1)))
 (check "openings that a cube does not fit between are refused"

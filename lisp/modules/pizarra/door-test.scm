@@ -1,14 +1,14 @@
 (use-modules (pizarra cell-checks) (pizarra checks))
 
 (define (door . parts)
-  (cell-part 23 `(door ,@parts)))
+  (cell-part 'door `(door ,@parts)))
 
-(check "a cell has no door unless it says so" (cell-part 23) '())
+(check "a cell has no door unless it says so" (cell-part 'door) '())
 (check "a door is reached over TCP and serial lines"
        (door '(tcp 7801) '(serial "/dev/ttyUSB0" 9600) '(serial "/dev/ttyS1") '(keys "keys"))
        '(7801 (("/dev/ttyUSB0" 9600) ("/dev/ttyS1" 115200)) "keys"))
 (check "a door takes the board's keys"
-       (cell-part 23 '(board "localhost" "tcp://bench:7800" (keys "all")) '(door (tcp 1)))
+       (cell-part 'door '(board "localhost" "tcp://bench:7800" (keys "all")) '(door (tcp 1)))
        '(1 () "all"))
 (check "a door is reached somehow" (door '(keys "keys")) '(1 malformed (0 2)))
 (check "a door has keys" (door '(tcp 7801)) '(1 malformed (0 2)))

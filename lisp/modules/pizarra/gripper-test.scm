@@ -3,12 +3,12 @@
 ;; The value of a cell file with these words in its arm's (gripper ...), or how many complaints it has and the first
 ;; one.
 (define (gripper . words)
-  (cell-part 19 `(arm crs-f3 (gripper ,@words))))
+  (cell-part 'gripper `(arm crs-f3 (gripper ,@words))))
 
 (define driver '(driver modbus "10.0.0.9"))
 
 (check "an arm without words about its gripper has its own"
-       (cell-part 19 '(arm crs-f3)) '())
+       (cell-part 'gripper '(arm crs-f3)) '())
 (check "a gripper is laid out as the commonest are" (gripper driver)
        '(modbus "10.0.0.9" 502 9 (0 100) (255 0) 100 20
          ((1000 8 1) (1000 11 1) (1001 0 8) (1002 8 8) (1002 0 8)

@@ -2,7 +2,7 @@
 
 ;; The tags of a cell file, or how many complaints it has and the first one.
 (define (tags . sections)
-  (apply cell-part 22 sections))
+  (apply cell-part 'tags sections))
 
 (check "a cell that names no tags looks for none" (tags) '())
 (check "a family goes with the side of its tags" (tags '(tags (apriltag-36h11 40))) '((apriltag-36h11 40)))
@@ -21,7 +21,7 @@
 
 ;; The same of tagged objects.
 (define (tagged . objects)
-  (cell-part 26 `(tagged ,@objects)))
+  (cell-part 'tagged `(tagged ,@objects)))
 
 (check "objects may be known by their tags"
        (tagged '(lid apriltag-36h11 17 48) '(box aruco-4x4-50 3 22.5))

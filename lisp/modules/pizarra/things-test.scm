@@ -2,7 +2,7 @@
 
 ;; The plain things of a cell's world, or how many complaints it has and the first one.
 (define (things . given)
-  (cell-part 31 `(world (cube circle (at 450 0)) ,@given)))
+  (cell-part 'things `(world (cube circle (at 450 0)) ,@given)))
 
 (check "a world may have no things" (things) '())
 (check "bricks have three edges, cylinders a diameter and a height"
