@@ -7,83 +7,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/outline_ground.hpp"
-#include "agents/vision/marks/segmentation.hpp"
-#include "agents/vision/objects/part_look.hpp"
 #include "agents/vision/objects/plane_look.hpp"
-#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/plane_pose.hpp"
 #include "agents/vision/sight/seen_range.hpp"
 #include "agents/vision/sight/tag_pose.hpp"
-#include "blackboard/time/random.hpp"
+#include "tests/agents/vision/drawn_planes.hpp"
 
 namespace pizarra::vision {
 namespace {
-
-using Corners = std::vector<cv::Point2d>;
-
-constexpr double half_mm = 20;
-
-const Corners square = {{-half_mm, -half_mm}, {half_mm, -half_mm}, {half_mm, half_mm}, {-half_mm, half_mm}};
-constexpr double arm = half_mm / 3;
-const Corners cross = {{-arm, -half_mm}, {arm, -half_mm}, {arm, -arm}, {half_mm, -arm}, {half_mm, arm},   {arm, arm},
-                       {arm, half_mm},   {-arm, half_mm}, {-arm, arm}, {-half_mm, arm}, {-half_mm, -arm}, {-arm, -arm}};
-
-camera::StereoModel one_camera() {
-  return {.width = 640, .height = 480, .focal_px = 600, .centre_x_px = 319.5, .centre_y_px = 239.5, .base_line_mm = 0};
-}
-
-cv::Matx33d turned_about(const cv::Vec3d& rad) {
-  cv::Matx33d out;
-  cv::Rodrigues(rad, out);
-  return out;
-}
-
-// Dark on light, each pixel the mean of what it covers, drawn so many times finer.
-cv::Mat1b filled(const Corners& corners, Random& random, double noise = 1, int finer = 8) {
-  const cv::Rect around = cv::boundingRect(std::vector<cv::Point2f>(corners.begin(), corners.end())) + cv::Size(8, 8);
-  std::vector<cv::Point> fine;
-  constexpr int bits = 8;
-  for (const cv::Point2d& p : corners) {
-    const cv::Point2d at = finer * (p - cv::Point2d(around.tl()) + cv::Point2d(0.5, 0.5)) - cv::Point2d(0.5, 0.5);
-    fine.emplace_back(cvRound(at.x * (1 << bits)), cvRound(at.y * (1 << bits)));
-  }
-  cv::Mat1f large(around.height * finer, around.width * finer, 200.F);
-  cv::fillPoly(large, std::vector<std::vector<cv::Point>>{fine}, 25, cv::LINE_8, bits);
-  cv::Mat1f image(480, 640, 200.F);
-  cv::resize(large, image(around), around.size(), 0, 0, cv::INTER_AREA);
-  cv::GaussianBlur(image, image, {}, 0.7, 0.7);
-  for (float& level : image) level += static_cast<float>(random.uniform(-1.7, 1.7) * noise);
-  cv::Mat1b out;
-  image.convertTo(out, CV_8U);
-  return out;
-}
-
-Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d& place) {
-  Corners out;
-  for (const cv::Point2d& p : plane) {
-    const cv::Vec3d at = turn * cv::Vec3d(p.x, p.y, 0) + place;
-    out.emplace_back(319.5 + 600 * at[0] / at[2], 239.5 + 600 * at[1] / at[2]);
-  }
-  return out;
-}
-
-// As a click on it from the front would. `light`: by how much of itself it grows over a pixel to the right.
-LearnedSample learned(const Corners& plane, Random& random, double light = 0) {
-  cv::Mat1b image = filled(projected(plane, cv::Matx33d::eye(), {0, 0, 500}), random);
-  for (int x = 0; x < image.cols; ++x) image.col(x) *= 1 + light * (x - image.cols / 2.0);
-  ImageSegmentation segmentation(image);
-  LearnedSample out;
-  for (const SeenMark& mark : segmentation.marks()) {
-    out.set_picture(template_from_picture(portray_mark(segmentation.cut(), mark.contour, mark.tone)->picture));
-    out.height_px = mark.height_px;
-    out.area_px = mark.area_px;
-    out.roundness = mark.roundness;
-    out.size_mm = std::sqrt(mark.width_px * mark.height_px) * 500 / 600;
-    out.size_by = LearnedSample::SizeBy::guessed_face;
-    out.slimness = mark.slimness;
-  }
-  return out;
-}
 
 struct Registered {
   PlaneFit fit;
@@ -493,131 +424,6 @@ TEST(OutlineGround, OfAMarkThatMovesIsEven) {
     cv::blur(image, image, {motion_px, 1});
     EXPECT_LT(ground_of_square(image, sample).doubt, 0.6) << motion_px;
   }
-}
-
-// Lays grey over all that is farther than so much along a direction, px from the middle.
-void cover(cv::Mat1b& image, cv::Point2d middle, double beyond_px, double direction, std::uint8_t level) {
-  const cv::Point2d away(std::cos(direction), std::sin(direction));
-  for (int y = 0; y < image.rows; ++y) {
-    for (int x = 0; x < image.cols; ++x) {
-      const cv::Point2d p = cv::Point2d(x, y) - middle;
-      if (p.dot(away) > beyond_px && cv::norm(p) < 75) image(y, x) = level;
-    }
-  }
-}
-
-std::vector<PartLook> parts_of_square(const cv::Mat1b& image, const LearnedObjects& objects) {
-  const ImageCut cut = look_at(image, {0, 0, image.cols, image.rows}, noise_of(image));
-  return look_for_parts(cut, edge_chains(cut), objects, *objects.find("square"), {600, {319.5, 239.5}});
-}
-
-TEST(Plane, OfASquareThatSomethingHidesACornerOfIsWhereTheWholeIs) {
-  Random random(9);
-  LearnedObjects objects;
-  objects.add("square", learned(square, random));
-  for (int i = 0; i < 20; ++i) {
-    SCOPED_TRACE(i);
-    // Of each side a part shows.
-    const double from = CV_PI / 4 + random.uniform(-0.2, 0.2);
-    const double turned = random.uniform(-3, 3);
-    const cv::Matx33d turn = turned_about({0, 0, turned});
-    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(400, 550));
-    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
-    cv::Mat1b image = filled(projected(square, turn, place), random);
-    const double side_px = 600 * 2 * half_mm / place[2];
-    cover(image, middle, 0.28 * side_px, turned + from, i % 2 == 0 ? 90 : 130);
-    const std::vector<PartLook> parts = parts_of_square(image, objects);
-    ASSERT_EQ(parts.size(), 1U);
-    EXPECT_LT(cv::norm(parts.front().fit.in_image({0, 0}) - middle), 0.5);
-    EXPECT_GT(parts.front().part.hidden, 0.1);
-  }
-}
-
-// How far the other sides reach behind the cover is told by how they meet, which goes with how they are shortened.
-TEST(Plane, OfASquareThatSomethingHidesASideOfIsWhereTheWholeIs) {
-  Random random(21);
-  LearnedObjects objects;
-  objects.add("square", learned(square, random));
-  int told = 0;
-  for (int i = 0; i < 20; ++i) {
-    SCOPED_TRACE(i);
-    const double turned = random.uniform(-3, 3);
-    const double axis = random.uniform(-3, 3);
-    const double tilt = random.uniform(0, 0.26);
-    const cv::Matx33d turn =
-        turned_about({tilt * std::cos(axis), tilt * std::sin(axis), 0}) * turned_about({0, 0, turned});
-    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(400, 500));
-    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
-    cv::Mat1b image = filled(projected(square, turn, place), random);
-    const double side_px = 600 * 2 * half_mm / place[2];
-    cover(image, middle, random.uniform(0.1, 0.25) * side_px, turned, i % 2 == 0 ? 90 : 130);
-    const std::vector<PartLook> parts = parts_of_square(image, objects);
-    if (parts.empty()) continue;
-    ++told;
-    ASSERT_EQ(parts.size(), 1U);
-    const PlaneFit& fit = parts.front().fit;
-    const double off_px = cv::norm(fit.in_image({0, 0}) - middle);
-    EXPECT_LT(off_px, 1.5);
-    EXPECT_LT(off_px, 3 * fit.middle_spread_px);
-  }
-  EXPECT_GE(told, 17);
-}
-
-// A side and parts of two others are short edges, and leave the middle open by a pixel: they are told as the levels on
-// both sides are those of one print.
-TEST(Plane, OfASquareThatIsHalfHiddenIsWhereTheWholeIs) {
-  Random random(22);
-  LearnedObjects objects;
-  objects.add("square", learned(square, random));
-  int within = 0;
-  for (int i = 0; i < 20; ++i) {
-    SCOPED_TRACE(i);
-    const double turned = random.uniform(-3, 3);
-    const double axis = random.uniform(-3, 3);
-    const double tilt = random.uniform(0, 0.2);
-    const cv::Matx33d turn =
-        turned_about({tilt * std::cos(axis), tilt * std::sin(axis), 0}) * turned_about({0, 0, turned});
-    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(400, 600));
-    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
-    cv::Mat1b image = filled(projected(square, turn, place), random);
-    cover(image, middle, 0, turned + random.uniform(-0.3, 0.3), i % 2 == 0 ? 90 : 130);
-    const std::vector<PartLook> parts = parts_of_square(image, objects);
-    if (parts.empty()) continue;
-    ASSERT_EQ(parts.size(), 1U);
-    const PlaneFit& fit = parts.front().fit;
-    const double off_px = cv::norm(fit.in_image({0, 0}) - middle);
-    EXPECT_LT(off_px, 3 * fit.middle_spread_px);
-    within += off_px < 1.5 ? 1 : 0;
-  }
-  EXPECT_GE(within, 16);
-}
-
-TEST(Plane, OfASquareIsNotTheArmOfANearCross) {
-  Random random(23);
-  LearnedObjects objects;
-  objects.add("square", learned(square, random));
-  objects.add("cross", learned(cross, random));
-  const camera::StereoModel model = one_camera();
-  for (const double depth_mm : {270.0, 300.0, 330.0, 360.0}) {
-    SCOPED_TRACE(depth_mm);
-    const cv::Matx33d turn = turned_about({0, 0, random.uniform(-3, 3)});
-    const cv::Mat image = filled(projected(cross, turn, {10, -5, depth_mm}), random);
-    StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
-    MarkFinder finder(objects);
-    EXPECT_TRUE(finder.find(sight, *objects.find("cross"), {}));
-    EXPECT_FALSE(finder.find(sight, *objects.find("square"), {}));
-  }
-}
-
-TEST(Plane, AThingWithoutAPartOfTheSquareIsNoneThatSomethingHides) {
-  Random random(10);
-  LearnedObjects objects;
-  objects.add("square", learned(square, random));
-  // Where the rest should be is ground.
-  Corners cut_off = square;
-  cut_off[1].x = 0;
-  cut_off.insert(cut_off.begin() + 2, {half_mm, 0});
-  EXPECT_TRUE(parts_of_square(filled(projected(cut_off, cv::Matx33d::eye(), {0, 0, 450}), random), objects).empty());
 }
 
 // Where no corner says anything of a tilt; about the axis of the camera too, which a lab's camera looks along.

@@ -1,0 +1,71 @@
+#include "tests/agents/vision/drawn_planes.hpp"
+
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/marks/segmentation.hpp"
+
+namespace pizarra::vision {
+
+const Corners square = {{-half_mm, -half_mm}, {half_mm, -half_mm}, {half_mm, half_mm}, {-half_mm, half_mm}};
+constexpr double arm = half_mm / 3;
+const Corners cross = {{-arm, -half_mm}, {arm, -half_mm}, {arm, -arm}, {half_mm, -arm}, {half_mm, arm},   {arm, arm},
+                       {arm, half_mm},   {-arm, half_mm}, {-arm, arm}, {-half_mm, arm}, {-half_mm, -arm}, {-arm, -arm}};
+
+camera::StereoModel one_camera() {
+  return {.width = 640, .height = 480, .focal_px = 600, .centre_x_px = 319.5, .centre_y_px = 239.5, .base_line_mm = 0};
+}
+
+cv::Matx33d turned_about(const cv::Vec3d& rad) {
+  cv::Matx33d out;
+  cv::Rodrigues(rad, out);
+  return out;
+}
+
+cv::Mat1b filled(const Corners& corners, Random& random, double noise, int finer) {
+  const cv::Rect around = cv::boundingRect(std::vector<cv::Point2f>(corners.begin(), corners.end())) + cv::Size(8, 8);
+  std::vector<cv::Point> fine;
+  constexpr int bits = 8;
+  for (const cv::Point2d& p : corners) {
+    const cv::Point2d at = finer * (p - cv::Point2d(around.tl()) + cv::Point2d(0.5, 0.5)) - cv::Point2d(0.5, 0.5);
+    fine.emplace_back(cvRound(at.x * (1 << bits)), cvRound(at.y * (1 << bits)));
+  }
+  cv::Mat1f large(around.height * finer, around.width * finer, 200.F);
+  cv::fillPoly(large, std::vector<std::vector<cv::Point>>{fine}, 25, cv::LINE_8, bits);
+  cv::Mat1f image(480, 640, 200.F);
+  cv::resize(large, image(around), around.size(), 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(image, image, {}, 0.7, 0.7);
+  for (float& level : image) level += static_cast<float>(random.uniform(-1.7, 1.7) * noise);
+  cv::Mat1b out;
+  image.convertTo(out, CV_8U);
+  return out;
+}
+
+Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d& place) {
+  Corners out;
+  for (const cv::Point2d& p : plane) {
+    const cv::Vec3d at = turn * cv::Vec3d(p.x, p.y, 0) + place;
+    out.emplace_back(319.5 + 600 * at[0] / at[2], 239.5 + 600 * at[1] / at[2]);
+  }
+  return out;
+}
+
+LearnedSample learned(const Corners& plane, Random& random, double light) {
+  cv::Mat1b image = filled(projected(plane, cv::Matx33d::eye(), {0, 0, 500}), random);
+  for (int x = 0; x < image.cols; ++x) image.col(x) *= 1 + light * (x - image.cols / 2.0);
+  ImageSegmentation segmentation(image);
+  LearnedSample out;
+  for (const SeenMark& mark : segmentation.marks()) {
+    out.set_picture(template_from_picture(portray_mark(segmentation.cut(), mark.contour, mark.tone)->picture));
+    out.height_px = mark.height_px;
+    out.area_px = mark.area_px;
+    out.roundness = mark.roundness;
+    out.size_mm = std::sqrt(mark.width_px * mark.height_px) * 500 / 600;
+    out.size_by = LearnedSample::SizeBy::guessed_face;
+    out.slimness = mark.slimness;
+  }
+  return out;
+}
+
+}  // namespace pizarra::vision
