@@ -229,7 +229,7 @@ Task<void> KnownObjects::tell() {
   for (const auto& [object, why] : memory_.troubles()) {
     known.push_back(list("objects-damaged"_sym, why.subject, Datum::symbol(why.symbol), why.sentence));
   }
-  co_await facts_.tell_objects(std::move(known));
+  co_await facts_.tell(std::move(known));
 }
 
 }  // namespace pizarra::vision

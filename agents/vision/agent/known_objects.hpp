@@ -10,7 +10,7 @@
 //   Result<Datum> answer = co_await known.accept("person", "circle");
 
 #include "agents/vision/agent/client_presence.hpp"
-#include "agents/vision/agent/fact_teller.hpp"
+#include "agents/vision/agent/object_teller.hpp"
 #include "agents/vision/agent/printed_tag.hpp"
 #include "agents/vision/agent/samples_to_accept.hpp"
 #include "agents/vision/database/object_memory.hpp"
@@ -76,7 +76,7 @@ class KnownObjects {
   runtime::AgentContext& context_;
   ModeHolders& holders_;
   ClientPresence& presence_;
-  FactTeller& facts_;
+  ObjectTeller facts_;
   RenameHandler on_renamed_;
   ObjectMemory memory_;
   SamplesToAccept to_accept_;

@@ -1,5 +1,7 @@
 #include "agents/vision/agent/state_teller.hpp"
 
+#include <algorithm>
+
 namespace pizarra::vision {
 namespace {
 
@@ -42,10 +44,27 @@ Task<void> StateTeller::tell() {
     state.push_back(list("camera-drops"_sym, told_drops_.late, told_drops_.skewed, told_drops_.corrupt));
   }
   co_await facts_.tell(std::move(state));
-  co_await facts_.tell_streams(pictures_.facts());
+  co_await tell_streams();
   co_await tell_holders();
 }
 
-Task<void> StateTeller::tell_holders() { co_await facts_.tell_held(holders_.facts()); }
+// Streams have the agent's name already, so these facts do not begin with it.
+Task<void> StateTeller::tell_streams() {
+  Transaction transaction;
+  for (const Datum& fact : pictures_.facts()) transaction.tell(fact, {}, facts_.presence());
+  co_await facts_.transact(std::move(transaction));
+}
+
+Task<void> StateTeller::tell_holders() {
+  std::vector<Datum> held = holders_.facts();
+  Transaction transaction;
+  for (const Datum& fact : told_held_) {
+    const bool stays = std::ranges::find(held, fact) != held.end();
+    if (!stays) facts_.retract(transaction, fact);
+  }
+  facts_.add(transaction, held);
+  told_held_ = std::move(held);
+  co_await facts_.transact(std::move(transaction));
+}
 
 }  // namespace pizarra::vision

@@ -30,6 +30,8 @@ class StateTeller {
   bool has_news() const { return told_drops_ != camera_.drops(); }
 
  private:
+  Task<void> tell_streams();
+
   camera::StereoCamera& camera_;
   const CameraFeed& feed_;
   const ModeHolders& holders_;
@@ -37,6 +39,7 @@ class StateTeller {
   const PictureStreams& pictures_;
   FactTeller& facts_;
   camera::CameraDrops told_drops_;
+  std::vector<Datum> told_held_;
 };
 
 }  // namespace pizarra::vision

@@ -1,5 +1,7 @@
 #include "agents/vision/agent/tag_teller.hpp"
 
+#include "agents/vision/agent/reply_text.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -28,12 +30,28 @@ Task<void> TagTeller::read(camera::StereoFrame frame, camera::StereoModel model)
     if (!cancelled()) look->read();
   };
   co_await executor_.offload(std::move(read), reading_cost);
-  co_await facts_.tell_tags(look->frame.number, look->frame.captured, std::move(look->seen));
+  co_await tell(look->frame.number, look->frame.captured, std::move(look->seen));
 }
 
 Task<void> TagTeller::tell_none(std::uint64_t frame, Time captured) {
   const std::vector<FoundMark> none;
-  if (!tags_.empty()) co_await facts_.tell_tags(frame, captured, none);
+  if (!tags_.empty()) co_await tell(frame, captured, none);
+}
+
+Task<void> TagTeller::tell(std::uint64_t frame, Time captured, std::vector<FoundMark> seen) {
+  if (std::exchange(beginning_, facts_.beginnings()) != facts_.beginnings()) told_none_ = false;
+  if (seen.empty() && told_none_) co_return;
+  told_none_ = seen.empty();
+  std::vector<Datum> facts;
+  facts.push_back(tags_fact(frame, captured, seen));
+  co_await facts_.tell(std::move(facts));
+}
+
+Task<void> TagTeller::unsay() {
+  told_none_ = false;
+  Transaction transaction;
+  facts_.retract_all(transaction, "tags-seen"_sym, 3);
+  co_await facts_.transact(std::move(transaction));
 }
 
 }  // namespace pizarra::vision

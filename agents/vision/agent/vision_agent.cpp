@@ -132,7 +132,7 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   const auto is_new = [&](const TrackSighting& sighting) { return sighting.captured == frame.captured; };
   const bool tells = tracks && parts.holders.connected() && std::ranges::any_of(sightings, is_new);
   const std::vector<TrackSighting> told = parts.bodies.told(sightings);
-  if (tells) co_await parts.facts.tell_look(frame.number, told);
+  if (tells) co_await parts.looks.tell(frame.number, told);
   if (is_shown_here) show(frame, std::move(sightings));
 }
 
@@ -160,7 +160,7 @@ Task<void> VisionAgent::State::tell_missed() {
   if (parts.holders.finding()) co_return;
   const std::vector<TrackSighting> sightings = parts.bodies.told(parts.tracker.miss_all(parts.context.executor.now()));
   if (sightings.empty() || !parts.holders.connected()) co_return;
-  co_await parts.facts.tell_look(parts.feed.frame_number(), sightings);
+  co_await parts.looks.tell(parts.feed.frame_number(), sightings);
 }
 
 void VisionAgent::State::show(const camera::StereoFrame& frame, std::vector<TrackSighting> sightings) {
@@ -176,9 +176,9 @@ Task<void> VisionAgent::State::camera_changed() {
   co_await parts.state.tell();
   if (parts.feed.state() == CameraFeed::State::open) co_return;
   parts.tracking_turn.let_go();
-  co_await parts.facts.unsay();
+  co_await parts.looks.unsay();
   parts.tags.stop();
-  co_await parts.facts.unsay_tags();
+  co_await parts.tags.unsay();
 }
 
 Task<void> VisionAgent::State::look_around() {

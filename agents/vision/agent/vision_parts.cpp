@@ -28,7 +28,7 @@ Task<void> VisionParts::follow_holders() {
   turns.wake();
   co_await rest_or_go_on();
   if (!tracker.empty() && holders.connected()) co_return;
-  co_await facts.unsay();
+  co_await looks.unsay();
 }
 
 Task<void> VisionParts::rest_or_go_on() {

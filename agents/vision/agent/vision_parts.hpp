@@ -10,6 +10,7 @@
 #include "agents/vision/agent/client_turns.hpp"
 #include "agents/vision/agent/known_bodies.hpp"
 #include "agents/vision/agent/known_objects.hpp"
+#include "agents/vision/agent/look_teller.hpp"
 #include "agents/vision/agent/mark_search.hpp"
 #include "agents/vision/agent/picture_streams.hpp"
 #include "agents/vision/agent/state_teller.hpp"
@@ -43,6 +44,7 @@ struct VisionParts {
   ClientPresence presence{context};
   ClientTurns turns{context, presence, holders};
   FactTeller facts;
+  LookTeller looks{facts};
   KnownObjects known;
   KnownBodies bodies{context, known.objects(), holders};
   MarkTracker tracker{known.objects(), known.limits()};

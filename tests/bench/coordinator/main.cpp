@@ -9,7 +9,7 @@
 
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
-#include "agents/vision/agent/fact_teller.hpp"
+#include "agents/vision/agent/look_teller.hpp"
 #include "agents/vision/agent/vision_contract.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -54,7 +54,7 @@ class StillEyes {
       sighting.yaw_deg = random_.uniform(-2, 2);
     }
     ++frame_;
-    co_await facts_.tell_look(frame_, noisy);
+    co_await looks_.tell(frame_, noisy);
   }
 
  private:
@@ -75,6 +75,7 @@ class StillEyes {
   runtime::AgentContext context_;
   std::optional<runtime::Service> service_;
   vision::FactTeller facts_;
+  vision::LookTeller looks_{facts_};
   coordinator::CameraView view_{{}, {}};
   Random random_{7};
   std::uint64_t frame_ = 0;
