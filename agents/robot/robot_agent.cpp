@@ -75,7 +75,7 @@ Task<Result<void>> RobotAgent::State::run() {
   co_await tell_properties();
   const Result<void> connected = co_await connect();
   if (!connected) co_return connected;
-  watch = parts.context.executor.spawn(parts.control.keep_watch());
+  watch = parts.context.executor.spawn(parts.rest.keep());
   parts.reflex.begin();
   parts.holds.begin();
   // The agent knows who stops it and who commands it before it obeys anybody.

@@ -6,6 +6,7 @@
 #include "agents/robot/arm_control.hpp"
 #include "agents/robot/holds.hpp"
 #include "agents/robot/reflex.hpp"
+#include "agents/robot/rest_watch.hpp"
 #include "agents/robot/robot_agent.hpp"
 #include "agents/robot/robot_memory.hpp"
 #include "agents/runtime/service.hpp"
@@ -22,7 +23,8 @@ struct RobotParts {
         service(its_service),
         facts(context, its_service),
         connection(context.executor, driver, model, facts),
-        control(context, connection, room, options.told_per_s, facts),
+        control(context.executor, connection, room, period_of(options.told_per_s), facts),
+        rest(context.executor, connection, control, facts, period_of(options.told_per_s)),
         reflex(context, control),
         holds(context, control),
         memory(context, model) {}
@@ -34,9 +36,15 @@ struct RobotParts {
   ArmFacts facts;
   ArmConnection connection;
   ArmControl control;
+  RestWatch rest;
   Reflex reflex;
   Holds holds;
   RobotMemory memory;
+
+ private:
+  static Duration period_of(double per_s) {
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / per_s));
+  }
 };
 
 // The answer of an operation that says only whether it was done.
