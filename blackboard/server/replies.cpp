@@ -28,7 +28,7 @@ std::string reply_text(wire::RequestId id, const Datum& result) {
   return text;
 }
 
-void KeptReplies::add(wire::RequestId number, Durability::Reply reply) {
+void KeptReplies::add(wire::RequestId number, HeldReplies::Reply reply) {
   const auto [place, fresh] = replies_.emplace(number, std::move(reply));
   if (fresh) bytes_ += place->second.text.size();
   // One is remembered whatever its size.
@@ -39,7 +39,7 @@ void KeptReplies::add(wire::RequestId number, Durability::Reply reply) {
   }
 }
 
-const Durability::Reply* KeptReplies::find(wire::RequestId number) const {
+const HeldReplies::Reply* KeptReplies::find(wire::RequestId number) const {
   const auto found = replies_.find(number);
   return found == replies_.end() ? nullptr : &found->second;
 }

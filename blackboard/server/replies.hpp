@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-#include "blackboard/server/durability.hpp"
+#include "blackboard/server/held_replies.hpp"
 #include "blackboard/wire/wire.hpp"
 
 namespace pizarra::server {
@@ -26,12 +26,12 @@ class KeptReplies {
   static constexpr std::size_t most = 256;
   static constexpr std::size_t most_bytes = 4 << 20;
 
-  void add(wire::RequestId number, Durability::Reply reply);
-  const Durability::Reply* find(wire::RequestId number) const;
+  void add(wire::RequestId number, HeldReplies::Reply reply);
+  const HeldReplies::Reply* find(wire::RequestId number) const;
   wire::RequestId forgotten() const { return forgotten_; }
 
  private:
-  std::map<wire::RequestId, Durability::Reply> replies_;
+  std::map<wire::RequestId, HeldReplies::Reply> replies_;
   std::size_t bytes_ = 0;
   wire::RequestId forgotten_ = 0;
 };

@@ -39,13 +39,12 @@ Requests::Requests(Executor& executor, memory::MemoryBoard& board, Sessions& ses
       refusals_(refusals),
       workload_(workload),
       outbox_(outbox),
-      durability_(
-          journals.journal,
-          [this](wire::SessionId id, const std::string& reply) {
-            const Session* session = sessions_.find(id);
-            if (session != nullptr) outbox_.send(session->peer, reply);
-          },
-          journals.answers_from_journal),
+      durability_(journals.journal, journals.answers_from_journal),
+      held_(journals.journal,
+            [this](wire::SessionId id, const std::string& reply) {
+              const Session* session = sessions_.find(id);
+              if (session != nullptr) outbox_.send(session->peer, reply);
+            }),
       permitted_(board, durability_) {
   journal::JournalWriter* const past = journals.past != nullptr ? journals.past : journals.journal;
   if (past != nullptr) past_.emplace(executor, *past, [this] { return board_.store().revision(); });
@@ -74,11 +73,11 @@ bool Requests::is_to_be_done(wire::SessionId id, Session& session, wire::Request
 // And is answered again.
 bool Requests::was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
   for (const KeptReplies* answered : {&session.done, &session.refused}) {
-    const Durability::Reply* again = answered->find(number);
+    const HeldReplies::Reply* again = answered->find(number);
     if (again == nullptr) continue;
     // One that is held comes when it may.
     outbox_.flush_all();
-    durability_.answer_again(id, number, *again);
+    held_.answer_again(id, number, *again);
     return true;
   }
   const bool long_ago = number <= std::max(session.done.forgotten(), session.refused.forgotten());
@@ -149,7 +148,7 @@ void Requests::answer(wire::SessionId id, Session& session, const Done& done, co
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!done.body.is_form("watch")) outbox_.flush_all();
   if (awaited > 0) {
-    durability_.hold(id, done.number, {std::move(text), awaited, stands});
+    held_.hold(id, done.number, {std::move(text), awaited, stands});
   } else {
     outbox_.reply(session, text);
   }

@@ -8,7 +8,7 @@
 //   if (!requests.serve(id, session, {message})) ...                  // it must wait for an index, or its turn
 //
 // A client's last replies are remembered (replies.hpp). A request about durable facts is answered when the journal has
-// it (durability.hpp). A question about the past is answered from the journal.
+// it (durability.hpp, held_replies.hpp). A question about the past is answered from the journal.
 
 #include <optional>
 #include <set>
@@ -17,6 +17,7 @@
 #include "blackboard/journal/past.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/server/durability.hpp"
+#include "blackboard/server/held_replies.hpp"
 #include "blackboard/server/outbox.hpp"
 #include "blackboard/server/permitted_board.hpp"
 #include "blackboard/server/refusals.hpp"
@@ -72,6 +73,7 @@ class Requests {
   Workload& workload_;
   Outbox& outbox_;
   Durability durability_;
+  HeldReplies held_;
   PermittedBoard permitted_;
   std::optional<journal::Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
