@@ -192,7 +192,7 @@ Result<void> FollowedLog::restore_line(const Datum& line) {
   if (line.is_form("fact") && line.size() == 3 && line[1].is_integer()) {
     Result<Fact> fact = wire::fact_from_datum(line[2]);
     if (!fact) return fail(fact);
-    return store_->restore(std::move(*fact), static_cast<store::Store::Restored>(line[1].integer()));
+    return store_->restore(std::move(*fact), static_cast<store::Restored>(line[1].integer()));
   }
   if (line.is_form("replied") && line.size() == 3 && line[1].is_integer()) {
     auto replies = journal::replies_from(std::string(line[2].text()));

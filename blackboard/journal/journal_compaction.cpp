@@ -29,7 +29,7 @@ class Horizon {
  private:
   struct Standing {
     Fact fact;
-    store::Store::Restored state = store::Store::Restored::standing;
+    store::Restored state = store::Restored::standing;
   };
 
   Result<void> apply_line(std::string_view line);
@@ -104,7 +104,7 @@ Result<void> Horizon::declare(const std::vector<Relation>& relations) {
 Result<void> Horizon::apply_entry(const store::Commit& commit, const store::Commit::Entry& entry) {
   const FactId id = entry.kind == Kind::returned ? entry.former : entry.fact.id;
   if (entry.kind == Kind::told) {
-    standing_[id] = {entry.fact, entry.under_lease ? store::Store::Restored::leased : store::Store::Restored::standing};
+    standing_[id] = {entry.fact, entry.under_lease ? store::Restored::leased : store::Restored::standing};
     next_fact_ = id + 1;
     return {};
   }
@@ -115,12 +115,12 @@ Result<void> Horizon::apply_entry(const store::Commit& commit, const store::Comm
   const Result<Standing*> found = standing(id);
   if (!found) return fail(found);
   if (entry.kind == Kind::taken) {
-    const bool leased = (*found)->state == store::Store::Restored::leased;
-    (*found)->state = leased ? store::Store::Restored::taken_leased : store::Store::Restored::taken;
+    const bool leased = (*found)->state == store::Restored::leased;
+    (*found)->state = leased ? store::Restored::taken_leased : store::Restored::taken;
     return {};
   }
   if (entry.kind != Kind::returned) {
-    (*found)->state = entry.kind == Kind::leased ? store::Store::Restored::leased : store::Store::Restored::standing;
+    (*found)->state = entry.kind == Kind::leased ? store::Restored::leased : store::Restored::standing;
     return {};
   }
   Fact fact = (*found)->fact;
@@ -129,8 +129,7 @@ Result<void> Horizon::apply_entry(const store::Commit& commit, const store::Comm
   fact.revision = commit.revision;
   next_fact_ = fact.id + 1;
   const FactId returned = fact.id;
-  standing_[returned] = {std::move(fact),
-                         entry.under_lease ? store::Store::Restored::leased : store::Store::Restored::standing};
+  standing_[returned] = {std::move(fact), entry.under_lease ? store::Restored::leased : store::Restored::standing};
   return {};
 }
 
@@ -145,7 +144,7 @@ Result<Horizon::Standing*> Horizon::standing(FactId id) {
   const Result<bool> found = row.bind(1, static_cast<std::int64_t>(id)).step();
   if (!found) return fail(found);
   if (!*found) return missing(id);
-  const auto state = static_cast<store::Store::Restored>(row.integer(1));
+  const auto state = static_cast<store::Restored>(row.integer(1));
   Result<Fact> fact = fact_from_row(id, state, row.text(0), row.integer(2));
   if (!fact) return fail(fact);
   removed_.push_back(id);

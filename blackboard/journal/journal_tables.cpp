@@ -99,7 +99,7 @@ Result<void> restore_facts(sqlite::Database& database, store::Store& store) {
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const auto id = static_cast<FactId>(rows.integer(0));
-    const auto state = static_cast<store::Store::Restored>(rows.integer(1));
+    const auto state = static_cast<store::Restored>(rows.integer(1));
     Result<Fact> fact = fact_from_row(id, state, rows.text(2), rows.integer(3));
     if (!fact) return fail(fact);
     const Result<void> restored = store.restore(std::move(*fact), state);
@@ -197,11 +197,11 @@ Result<void> seal_head(sqlite::Database& database) {
   return row.bind(1, *sum).run();
 }
 
-std::int64_t sum_of_fact(FactId id, store::Store::Restored state, std::string_view form) {
+std::int64_t sum_of_fact(FactId id, store::Restored state, std::string_view form) {
   return Checksum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
 }
 
-Result<Fact> fact_from_row(FactId id, store::Store::Restored state, std::string_view form, std::int64_t sum) {
+Result<Fact> fact_from_row(FactId id, store::Restored state, std::string_view form, std::int64_t sum) {
   if (sum_of_fact(id, state, form) != sum) return damaged_fact(id, "its checksum does not fit");
   const Result<Datum> read = read_one(form, fact_limits, "journal");
   if (!read) return damaged_fact(id, read.error().sentence);

@@ -27,9 +27,9 @@ Result<sqlite::Database> open(const Disk& disk, const std::string& path, sqlite:
 
 // A row's share in the sum that `about` keeps over all `facts`, so that a lost row is noticed.
 constexpr std::int64_t added_to_facts(std::int64_t sum_of_fact) { return sum_of_fact & 0xffffffff; }
-std::int64_t sum_of_fact(FactId id, store::Store::Restored state, std::string_view form);
+std::int64_t sum_of_fact(FactId id, store::Restored state, std::string_view form);
 // Failure bad-journal.
-Result<Fact> fact_from_row(FactId id, store::Store::Restored state, std::string_view form, std::int64_t sum);
+Result<Fact> fact_from_row(FactId id, store::Restored state, std::string_view form, std::int64_t sum);
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
 std::int64_t former_sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
 // One or the other.

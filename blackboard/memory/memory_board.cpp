@@ -94,8 +94,8 @@ MemoryBoard::MemoryBoard(Executor& executor, std::unique_ptr<store::Store> store
     : executor_(executor),
       store_(std::move(store)),
       watches_(std::make_unique<watch::WatchTable>(*store_)),
-      may_lapse_(store::Store::lapsing_at_once) {
-  store_->on_commit = [this](const store::Commit& commit) { committed(commit); };
+      may_lapse_(store::Lapsing::lapsing_at_once) {
+  store_->on_commit([this](const store::Commit& commit) { committed(commit); });
   schedule();
 }
 
@@ -254,7 +254,7 @@ Time MemoryBoard::begin() {
 // Others are served in the pause, and those whose requests come meanwhile have no part of it to wait for.
 template <class Lapse>
 void MemoryBoard::lapse(Time now, Lapse&& some) {
-  if (now >= lapses_again_) may_lapse_ = store::Store::lapsing_at_once;
+  if (now >= lapses_again_) may_lapse_ = store::Lapsing::lapsing_at_once;
   const std::size_t before = may_lapse_;
   some(may_lapse_);
   if (may_lapse_ < before) lapses_again_ = executor_.now() + between_parts;

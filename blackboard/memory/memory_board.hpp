@@ -116,7 +116,7 @@ class MemoryBoard {
   store::JournalSink durable_journal_;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;
-  std::size_t may_lapse_;  // of what store::Store::expire counts, before
+  std::size_t may_lapse_;  // of what store::Lapsing::expire counts, before
   Time lapses_again_{};    // then there is to be as much as ever
 };
 

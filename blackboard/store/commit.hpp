@@ -5,11 +5,11 @@
 // A fact that is told in place of another appears as the other's `retracted` followed by its own `told`. A fact told
 // and removed within one transaction does not appear at all.
 //
-//   store.on_commit = [&](const Commit& commit) {
+//   store.on_commit([&](const Commit& commit) {
 //     for (const Commit::Entry& entry : commit.entries) {
 //       if (adds(entry)) show(entry.fact);
 //     }
-//   };
+//   });
 
 #include <functional>
 #include <string_view>

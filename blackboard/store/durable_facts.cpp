@@ -4,8 +4,8 @@
 
 namespace pizarra::store {
 
-std::vector<std::pair<Fact, Store::Restored>> durable_facts(const Store& store) {
-  using As = Store::Restored;
+std::vector<std::pair<Fact, Restored>> durable_facts(const Store& store) {
+  using As = Restored;
   std::vector<std::pair<Fact, As>> facts;
   for (const auto& [name, table] : store.tables()) {
     if (!table.relation().durable) continue;

@@ -11,6 +11,6 @@
 
 namespace pizarra::store {
 
-std::vector<std::pair<Fact, Store::Restored>> durable_facts(const Store& store);
+std::vector<std::pair<Fact, Restored>> durable_facts(const Store& store);
 
 }  // namespace pizarra::store

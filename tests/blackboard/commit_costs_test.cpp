@@ -13,7 +13,7 @@ namespace {
 
 struct WatchedStore {
   WatchedStore() {
-    store.on_commit = [this](const store::Commit& commit) { watches.committed(commit); };
+    store.on_commit([this](const store::Commit& commit) { watches.committed(commit); });
     EXPECT_TRUE(store
                     .declare({relation("(relation on ((a datum) (b datum)))"),
                               relation("(relation at ((a datum) (b datum)) (key a))"),

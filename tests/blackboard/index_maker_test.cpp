@@ -47,7 +47,7 @@ class Indexes : public testing::Test {
     store::Store other;
     other.declare({store_.tables().begin()->second.relation()}).value();
     for (const store::StandingFact& standing : store_.tables().begin()->second.facts()) {
-      EXPECT_TRUE(other.restore(standing.fact, store::Store::Restored::standing).has_value());
+      EXPECT_TRUE(other.restore(standing.fact, store::Restored::standing).has_value());
     }
     return other.ask(asked).value().answers;
   }

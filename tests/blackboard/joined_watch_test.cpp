@@ -20,7 +20,7 @@ const std::vector<Relation> relations = {
 
 struct WatchedStore {
   WatchedStore() {
-    store.on_commit = [this](const store::Commit& commit) { watches.committed(commit); };
+    store.on_commit([this](const store::Commit& commit) { watches.committed(commit); });
     EXPECT_TRUE(store.declare(relations).has_value());
   }
 

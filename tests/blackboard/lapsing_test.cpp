@@ -174,12 +174,12 @@ TEST_F(Lapsing, OfARelationWithIndexesGoesInSmallerParts) {
   tell_all("note", lease_);
   EXPECT_TRUE(store_.ask(query("(and (note ?n) (> ?n 1000000))")).has_value());
   const std::size_t looks = store_.tables().find("note")->second.looks_to_remove();
-  ASSERT_GT(looks, store::Store::lapsing_at_once / at_once);
+  ASSERT_GT(looks, store::Lapsing::lapsing_at_once / at_once);
   now_ += 2s;
   expire();
   const std::size_t gone = facts - store_.size();
-  EXPECT_LE(gone, store::Store::lapsing_at_once / looks + 1);
-  EXPECT_GE(gone, store::Store::lapsing_at_once / looks);
+  EXPECT_LE(gone, store::Lapsing::lapsing_at_once / looks + 1);
+  EXPECT_GE(gone, store::Lapsing::lapsing_at_once / looks);
 }
 
 class LapsingBoard : public testing::Test {

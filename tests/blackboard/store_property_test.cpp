@@ -27,10 +27,10 @@ const std::vector<std::string> queries = {"(on ?x ?y)",
 class Pair {
  public:
   explicit Pair(std::uint64_t seed) : random_(seed), model_(relations), watches_(store_) {
-    store_.on_commit = [this](const store::Commit& commit) {
+    store_.on_commit([this](const store::Commit& commit) {
       journal_ += journal::journal_line(commit) + "\n";
       watches_.committed(commit);
-    };
+    });
     journal_ += journal::journal_line(0, {}, "test", relations) + "\n";
     EXPECT_TRUE(store_.declare(relations).has_value());
     for (const std::string& text : queries) {

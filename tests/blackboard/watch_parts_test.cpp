@@ -18,7 +18,7 @@ class WatchParts : public testing::Test {
   static constexpr int one_in = 700;  // fits
 
   WatchParts() {
-    store_.on_commit = [this](const store::Commit& commit) { watches_.committed(commit); };
+    store_.on_commit([this](const store::Commit& commit) { watches_.committed(commit); });
     EXPECT_TRUE(store_.declare({relation("(relation note ((n integer) (what datum)) (key n))")}).has_value());
     for (int n = 0; n < facts; ++n) tell(n, n % one_in == 0 ? 1000 + n : n % 100);
   }

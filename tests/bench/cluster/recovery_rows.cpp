@@ -26,7 +26,7 @@ class Entries {
             .value()};
     (void)store_.declare(relations);
     lines_ = journal::journal_line(0, Time(std::chrono::seconds(1)), "board", relations) + '\n';
-    store_.on_commit = [this](const store::Commit& commit) { lines_ += journal::journal_line(commit) + '\n'; };
+    store_.on_commit([this](const store::Commit& commit) { lines_ += journal::journal_line(commit) + '\n'; });
   }
   cluster::KeyValue next() {
     const std::uint64_t number = ++number_;

@@ -24,7 +24,7 @@ class LogSpaces : public testing::Test {
     etcd_.values[small_cell.head()] = "0";
     (void)store_.declare({picture_});
     pending_.lines = journal::journal_line(0, Time(1s), "board", {picture_}) + '\n';
-    store_.on_commit = [this](const store::Commit& commit) { pending_.lines += journal::journal_line(commit) + '\n'; };
+    store_.on_commit([this](const store::Commit& commit) { pending_.lines += journal::journal_line(commit) + '\n'; });
     upkeep_ = std::make_unique<LogUpkeep>(client_, small_cell, log_->space());
   }
   // A picture of that number, in place of the former one; as the board, nothing where there is no room.

@@ -31,7 +31,7 @@ class Transfer : public testing::Test {
     const auto file = journal::JournalFile::open(first_, {}).value();
     store::Store store;
     std::string lines;
-    store.on_commit = [&](const store::Commit& commit) { lines += journal::journal_line(commit) + '\n'; };
+    store.on_commit([&](const store::Commit& commit) { lines += journal::journal_line(commit) + '\n'; });
     std::vector<Relation> relations;
     for (const char* text :
          {"(relation goal ((n integer) (what datum)) (key n) (durable))", "(relation seen ((n integer)) (key n))"}) {

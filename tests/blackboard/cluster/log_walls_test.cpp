@@ -87,7 +87,7 @@ class LogWalls : public testing::TestWithParam<bool> {
     Result<std::vector<journal::RememberedReply>> replies = log_->recover(*store_);
     ASSERT_TRUE(replies.has_value()) << describe(replies.error());
     replies_ = std::move(*replies);
-    store_->on_commit = [this](const store::Commit& commit) { lines_ += journal::journal_line(commit) + '\n'; };
+    store_->on_commit([this](const store::Commit& commit) { lines_ += journal::journal_line(commit) + '\n'; });
   }
   void declare() {
     const Relation goal =

@@ -132,9 +132,7 @@ class ModelBoard {
     pending_.emplace();
     pending_->lines =
         journal::journal_line(0, executor_.now(), "board", {store_->tables().at("mark").relation()}) + '\n';
-    store_->on_commit = [this](const store::Commit& commit) {
-      pending_->lines += journal::journal_line(commit) + '\n';
-    };
+    store_->on_commit([this](const store::Commit& commit) { pending_->lines += journal::journal_line(commit) + '\n'; });
   }
   // One request in a group, or what was in doubt once more.
   Task<void> write() {

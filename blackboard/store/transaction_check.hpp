@@ -1,24 +1,26 @@
 #pragma once
 
-// A Store checks a transaction before it does any of it. Nothing of a transaction is undone, so all that can fail fails
+// A transaction is checked before any of it is done. Nothing of a transaction is undone, so all that can fail fails
 // here.
 //
-// Lifecycle: one transaction, in one call. The store and the transaction outlive it.
+// Lifecycle: one transaction, in one call. The kept facts and the transaction outlive it.
 //
-//   const Result<void> checked = Store::Check(store, "vision", transaction, examined).all();
+//   const Result<void> checked = TransactionCheck(kept, "vision", transaction, examined).all();
 
 #include <map>
 #include <set>
 
-#include "blackboard/store/store.hpp"
+#include "blackboard/board.hpp"
+#include "blackboard/store/kept_facts.hpp"
 
 namespace pizarra::store {
 
-class Store::Check {
+class TransactionCheck {
  public:
   // Adds to `examined` how many facts it looked at.
-  Check(const Store& store, const std::string& teller, const Transaction& transaction, std::size_t& examined)
-      : store_(store), teller_(teller), transaction_(transaction), examined_(examined) {}
+  TransactionCheck(const KeptFacts& kept, const std::string& teller, const Transaction& transaction,
+                   std::size_t& examined)
+      : kept_(kept), teller_(teller), transaction_(transaction), examined_(examined) {}
 
   Result<void> all();
   // Some relations are told by the board alone.
@@ -36,7 +38,7 @@ class Store::Check {
   // A transaction's own retractions will look at the facts that it tells: counted before anything is done.
   std::size_t looks_at_told(const Datum& pattern);
 
-  const Store& store_;
+  const KeptFacts& kept_;
   const std::string& teller_;
   const Transaction& transaction_;
   std::size_t& examined_;

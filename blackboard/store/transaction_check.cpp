@@ -1,4 +1,4 @@
-#include "blackboard/store/store_check.hpp"
+#include "blackboard/store/transaction_check.hpp"
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ std::size_t heaviest_told(const Transaction& transaction) {
 
 }  // namespace
 
-Result<void> Store::Check::all() {
+Result<void> TransactionCheck::all() {
   if (transaction_.steps.size() + transaction_.preconditions.size() > limits::steps) {
     return fail("too-large", "a transaction has at most " + std::to_string(limits::steps) + " steps and preconditions");
   }
@@ -45,34 +45,34 @@ Result<void> Store::Check::all() {
     if (!checked) return checked;
   }
   // What is taken may come back.
-  Load room{.facts = store_.size() + store_.held_.size() - settled_.size(), .bytes = store_.bytes_};
-  for (const FactId id : settled_) room.bytes -= footprint(store_.held_.at(id).fact);
-  return check_room(transaction_, weight, teller_, store_.tables_, room);
+  Load room{.facts = kept_.size() + kept_.held().size() - settled_.size(), .bytes = kept_.bytes()};
+  for (const FactId id : settled_) room.bytes -= footprint(kept_.held().at(id).fact);
+  return check_room(transaction_, weight, teller_, kept_.tables(), room);
 }
 
-Result<void> Store::Check::teller(const std::string& teller, const Relation& relation) {
+Result<void> TransactionCheck::teller(const std::string& teller, const Relation& relation) {
   if (!is_told_by_the_board(relation.name) || teller == board_teller) return {};
   return fail(left_to_the_board(relation.name));
 }
 
-Result<void> Store::Check::precondition(const Transaction::Precondition& precondition) {
+Result<void> TransactionCheck::precondition(const Transaction::Precondition& precondition) {
   const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
-  const Result<const FactTable*> table = table_for(pattern, store_.tables_);
+  const Result<const FactTable*> table = table_for(pattern, kept_.tables());
   if (!table) return fail(table);
   if (const auto* wanted = std::get_if<Transaction::Unchanged>(&precondition)) return unchanged(**table, *wanted);
   const bool wanted = std::holds_alternative<Transaction::Present>(precondition);
-  const bool there = store_.first_standing(**table, pattern, examined_) != nullptr;
+  const bool there = kept_.first_standing(**table, pattern, examined_) != nullptr;
   const Result<void> cheap = check_looking(examined_, pattern);
   if (!cheap) return cheap;
   if (there == wanted) return {};
   return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
 }
 
-Result<void> Store::Check::unchanged(const FactTable& table, const Transaction::Unchanged& wanted) {
+Result<void> TransactionCheck::unchanged(const FactTable& table, const Transaction::Unchanged& wanted) {
   const auto& [pattern, revision] = wanted;
-  if (revision > store_.revision_) {
+  if (revision > kept_.revision()) {
     return not_met(
-        "revision " + std::to_string(revision) + " has not been; the board is at " + std::to_string(store_.revision_),
+        "revision " + std::to_string(revision) + " has not been; the board is at " + std::to_string(kept_.revision()),
         pattern);
   }
   const bool stands = is_unchanged(table, pattern, revision, examined_);
@@ -81,27 +81,27 @@ Result<void> Store::Check::unchanged(const FactTable& table, const Transaction::
   return not_met("changed since revision " + std::to_string(revision), pattern);
 }
 
-Result<void> Store::Check::step(const Transaction::Step& step) {
+Result<void> TransactionCheck::step(const Transaction::Step& step) {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) return settling(settle->taken);
   if (const auto* tell = std::get_if<Transaction::Tell>(&step)) return telling(*tell);
   return retracting(std::get<Transaction::Retract>(step).pattern);
 }
 
-Result<void> Store::Check::settling(FactId taken) {
-  if (store_.held_.contains(taken) && settled_.insert(taken).second) return {};
+Result<void> TransactionCheck::settling(FactId taken) {
+  if (kept_.held().contains(taken) && settled_.insert(taken).second) return {};
   return not_met("fact " + std::to_string(taken) + " is not taken, or was put back", to_datum(taken));
 }
 
-Result<void> Store::Check::turn_to(const Datum& datum) {
+Result<void> TransactionCheck::turn_to(const Datum& datum) {
   if (table_ != nullptr && datum.head() == table_->relation().name) return {};
-  const Result<const FactTable*> table = table_named_by(datum, store_.tables_);
+  const Result<const FactTable*> table = table_named_by(datum, kept_.tables());
   if (!table) return fail(table);
   Result<void> allowed = teller(teller_, (*table)->relation());
   if (allowed) table_ = *table;
   return allowed;
 }
 
-Result<void> Store::Check::telling(const Transaction::Tell& tell) {
+Result<void> TransactionCheck::telling(const Transaction::Tell& tell) {
   const Result<void> turned = turn_to(tell.fact);
   if (!turned) return turned;
   const Result<void> shaped = check_shape(table_->relation(), tell.fact);
@@ -112,11 +112,11 @@ Result<void> Store::Check::telling(const Transaction::Tell& tell) {
   if (examined_ > limits::examined) {
     return fail("too-costly", "the relations told of have many indexes; tell fewer facts at once", tell.fact);
   }
-  if (tell.lease != 0 && !store_.leases_.contains(tell.lease)) return unknown_lease(tell.lease);
+  if (tell.lease != 0 && !kept_.leases().contains(tell.lease)) return unknown_lease(tell.lease);
   return {};
 }
 
-Result<void> Store::Check::retracting(const Datum& pattern) {
+Result<void> TransactionCheck::retracting(const Datum& pattern) {
   const Result<void> turned = turn_to(pattern);
   if (!turned) return turned;
   const Result<void> shaped = check_pattern_shape(table_->relation(), pattern);
@@ -131,7 +131,7 @@ Result<void> Store::Check::retracting(const Datum& pattern) {
               cheap.error().sentence + "; ask for some with (limit COUNT) and retract these by their keys", pattern);
 }
 
-std::size_t Store::Check::looks_at_told(const Datum& pattern) {
+std::size_t TransactionCheck::looks_at_told(const Datum& pattern) {
   const auto own = told_.find(table_);
   if (own == told_.end() || table_->key_is_ground(pattern)) return 0;
   if (!compares_much(pattern)) return own->second;

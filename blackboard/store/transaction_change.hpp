@@ -1,21 +1,21 @@
 #pragma once
 
-// One transaction of a Store while it is carried out: every change of the facts goes through here and becomes part of
+// One transaction while it is carried out: every change of the kept facts goes through here and becomes part of
 // the Commit that finish() hands on. Nothing here can fail; what could was checked before.
 //
-// Lifecycle: one transaction. Made by the store, which outlives it; the steps in their order; finish() once.
+// Lifecycle: one transaction. The kept facts outlive it. The steps in their order; finish() once.
 //
-//   Store::Change change(store, "vision", now);
+//   TransactionChange change(kept, "vision", now);
 //   change.tell(fact, because, lease);
 //   const Revision revision = change.finish();
 
-#include "blackboard/store/store.hpp"
+#include "blackboard/store/kept_facts.hpp"
 
 namespace pizarra::store {
 
-class Store::Change {
+class TransactionChange {
  public:
-  Change(Store& store, std::string teller, Time now);
+  TransactionChange(KeptFacts& kept, std::string teller, Time now);
 
   // Makes room for so many steps.
   void expect(std::size_t steps) { commit_.entries.reserve(2 * steps); }
@@ -27,7 +27,7 @@ class Store::Change {
   // Puts a held fact back under a new id and the lease that it was told under. It goes where that has lapsed, or where
   // another with its key stands by now.
   void put_back(FactId taken);
-  // The revision the store is at then; a new one if anything changed.
+  // The revision that the facts are at then; a new one if anything changed.
   Revision finish();
 
  private:
@@ -43,7 +43,7 @@ class Store::Change {
   void note_lease(const FactTable& table, const StandingFact& standing, LeaseId lease);
   void set_lease(FactTable& table, StandingFact& entry, LeaseId lease);
 
-  Store& store_;
+  KeptFacts& kept_;
   FactTable* last_table_ = nullptr;
   Commit commit_;
   const FactId first_own_;                   // of the facts that come with this commit
