@@ -16,7 +16,7 @@
 #include <optional>
 #include <string>
 
-#include "blackboard/client/remote_watch.hpp"
+#include "blackboard/client/remote_changes.hpp"
 #include "blackboard/store/fact_table.hpp"
 #include "blackboard/time/latch.hpp"
 
