@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 #include "agents/coordinator/act/servo_loop.hpp"
 #include "agents/coordinator/geometry/border_sweeps.hpp"
@@ -126,12 +127,14 @@ bool Pushes::lay_cut_off(const std::string& object) const {
   return centre.z() < room.cube_mm && !room.shown(centre);
 }
 
-std::vector<Push> Pushes::sweeps_for(const std::string& missing) const {
+std::vector<Push> Pushes::sweeps_for(const std::string& missing, bool was_here) const {
   std::vector<Push> sweeps = pushes_into_view(missing);
   const Scene& scene = surroundings_.scene();
   const Sighting* last = scene.sightings().find(missing);
-  if (!last) return sweeps;
-  const LostCube lost{scene.centre_mm(missing, *last), scene.falls_within_mm(*last)};
+  if (!last && !was_here) return sweeps;
+  const forms::CubeRow& row = options_.row;
+  LostCube lost{{row.x_mm, (row.y_low_mm + row.y_high_mm) / 2, 0}, std::numeric_limits<double>::infinity()};
+  if (last) lost = {scene.centre_mm(missing, *last), scene.falls_within_mm(*last)};
   const std::vector<Push> beside = border_sweeps(elbow_room(), options_.row.x_mm, lost, standing_but(missing));
   sweeps.insert(sweeps.end(), beside.begin(), beside.end());
   return sweeps;

@@ -32,8 +32,8 @@ class Pushes {
   // Of an object that the side of the images cuts off; none where it does not, or there is no room to sweep it.
   std::optional<Push> sweep_inwards(const std::string& object) const;
   // First pushes of others that the images cut off, since they may hide it; then sweeps of the table beside the images,
-  // and grips before them, where it may lie, the likeliest first.
-  std::vector<Push> sweeps_for(const std::string& missing) const;
+  // and grips before them, where it may lie, the likeliest first. `was_here`: one that was never seen may lie anywhere.
+  std::vector<Push> sweeps_for(const std::string& missing, bool was_here) const;
   // What was lifted is between the fingers then.
   Task<Result<void>> sweep(Push push);
 

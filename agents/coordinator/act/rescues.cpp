@@ -1,5 +1,6 @@
 #include "agents/coordinator/act/rescues.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -88,19 +89,29 @@ Task<Result<void>> Rescues::clear_way_inwards(std::string object) {
   co_return Result<void>();
 }
 
-Task<Result<bool>> Rescues::sweep_in(std::string missing, std::size_t nth) {
-  const std::vector<Push> sweeps = pushes_.sweeps_for(missing);
-  if (nth >= sweeps.size()) co_return false;
+std::optional<Push> Rescues::next_sweep(const std::string& missing, bool was_here,
+                                        const std::vector<Push>& swept) const {
+  const auto is_done = [&](const Push& sweep) {
+    return std::ranges::any_of(swept, [&](const Push& done) {
+      return done.lifts == sweep.lifts && (done.from_mm - sweep.from_mm).norm() < domain_.cube_mm() / 2;
+    });
+  };
+  for (const Push& sweep : pushes_.sweeps_for(missing, was_here)) {
+    if (!is_done(sweep)) return sweep;
+  }
+  return std::nullopt;
+}
+
+Task<Result<void>> Rescues::sweep_in(std::string missing, Push sweep) {
   const std::string sentence =
       fmt::format("sweeping at the border of the images, where {} may lie or be hidden", missing);
   co_await story_.tell("servo", sentence, Datum::symbol(missing));
   const std::vector<Datum> up{list("raise"_sym)};
   Result<void> done = co_await runner_.improvise(up);
-  if (done) done = co_await pushes_.sweep(sweeps[nth]);
+  if (done) done = co_await pushes_.sweep(sweep);
   if (done) done = co_await runner_.improvise(up);
   if (done) done = co_await lay_down(missing);
-  if (!done) co_return fail(done);
-  co_return true;
+  co_return done;
 }
 
 // Fingers that press on a neighbour cannot close, and are as wide open as they were. Nothing is between them higher up.

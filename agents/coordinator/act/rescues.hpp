@@ -35,9 +35,10 @@ class Rescues {
   bool lay_cut_off(const std::string& object) const { return pushes_.lay_cut_off(object); }
   // What the images cut off and is seen nevertheless. Above it the gripper, and what it holds, are out of view.
   Task<Result<void>> bring_into_view(std::string object);
-  // Brings into view what may lie beyond the border of the images: the `nth` time from elsewhere. False where it may
-  // lie nowhere else.
-  Task<Result<bool>> sweep_in(std::string missing, std::size_t nth);
+  // The likeliest that is not among those that were made. None where it may lie nowhere else.
+  std::optional<Push> next_sweep(const std::string& missing, bool was_here, const std::vector<Push>& swept) const;
+  // Brings into view what may lie beyond the border of the images.
+  Task<Result<void>> sweep_in(std::string missing, Push sweep);
   // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. A held object is
   // laid down, and the object that it could not be put on is pushed out of its row where it is crowded. Failure stuck:
   // the gripper's sensor does not follow the fingers, so that nothing is known of what they met.

@@ -44,9 +44,9 @@ Task<Result<void>> ObjectSearch::look_for(Goal goal) {
 Task<Result<void>> ObjectSearch::look_for_named(Goal goal) {
   head_.begin();
   std::vector<std::string> missing;
+  SetAside set_aside;
   for (const std::string& name : domain_.objects_in(goal.facts)) {
-    const Time deadline = context_.executor.now() + options_.missing_patience;
-    const Result<void> there = co_await look_once_for(goal.number, name, deadline);
+    const Result<void> there = co_await look_once_for(goal.number, name, set_aside);
     const bool unseen = !there && there.error().symbol == "missing-object";
     if (!there && !unseen) co_return there;
     if (unseen) missing.push_back(name);
@@ -78,9 +78,9 @@ Task<Result<void>> ObjectSearch::look_for_others(Goal goal) {
   away_for_ = goal.number;
   const Sightings& sightings = surroundings_.scene().sightings();
   std::erase_if(away_, [&](const std::string& name) { return sightings.remembered(name, options_.grace_looks); });
+  SetAside set_aside;
   for (const std::string& name : others_unseen()) {
-    const Time deadline = context_.executor.now() + options_.missing_patience;
-    const Result<void> there = co_await look_once_for(goal.number, name, deadline);
+    const Result<void> there = co_await look_once_for(goal.number, name, set_aside);
     if (there) continue;
     if (there.error().symbol != "missing-object") co_return there;
     away_.insert(name);
@@ -97,9 +97,10 @@ bool ObjectSearch::arm_stands_low() const {
 }
 
 // Where it does not show by itself, what may hide it is set aside, one thing after another.
-Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string object, Time deadline) {
+Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string object, SetAside& set_aside) {
+  Time deadline = context_.executor.now() + options_.missing_patience;
   bool out_of_the_way = false;
-  SetAside set_aside;
+  set_aside.next_object();
   bool looked_behind = false;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   while (true) {
@@ -194,26 +195,31 @@ Task<Result<bool>> ObjectSearch::lay_down_held(std::string missing, SetAside& se
   co_return true;
 }
 
-Task<Result<bool>> ObjectSearch::sweep_in(std::string missing, SetAside& set_aside) {
+Task<Result<bool>> ObjectSearch::sweep_in(std::int64_t goal, std::string missing, SetAside& set_aside) {
   if (swept_ >= most_swept_of_goal) co_return false;
-  Result<bool> swept = co_await rescues_.sweep_in(std::move(missing), set_aside.sweeps);
+  // Of one that only an earlier life saw it is known that it was here.
+  const std::optional<Push> next = rescues_.next_sweep(missing, plan_.was_made_for(goal), set_aside.swept);
+  if (!next) co_return false;
+  ++swept_;
+  const Result<void> swept = co_await rescues_.sweep_in(std::move(missing), *next);
   const bool was_met = !swept && swept.error().symbol == "stopped";
   const bool again = was_met && ++set_aside.stops < tries_to_sweep;
-  if (!again) set_aside.next_sweep();
-  const bool tried = !swept || *swept;
-  if (tried) ++swept_;
-  co_return swept;
+  set_aside.has_swept = set_aside.has_swept || !again;
+  if (!again) set_aside.swept.push_back(*next);
+  if (!again) set_aside.stops = 0;
+  if (!swept) co_return fail(swept);
+  co_return true;
 }
 
 // One that lay where the images now cut it off, as after a knock against the camera, is likely to lie there still.
 Task<Result<bool>> ObjectSearch::search_the_table(std::int64_t goal, std::string missing, SetAside& set_aside) {
-  const bool sweeps_first = set_aside.sweeps == 0 && rescues_.lay_cut_off(missing);
+  const bool sweeps_first = !set_aside.has_swept && rescues_.lay_cut_off(missing);
   Result<bool> swept = false;
-  if (sweeps_first) swept = co_await sweep_in(missing, set_aside);
+  if (sweeps_first) swept = co_await sweep_in(goal, missing, set_aside);
   const bool is_swept = !swept || *swept;
   if (is_swept) co_return swept;
   const std::optional<std::string> before = to_set_aside(goal, missing, set_aside);
-  if (!before) co_return co_await sweep_in(missing, set_aside);
+  if (!before) co_return co_await sweep_in(goal, missing, set_aside);
   const Result<void> done = co_await set_aside_before(*before, missing, set_aside);
   if (!done) co_return fail(done);
   co_return true;

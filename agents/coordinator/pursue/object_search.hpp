@@ -64,18 +64,20 @@ class ObjectSearch {
     Eigen::Vector3d at_mm;
     int times = 0;
   };
-  // In search of one object: `done` once it was moved, or could not be moved however often that was tried. Of the
-  // sweeps, which is next, and how often something in its way ended it.
+  // In search of one object after another. What was done for one is not done again for the next: `done` has what was
+  // moved, or could not be moved however often that was tried.
   struct SetAside {
     std::set<std::string> done;
     std::map<std::string, Failed> failed;
-    std::size_t sweeps = 0;
-    int stops = 0;
+    std::vector<Push> swept;
+    // Of the object in hand.
+    bool has_swept = false;
+    int stops = 0;           // how often something in its way ended the newest sweep
     bool laid_down = false;  // what the gripper held
     bool head_looked = false;
 
-    void next_sweep() {
-      ++sweeps;
+    void next_object() {
+      has_swept = laid_down = head_looked = false;
       stops = 0;
     }
   };
@@ -83,7 +85,7 @@ class ObjectSearch {
   Task<Result<void>> look_for_named(Goal goal);
   // Seen before, not seen now, and not known to be away.
   std::vector<std::string> others_unseen() const;
-  Task<Result<void>> look_once_for(std::int64_t goal, std::string object, Time deadline);
+  Task<Result<void>> look_once_for(std::int64_t goal, std::string object, SetAside& set_aside);
   // Whether it came into view as the head turned, or clear_view() tried something.
   Task<Result<bool>> look_elsewhere(std::int64_t goal, std::string object, SetAside& set_aside);
   // Whether one rescue was tried, after which one looks again: to lay down what the gripper holds, to set something
@@ -92,7 +94,7 @@ class ObjectSearch {
   Task<Result<bool>> clear_view(std::int64_t goal, std::string missing, SetAside& set_aside);
   Task<Result<bool>> lay_down_held(std::string missing, SetAside& set_aside);
   Task<Result<bool>> search_the_table(std::int64_t goal, std::string missing, SetAside& set_aside);
-  Task<Result<bool>> sweep_in(std::string missing, SetAside& set_aside);
+  Task<Result<bool>> sweep_in(std::int64_t goal, std::string missing, SetAside& set_aside);
   std::optional<std::string> to_set_aside(std::int64_t goal, const std::string& missing,
                                           const SetAside& set_aside) const;
   Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);

@@ -319,6 +319,37 @@ TEST(CrowdedCell, TakesForMissingNoneThatShowsInSearchOfAnother) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
 }
 
+// What is done in search of one shows the other too, if it is there.
+TEST(CrowdedCell, DoesNothingTwiceInSearchOfTwoThatAreAway) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}},
+                               {"square", {450, -100, 30}},
+                               {"triangle", {480, 0, 30}},
+                               {"cross", {480, 120, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden = {"circle", "square"};
+  cell.cubes["circle"] = cell.cubes["square"] = {-5000, 0, 30};
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 refused ?)", 180s));
+  EXPECT_EQ(cell.times_told("(event ? servo \"setting triangle aside, to see what it hides\" ?)"), 1);
+  EXPECT_LE(cell.times_told("(event ? servo \"setting cross aside, to see what it hides\" ?)"), 1);
+}
+
+// The life that saw it is over, and its plan tells that it was there.
+TEST(CrowdedCell, SweepsAfterARestartForWhatItHasNotSeenItself) {
+  FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(operation 0 ? running)", 30s));
+  cell.stop_coordinator();
+  cell.hidden.insert("circle");
+  cell.start_coordinator();
+  EXPECT_TRUE(cell.run_until(
+      "(event ? servo \"sweeping at the border of the images, where circle may lie or be hidden\" ?)", 120s));
+}
+
 TEST(CrowdedCell, RefusesWhatItSweepsForInVain) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}}, {"square", {450, 100, 30}}});
   cell.start_coordinator();
