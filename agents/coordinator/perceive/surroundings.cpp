@@ -8,10 +8,12 @@ namespace pizarra::coordinator {
 
 namespace {
 
-// Of the objects of a look, each told as (NAME STATE ...).
+// Of the objects of a look, each told as ("NAME" STATE ...).
 std::set<std::string> names_in(const Datum& objects) {
   std::set<std::string> names;
-  for (const Datum& object : objects.items()) names.emplace(object.head());
+  for (const Datum& object : objects.items()) {
+    if (object.size() > 0) names.emplace(object[0].text());
+  }
   return names;
 }
 

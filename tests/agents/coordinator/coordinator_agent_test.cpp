@@ -492,6 +492,15 @@ TEST_F(Coordinator, TracksAgainWhatTheEyesForgotInTheMiddleOfTheAsking) {
   expect_on("circle", "triangle");
 }
 
+TEST_F(Coordinator, AsksTheEyesOnlyOnceToTrackWhatTheyTrack) {
+  want("(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 20s));
+  EXPECT_EQ(cell.times_told("(request ? vision (track ?))"), 4);
+  want("(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 20s));
+  EXPECT_EQ(cell.times_told("(request ? vision (track ?))"), 4);
+}
+
 TEST_F(Coordinator, ReplacesAGoalAndPutsAwayWhatItHoldsThroughTheNewPlan) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(holding circle)", 60s));
