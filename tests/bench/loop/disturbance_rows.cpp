@@ -1,8 +1,10 @@
 // Towers of three under the disturbances of a published table, beside our own open loop.
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "programs/command_line/exit_codes.hpp"
@@ -64,6 +66,25 @@ void say_decisions(const Runs& runs) {
       100 * mean(all(runs, &Played::kept)));
 }
 
+// What a slip costs till something is gripped again.
+void say_retries(const Runs& runs) {
+  std::vector<double> whole_s;
+  std::array<std::vector<double>, Retry::parts> parts_s;
+  for (const Played& run : runs) {
+    for (const Retry& retry : run.retries) {
+      whole_s.push_back(std::accumulate(retry.part_s.begin(), retry.part_s.end(), 0.0));
+      for (std::size_t i = 0; i < Retry::parts; ++i) parts_s[i].push_back(retry.part_s[i]);
+    }
+  }
+  if (whole_s.empty()) return;
+  fmt::print("    slips made good: {}; gripped again {:.1f} s later (median), {:.1f} s (90 %), {:.1f} s (99 %)",
+             whole_s.size(), percentile(whole_s, 0.5), percentile(whole_s, 0.9), percentile(whole_s, 0.99));
+  for (std::size_t i = 0; i < Retry::parts; ++i) {
+    fmt::print("; {} {:.1f}, {:.1f}", Retry::names[i], percentile(parts_s[i], 0.5), percentile(parts_s[i], 0.9));
+  }
+  fmt::print("\n");
+}
+
 // Beside the published open loop, where there is one.
 void say_hardness(const Row& row, double open_percent) {
   if (!row.open_loop) return;
@@ -100,6 +121,7 @@ void say_details(const LoopBench& bench, const Row& row, const Measured& measure
   say_hardness(row, share_of(reached(measured.open), bench.seeds).percent);
   say_grips(row, counted);
   say_decisions(counted);
+  say_retries(counted);
   say_how(bench, "closed loop", measured.closed);
   say_how(bench, "open loop", measured.open);
   fmt::print("    {:.1f} s to the goal, carries of {:.1f} s; {:.0f} times faster than real time, a process\n",

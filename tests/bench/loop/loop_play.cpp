@@ -123,6 +123,21 @@ std::vector<double> numbers_of(const Datum& items) {
   return values;
 }
 
+Datum parts_of(const std::vector<Retry>& retries) {
+  std::vector<Datum> items;
+  for (const Retry& retry : retries) items.push_back(numbers({retry.part_s.begin(), retry.part_s.end()}));
+  return Datum::list(std::move(items));
+}
+
+std::vector<Retry> retries_of(const Datum& items) {
+  std::vector<Retry> retries;
+  for (const Datum& item : items.items()) {
+    const std::vector<double> parts_s = numbers_of(item);
+    std::ranges::copy(parts_s, retries.emplace_back().part_s.begin());
+  }
+  return retries;
+}
+
 }  // namespace
 
 Played play_loop(const Disturbance& disturbance, std::uint64_t seed, bool open_loop, bool told) {
@@ -155,21 +170,22 @@ Played play_loop(const Disturbance& disturbance, std::uint64_t seed, bool open_l
   played.kept = watch.kept();
   played.carries_s = watch.carries_s();
   played.grips_mm_s = watch.grips_mm_s();
+  played.retries = watch.retries();
   return played;
 }
 
 std::string played_to_text(const Played& played) {
   return write(list(played.reached ? "yes"_sym : "no"_sym, played.took_s, played.cell_s, played.wall_s,
                     to_datum(played.end), numbers(played.decisions_s), numbers(played.kept), numbers(played.carries_s),
-                    numbers(played.grips_mm_s)));
+                    numbers(played.grips_mm_s), parts_of(played.retries)));
 }
 
 Played played_from_text(const std::string& text) {
   const Result<Datum> told = read_one(text);
-  if (!told || told->size() != 9) return {.end = "died"};
+  if (!told || told->size() != 10) return {.end = "died"};
   const Datum& d = *told;
-  return {d[0].is_symbol("yes"), d[1].number(),    d[2].number(),    d[3].number(),   std::string(d[4].text()),
-          numbers_of(d[5]),      numbers_of(d[6]), numbers_of(d[7]), numbers_of(d[8])};
+  return {d[0].is_symbol("yes"), d[1].number(),    d[2].number(),    d[3].number(),    std::string(d[4].text()),
+          numbers_of(d[5]),      numbers_of(d[6]), numbers_of(d[7]), numbers_of(d[8]), retries_of(d[9])};
 }
 
 }  // namespace pizarra::bench

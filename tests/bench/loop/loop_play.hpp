@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lisp/result.hpp"
+#include "tests/bench/loop/retry_watch.hpp"
 
 namespace pizarra::bench {
 
@@ -34,6 +35,7 @@ struct Played {
   std::vector<double> kept = {};
   std::vector<double> carries_s = {};
   std::vector<double> grips_mm_s = {};  // as the fingers began to close, the fastest cube's speed
+  std::vector<Retry> retries = {};      // of what slipped
 };
 
 // `told`: the story comes out on standard output.

@@ -41,6 +41,8 @@ Task<void> LoopWatch::follow(launcher::LocalCell& cell) {
   const Datum any = "?"_sym;
   const Datum steps = list("micro-task"_sym, any, any, any);
   const Job carries = cell.executor().spawn(follow_pattern(*board, cell.executor(), steps));
+  const Datum openings = list("gripper"_sym, any, any);
+  const Job fingers = cell.executor().spawn(follow_pattern(*board, cell.executor(), openings));
   const Datum events = list("event"_sym, any, any, any, any);
   co_await follow_pattern(*board, cell.executor(), events);
 }
@@ -56,9 +58,12 @@ Task<void> LoopWatch::follow_pattern(Board& board, Executor& executor, Datum pat
 }
 
 void LoopWatch::take(const Datum& fact, double now_s) {
+  if (fact.is_form("gripper")) return retry_watch_.take(fact, now_s);
+  if (fact.is_form("micro-task")) retry_watch_.take(fact, now_s);
   if (fact.is_form("micro-task")) return take_micro_task(fact, now_s);
   if (fact[1].integer() <= last_event_) return;
   last_event_ = fact[1].integer();
+  retry_watch_.take(fact, now_s);
   take_event(fact, now_s);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "agents/launcher/local_cell.hpp"
+#include "tests/bench/loop/retry_watch.hpp"
 
 namespace pizarra::bench {
 
@@ -25,6 +26,8 @@ class LoopWatch {
   const std::vector<double>& carries_s() const { return carries_s_; }
   // Each time the fingers began to close, the speed of the cube that moved fastest.
   const std::vector<double>& grips_mm_s() const { return grips_mm_s_; }
+  // Of each slip that was made good.
+  const std::vector<Retry>& retries() const { return retry_watch_.retries(); }
 
  private:
   Task<void> follow_pattern(Board& board, Executor& executor, Datum pattern);
@@ -43,6 +46,7 @@ class LoopWatch {
   std::vector<double> kept_;
   std::vector<double> carries_s_;
   std::vector<double> grips_mm_s_;
+  RetryWatch retry_watch_;
   Job grip_;
 };
 
