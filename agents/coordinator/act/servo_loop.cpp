@@ -21,6 +21,11 @@ constexpr double back_off_mm = 40;
 // Beside a motion, until it is asked again whether a look has come.
 constexpr Duration watch_patience = 1s;
 
+// Nearer than anything is laid down by itself. There the arm comes down from above, and does not come in low.
+bool is_near_the_foot(const Aim& aim) {
+  return (aim.wanted_mm - aim.foot_mm).head<2>().norm() < TableArea().reach_low_mm;
+}
+
 double tenths(double value) { return std::round(value * 10) / 10; }
 
 }  // namespace
@@ -127,8 +132,9 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
       continue;
     }
     unseen = 0;
-    const ServoErrors errors = servo_errors(*aim, *surroundings_.scene().view(), options_.gripper.mark_before_grip_mm,
-                                            options_.travel_height_mm);
+    if (is_near_the_foot(*aim)) carried_.go_high();
+    const ServoErrors errors =
+        servo_errors(*aim, *surroundings_.scene().view(), options_.gripper.mark_before_grip_mm, carried_.height_mm());
     const ServoCommand command = servo_command(errors, descend);
     const ServoPixels told = servo_pixels(*aim, *surroundings_.scene().view());
     co_await tell(command.state, target, told);

@@ -3,7 +3,7 @@
 // The visual servo: look, decide, move, until the end effector is where a target wants it (states 1 to 4 of the
 // thesis).
 //
-//   ServoLoop servo(context, options, service, surroundings, story, arm, eyes, vigil, aims);
+//   ServoLoop servo(context, options, service, surroundings, story, arm, eyes, vigil, aims, carried);
 //   Result<void> there = co_await servo.run(target, false);      // true: goes down to it
 //
 // Failures: interrupted, difference, camera-doubtful (see may_move), lost-sight, no-convergence, those of the aim
@@ -11,6 +11,7 @@
 
 #include "agents/coordinator/act/aim.hpp"
 #include "agents/coordinator/act/arm.hpp"
+#include "agents/coordinator/act/carried.hpp"
 #include "agents/coordinator/perceive/eyes.hpp"
 #include "agents/coordinator/plan/vigil.hpp"
 
@@ -22,7 +23,8 @@ Result<void> may_move(const Surroundings& surroundings, const Vigil& vigil);
 class ServoLoop {
  public:
   ServoLoop(runtime::AgentContext& context, const CoordinatorOptions& options, const runtime::Service& service,
-            Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, const Vigil& vigil, Aims& aims)
+            Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, const Vigil& vigil, Aims& aims,
+            Carried& carried)
       : context_(context),
         options_(options),
         service_(service),
@@ -31,7 +33,8 @@ class ServoLoop {
         arm_(arm),
         eyes_(eyes),
         vigil_(vigil),
-        aims_(aims) {}
+        aims_(aims),
+        carried_(carried) {}
 
   Task<Result<void>> run(Datum target, bool descend);
   // What the servo makes up for: (servo STATE TARGET ERR-X ERR-Y ERR-D).
@@ -55,6 +58,7 @@ class ServoLoop {
   Eyes& eyes_;
   const Vigil& vigil_;
   Aims& aims_;
+  Carried& carried_;
 };
 
 }  // namespace pizarra::coordinator

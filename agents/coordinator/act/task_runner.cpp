@@ -37,7 +37,7 @@ Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation)
   co_await tell(list("operation"_sym, index, operation.name, "running"_sym));
   Result<void> done = co_await run_steps(*steps);
   const bool is_to_show = done && !options_.open_loop;
-  if (is_to_show) done = co_await await_effects(operation);
+  if (is_to_show) done = co_await carried_.keep(await_effects(operation));
   const Datum state = Datum::symbol(done ? "done" : "failed");
   co_await tell(list("operation"_sym, index, operation.name, state));
   co_return done;
@@ -46,6 +46,7 @@ Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation)
 Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
   vigil_.rest();
   aims_.reset();
+  carried_.end();
   const Result<void> done = co_await run_steps(std::move(steps));
   co_return done;
 }
@@ -55,7 +56,7 @@ Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
     const Result<void> fine = may_move(surroundings_, vigil_);
     if (!fine) co_return fine;
     co_await tell(list("micro-task"_sym, i, steps[i], "running"_sym));
-    const Result<void> done = co_await run_step(steps[i]);
+    const Result<void> done = co_await carried_.keep(run_step(steps[i]));
     const Datum state = Datum::symbol(done ? "done" : "failed");
     co_await tell(list("micro-task"_sym, i, steps[i], state));
     const bool goes_on = done || (options_.open_loop && !vigil_.interrupted());
@@ -66,7 +67,7 @@ Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
 
 Task<Result<void>> TaskRunner::run_step(Datum step) {
   const std::string_view name = step.head();
-  if (name == "raise") return raise();
+  if (name == "raise") return raise_to(carried_.height_mm());
   if (name == "align") return servo_.run(step[1], false);
   if (name == "lower") return servo_.run(step[1], true);
   if (name == "close") return close();
@@ -75,12 +76,13 @@ Task<Result<void>> TaskRunner::run_step(Datum step) {
   if (name == "square-up") return arm_.face(0);
   if (name == "make-room") return pushes_.make_room(std::string(step[1].text()));
   if (name == "push-over") return pushes_.push_over(std::string(step[1].text()));
-  if (name == "check-held" && options_.open_loop) return raise();
+  if (name == "check-held" && options_.open_loop) return raise_to(carried_.height_mm());
   if (name == "check-held") return check_held(std::string(step[1].text()));
   return open(aims_.opening_around(step[1].text(), options_.gripper.openings.wide_mm));
 }
 
 Task<Result<void>> TaskRunner::open(double opening_mm) {
+  carried_.end();
   const Result<double> opened = co_await arm_.grip(opening_mm);
   if (!opened) co_return fail(opened);
   co_return Result<void>();
@@ -96,19 +98,22 @@ Task<Result<void>> TaskRunner::close() {
   vigil_.commit();
   const Result<double> opening = co_await arm_.grip(0);
   if (!opening) co_return fail(opening);
-  if (domain_.edge_like(*opening)) co_return Result<void>();
+  const bool is_held = domain_.edge_like(*opening).has_value();
+  if (is_held) carried_.begin();
+  if (is_held) co_return Result<void>();
   co_return fail("missed", fmt::format("the gripper closed to {:.0f} mm", *opening), to_datum(*opening));
 }
 
 Task<Result<void>> TaskRunner::release() {
   vigil_.commit();
+  carried_.end();
   const Result<double> opened = co_await arm_.grip(options_.gripper.openings.normal_mm);
   if (!opened) co_return fail(opened);
   co_return Result<void>();
 }
 
 // Far out it goes up as far as it can first, over what stands behind, and then on from nearer to its foot.
-Task<Result<void>> TaskRunner::go_up(double missing_mm) {
+Task<Result<void>> TaskRunner::go_up(double missing_mm, double height_mm) {
   const ServoCommand inwards{0, ServoCommand::Motion::extend, -retreat_mm};
   for (int i = 0; i < most_rises; ++i) {
     const ServoCommand::Motion motion = missing_mm > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
@@ -119,20 +124,20 @@ Task<Result<void>> TaskRunner::go_up(double missing_mm) {
     if (!moved) co_return moved;
     const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
     if (!grip) co_return fail(grip);
-    missing_mm = options_.travel_height_mm - grip->z();
+    missing_mm = height_mm - grip->z();
     if (std::abs(missing_mm) <= height_tolerance_mm) co_return Result<void>();
   }
   co_return fail("unreachable", "the arm does not reach its travel height", to_datum(missing_mm));
 }
 
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
-Task<Result<void>> TaskRunner::raise() {
+Task<Result<void>> TaskRunner::raise_to(double height_mm) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
     if (!grip) co_return fail(grip);
-    const double missing = options_.travel_height_mm - grip->z();
+    const double missing = height_mm - grip->z();
     if (std::abs(missing) > height_tolerance_mm) {
-      const Result<void> moved = co_await go_up(missing);
+      const Result<void> moved = co_await go_up(missing, height_mm);
       if (!moved) co_return moved;
     }
     const Result<void> looked = co_await eyes_.fresh_look();
@@ -172,7 +177,7 @@ Task<Result<void>> TaskRunner::await_effects(GroundOperation operation) {
     bool effective = true;
     for (const Datum& fact : operation.adds) effective = effective && beliefs.contains(fact);
     if (effective) co_return Result<void>();
-    if (vigil_.interrupted() || context_.executor.now() > deadline) break;
+    if (vigil_.interrupted() || carried_.is_lost() || context_.executor.now() > deadline) break;
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
   }

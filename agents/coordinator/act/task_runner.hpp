@@ -7,9 +7,10 @@
 //   Result<void> done = co_await runner.run(index, operation);
 //
 // Failures: interrupted, difference (see Vigil), camera-doubtful (it may have been moved), missed (nothing was
-// grasped), no-effect (all was done and the eyes do not see its effect). Others are lost-sight, no-convergence,
-// no-room, absent, and the robot's own.
+// grasped), slipped (what was carried is not between the fingers any more), no-effect (all was done and the eyes do not
+// see its effect). Others are lost-sight, no-convergence, no-room, absent, and the robot's own.
 
+#include "agents/coordinator/act/carried.hpp"
 #include "agents/coordinator/act/pushes.hpp"
 #include "agents/coordinator/act/servo_loop.hpp"
 
@@ -18,8 +19,8 @@ namespace pizarra::coordinator {
 class TaskRunner {
  public:
   TaskRunner(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-             Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, Vigil& vigil, Aims& aims, ServoLoop& servo,
-             Pushes& pushes)
+             Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, Vigil& vigil, Aims& aims, Carried& carried,
+             ServoLoop& servo, Pushes& pushes)
       : context_(context),
         options_(options),
         domain_(domain),
@@ -29,6 +30,7 @@ class TaskRunner {
         eyes_(eyes),
         vigil_(vigil),
         aims_(aims),
+        carried_(carried),
         servo_(servo),
         pushes_(pushes) {}
 
@@ -36,11 +38,12 @@ class TaskRunner {
   // Micro-tasks that belong to no operation: nothing has to go on holding meanwhile.
   Task<Result<void>> improvise(std::vector<Datum> steps);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
-  Task<Result<void>> raise();
+  Task<Result<void>> raise() { return raise_to(options_.travel_height_mm); }
 
  private:
+  Task<Result<void>> raise_to(double height_mm);
   // By as much, inwards where the arm does not reach as high.
-  Task<Result<void>> go_up(double missing_mm);
+  Task<Result<void>> go_up(double missing_mm, double height_mm);
   Task<Result<void>> run_steps(std::vector<Datum> steps);
   Task<Result<void>> run_step(Datum step);
   Task<Result<void>> open(double opening_mm);
@@ -60,6 +63,7 @@ class TaskRunner {
   Eyes& eyes_;
   Vigil& vigil_;
   Aims& aims_;
+  Carried& carried_;
   ServoLoop& servo_;
   Pushes& pushes_;
 };

@@ -31,9 +31,10 @@ struct Life {
         changes(context, roles, surroundings, eyes, story, service),
         planning(context, options, domain, roles, caller, surroundings),
         aims(options, domain, surroundings.scene()),
-        servo(context, options, service, surroundings, story, arm, eyes, vigil, aims),
+        carried(context, options, domain, surroundings, arm),
+        servo(context, options, service, surroundings, story, arm, eyes, vigil, aims, carried),
         pushes(options, domain, surroundings, story, arm, vigil),
-        runner(context, options, domain, surroundings, story, arm, eyes, vigil, aims, servo, pushes),
+        runner(context, options, domain, surroundings, story, arm, eyes, vigil, aims, carried, servo, pushes),
         rescues(domain, surroundings.scene(), story, arm, pushes, runner, options.gripper.openings.wide_mm),
         survey(options, domain, surroundings, story, arm, eyes, servo, runner, vigil),
         goal(context, story, vigil),
@@ -59,6 +60,7 @@ struct Life {
   RoleChanges changes;
   Planning planning;
   Aims aims;
+  Carried carried;
   ServoLoop servo;
   Pushes pushes;
   TaskRunner runner;

@@ -181,6 +181,7 @@ Task<Result<std::optional<NextOperation>>> Pursuit::choose(Goal goal, Progress& 
 Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress) {
   const bool ends = is_final(why) || is_hold_up(why);
   if (ends) co_return fail(why);
+  if (why.symbol == "slipped") co_return co_await recover_from_slip(operation, std::move(why), progress);
   // A difference was told when it was noticed; what follows from it is not another one.
   progress.expected.reset();
   if (why.symbol == "difference" || is_of_the_camera(why)) {
@@ -195,6 +196,19 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
   if (too_often) co_return fail(why);
   const bool in_vain = failures % failures_till_otherwise == 0;
   if (in_vain) co_await try_otherwise(goal, operation, std::move(why));
+  co_return Result<void>();
+}
+
+// How it lies is not to blame, so that it is grasped again as before. The fingers open, out of its way, while it comes
+// to rest.
+Task<Result<void>> Pursuit::recover_from_slip(GroundOperation operation, Failure why, Progress& progress) {
+  if (++progress.failures > most_failures) co_return fail(why);
+  std::vector<Datum> make_ready{list("raise"_sym)};
+  const bool has_object = operation.name.size() > 1;
+  if (has_object) make_ready.insert(make_ready.begin(), list("open"_sym, operation.name[1]));
+  const Result<void> ready = co_await runner_.improvise(make_ready);
+  const bool ends = !ready && (is_final(ready.error()) || is_hold_up(ready.error()));
+  if (ends) co_return ready;
   co_return Result<void>();
 }
 

@@ -70,6 +70,7 @@ class Pursuit {
   Task<Result<std::optional<NextOperation>>> choose(Goal goal, Progress& progress);
   // Takes note of a failed operation; a failure where it is to be the last.
   Task<Result<void>> recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress);
+  Task<Result<void>> recover_from_slip(GroundOperation operation, Failure why, Progress& progress);
   // The object on which the operation puts the one in hand, if the images cut it off.
   std::optional<std::string> carried_out_of_view(const GroundOperation& operation) const;
   // The same from the second time on, when it is brought into view first: the one put on it before did not stay.

@@ -228,6 +228,12 @@ void FakeCell::let_go() {
   cubes[cube].z() = support + 30;
 }
 
+void FakeCell::slip() {
+  let_go();
+  opening_mm = 0;
+  tell("(gripper robot 0.0)");
+}
+
 double FakeCell::close_gripper(double wanted_mm) {
   ++motions;
   if (wanted_mm > 60) let_go();

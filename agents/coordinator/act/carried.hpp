@@ -1,0 +1,53 @@
+#pragma once
+
+// What is between the fingers from a grip to the release: whether it still is, by the gripper's own word, and how high
+// it is carried.
+//
+//   carried.begin();                                            // the fingers closed on something
+//   Result<void> done = co_await carried.keep(raise());         // slipped: the step ended early
+//   carried.end();                                              // they are about to open
+//
+// It is carried no higher than it takes to pass over all that stands, as the eyes see every object: what slips then
+// falls less far, and comes to rest near by and upright.
+
+#include "agents/coordinator/act/arm.hpp"
+#include "agents/coordinator/perceive/surroundings.hpp"
+
+namespace pizarra::coordinator {
+
+class Carried {
+ public:
+  Carried(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+          Surroundings& surroundings, Arm& arm)
+      : context_(context), options_(options), domain_(domain), surroundings_(surroundings), arm_(arm) {}
+
+  void begin() {
+    is_carried_ = true;
+    goes_high_ = false;
+  }
+  void end() { is_carried_ = false; }
+  // Nothing is between the fingers any more that should be.
+  bool is_lost() const;
+  // Carries out a step. Its motion is cut short once what is carried is lost. Failures: slipped, and those of the step.
+  Task<Result<void>> keep(Task<Result<void>> step);
+  // At which the arm travels, with or without something between its fingers.
+  double height_mm() const;
+  // Until it is let go: to a place where the arm does not come as low.
+  void go_high() { goes_high_ = true; }
+
+ private:
+  Task<void> cut_short_when_lost();
+  bool goes_low() const { return is_carried_ && !goes_high_ && sees_all(); }
+  bool sees_all() const;
+  double highest_mm() const;
+
+  runtime::AgentContext& context_;
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  Surroundings& surroundings_;
+  Arm& arm_;
+  bool is_carried_ = false;
+  bool goes_high_ = false;
+};
+
+}  // namespace pizarra::coordinator
