@@ -9,8 +9,10 @@ namespace {
 constexpr double impossible = std::numeric_limits<double>::infinity();
 const MarkMatch same_tag{.error = 0, .shape_error = 0};
 constexpr double least_slimness = 0.55;
-// For marks that are seen as from the front, however far they are tilted.
+// For marks that are seen as from the front, however far they are tilted. Tilted by 55 degrees and seen 24 degrees
+// beside the camera's axis they look slimmer still; few pixels lie across such a one, and much is a little like it.
 constexpr double least_flattened = 0.3;
+constexpr double least_flattened_if_alike = 0.2;
 // Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
 constexpr double roundness_weight = 0.25;
 constexpr double ordinary_spread = 0.01;
@@ -48,7 +50,7 @@ bool has_size(const SeenMark& mark, const LearnedSample& sample) {
 // Of shapes, whatever their size.
 MarkMatch shape_match(const SeenMark& mark, const LearnedSample& sample, double weight,
                       std::optional<int> last_turn = {}) {
-  const double slimmest = mark.flattened ? least_flattened : least_slimness;
+  const double slimmest = mark.flattened ? least_flattened_if_alike : least_slimness;
   if (mark.tone != sample.tone || mark.slimness < slimmest * sample.slimness) return {};
   // The parameters first: where they differ too much the shapes need not be compared.
   const double roundness = roundness_error(mark, sample, weight);
@@ -61,7 +63,8 @@ MarkMatch shape_match(const SeenMark& mark, const LearnedSample& sample, double 
     const double error = signature_error(mark.signature, sample.signatures[i], sharp.turn);
     if (error < best.shape_error) best = {error + roundness, error, i, sharp.turn, &sample};
   }
-  return best;
+  const bool is_slim = mark.flattened && mark.slimness < least_flattened * sample.slimness;
+  return is_slim && best.error > recognition_threshold / 2 ? MarkMatch() : best;
 }
 
 bool are_shapes(const SeenMark& mark, const LearnedSample& sample) { return !mark.tag && !sample.tag; }

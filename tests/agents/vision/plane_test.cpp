@@ -8,6 +8,7 @@
 
 #include "agents/vision/marks/outline_ground.hpp"
 #include "agents/vision/objects/plane_look.hpp"
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/plane_pose.hpp"
 #include "agents/vision/sight/seen_range.hpp"
 #include "agents/vision/sight/tag_pose.hpp"
@@ -260,6 +261,28 @@ TEST(Plane, OfATiltedTriangleIsWithinItsSpreads) {
              std::sqrt(told.covariance.bottomRightCorner<3, 3>().trace());
     };
     EXPECT_LT(std::min(spreads_off(seen->pose), spreads_off(seen->pose.other)), 2);
+  }
+}
+
+// Beside the camera's axis a face that is turned outwards looks narrower still than its tilt makes it.
+TEST(Plane, OfACircleThatIsTiltedFarFromTheAxisIsFound) {
+  Random random(24);
+  LearnedObjects objects;
+  LearnedSample sample = learned(circle(), random);
+  sample.number = 1;
+  objects.add("circle", sample);
+  const camera::StereoModel model = one_camera();
+  for (const double tilt_deg : {53.0, 55.0, 57.0}) {
+    SCOPED_TRACE(tilt_deg);
+    const cv::Matx33d turn = turned_about({0, tilt_deg * CV_PI / 180, 0});
+    const cv::Vec3d place(-190, 20, 480);
+    const cv::Mat image = filled(projected(circle(), turn, place), random);
+    StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
+    const Result<FoundMark> found = MarkFinder(objects).find(sight, *objects.find("circle"), {});
+    ASSERT_TRUE(found);
+    EXPECT_LT(found->pair.left.slimness, 0.3);
+    EXPECT_LT(cv::norm(found->pair.left.centre - projected({{0, 0}}, turn, place).front()), 1);
+    EXPECT_LT(found->confidence, 0.9);
   }
 }
 
