@@ -208,8 +208,8 @@ struct CellDoor {
 
 // Of what the simulated cameras see.
 struct CellImageSize {
-  int width_px;
-  int height_px;
+  int width_px = 320;
+  int height_px = 240;
 };
 
 struct CellHost {
@@ -225,7 +225,7 @@ struct CellDescription {
   std::string camera_pose_file;  // where a measured pose of the camera is kept, empty: nowhere
   std::string head;              // the simulated pan-tilt unit under it, empty: it stands still
   int frames_per_s = 10;         // of the simulated camera
-  CellImageSize image{};
+  CellImageSize image;
   std::array<double, 5> lens{};  // its distortion, as OpenCV has it: k1, k2, p1, p2, k3
   CellNoise noise;
   std::optional<CellLamp> second_lamp;

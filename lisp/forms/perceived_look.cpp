@@ -8,11 +8,8 @@ namespace pizarra::forms {
 namespace {
 
 SeenObject seen_object(const Datum& seen) {
-  SeenObject out{.name = std::string(seen[0].text()),
-                 .at_mm = {seen[1].number(), seen[2].number(), seen[3].number()},
-                 .face_deg = {},
-                 .spread_mm = seen[5].number()};
-  if (seen[4].is_number()) out.face_deg = seen[4].number();
+  SeenObject out{std::string(seen[0].text()), {seen[1].number(), seen[2].number(), seen[3].number()}, std::nullopt};
+  if (seen.size() > 4) out.face_deg = seen[4].number();
   return out;
 }
 

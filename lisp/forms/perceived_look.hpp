@@ -27,7 +27,6 @@ struct SeenObject {
   std::string name;
   std::array<double, 3> at_mm;     // of its mark
   std::optional<double> face_deg;  // as the look says it
-  double spread_mm = 0;            // standard deviation of its distance, as the look says it
 };
 
 struct PerceivedLook {
@@ -37,8 +36,8 @@ struct PerceivedLook {
   Result<std::vector<Datum>> facts;
 };
 
-// `text` is a TRACK reply, and `of` what the look tells besides:
-// ((NAME STATE CONFIDENCE (range D SPREAD) (face DEGREES) ...) ...). Failures: the reader's, and the same of the text.
+// `text` is a TRACK reply, and `of` what the look tells besides: ((NAME STATE CONFIDENCE (face DEGREES) ...) ...).
+// Failures: the reader's, and the same of the text.
 Result<PerceivedLook> perceive_look(const Perception& perception, std::string_view text, const Datum& of,
                                     const LookSituation& situation, const std::vector<Datum>& believed);
 

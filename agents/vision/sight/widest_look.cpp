@@ -15,7 +15,7 @@ const double motion_by_side = std::sqrt(8.0);
 // How much noise may take off an axis that is as wide as it was, as a part of it.
 constexpr double slack = 0.01;
 // How much of what is wider is taken over in a frame: noise alone widens nothing for long.
-constexpr double gain = 0.3;
+constexpr double part_taken_over = 0.3;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void WidestLook::follow(const SeenMark& now) {
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     if (spreads[i] < (1 - slack) * widest[i]) return;
   }
-  for (std::size_t i = 0; i < spreads.size(); ++i) widest[i] += gain * std::max(0.0, spreads[i] - widest[i]);
+  for (std::size_t i = 0; i < spreads.size(); ++i) widest[i] += part_taken_over * std::max(0.0, spreads[i] - widest[i]);
 }
 
 }  // namespace pizarra::vision

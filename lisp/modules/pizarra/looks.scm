@@ -13,15 +13,15 @@
 ;; (interpret DATA OF SITUATION SECTION BELIEVED) => (ok (SEEN HIDDEN OUTCOME)), or (errors ...) about the reply.
 ;;
 ;; DATA is what is read of the reply (TRACK N ("a" OK (x, y, d)) ...), OF what the look adds to each name:
-;; (("a" STATE CONFIDENCE (range D SPREAD) (face DEGREES) ...) ...). SITUATION is (CAMERA HAND REMEMBERED MEASURED):
+;; (("a" STATE CONFIDENCE (face DEGREES) ...) ...). SITUATION is (CAMERA HAND REMEMBERED MEASURED):
 ;;   CAMERA      (FOCAL CX CY BASE-LINE CENTRE ACROSS DOWN FORWARD), px, mm and points
 ;;   HAND        (MARK OFFSET GRIP HALF-WIDTH BELOW MARK-HALF): from the mark's place to where the mark of a held object
 ;;               would stand; where that is while the mark is not seen, or (); and the outline that hides what is behind
 ;;   REMEMBERED  ((NAME PLACE AGE EXCUSABLE) ...), of AGE looks ago; EXCUSABLE 0 where it was hidden for too long
 ;;   MEASURED    (FACT ...), besides what is seen
 ;;
-;; SEEN is ((NAME X Y Z FACE SPREAD) ...), FACE () where its degrees are not told, and SPREAD 0; HIDDEN is (NAME ...).
-;; OUTCOME is (ok (FACT ...)), what the rules of SECTION find, or (fail ...) as perceive has it.
+;; SEEN is ((NAME X Y Z) ...), (NAME X Y Z DEGREES) of a face; HIDDEN is (NAME ...). OUTCOME is (ok (FACT ...)), what
+;; the rules of SECTION find, or (fail ...) as perceive has it.
 (define (interpret data of situation section believed)
   (match (replies:interpret data)
     (('ok ('track . tracked))
@@ -45,7 +45,7 @@
                         (append-map (lambda (one) (if (equal? (car one) mark) '() (list (seen-fact one)))) seen)
                         (append-map (lambda (known) (remembered-facts known (member (first known) hidden)))
                                     missing))))
-    (list (map (lambda (one) (append one (list (face-of (car one) of) (spread-of (car one) of)))) seen)
+    (list (map (lambda (one) (append one (face-of (car one) of))) seen)
           hidden
           (perceive section (append measured facts) believed))))
 
@@ -61,22 +61,13 @@
            (list fact)
            (list fact (list 'unseen (string->symbol name))))))))
 
-;; What an object's part of that name holds, or () where none is told. Whoever tells looks may tell other parts, or what
-;; is none.
-(define (part-of name head of)
-  (let* ((entry (find (lambda (each) (and (pair? each) (equal? (car each) name))) of))
-         (part (and entry (find (lambda (part) (and (pair? part) (eq? (car part) head))) (cdr entry)))))
-    (if part (cdr part) '())))
-
+;; (DEGREES), or () where none is told. Whoever tells looks may tell other parts, or what is none.
 (define (face-of name of)
-  (match (part-of name 'face of)
-    (((? number? degrees)) degrees)
-    (_ '())))
-
-(define (spread-of name of)
-  (match (part-of name 'range of)
-    ((_ (? number? spread)) spread)
-    (_ 0)))
+  (let* ((entry (find (lambda (each) (and (pair? each) (equal? (car each) name))) of))
+         (face (and entry (find (lambda (part) (and (pair? part) (eq? (car part) 'face))) (cdr entry)))))
+    (match face
+      (('face (? number? degrees)) (list degrees))
+      (_ '()))))
 
 (define (grip-place hand mark)
   (match hand
