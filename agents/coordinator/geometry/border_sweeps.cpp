@@ -98,18 +98,24 @@ bool is_free_to_pull(const Push& pull, const ElbowRoom& room, const std::vector<
   return std::ranges::none_of(standing, is_met);
 }
 
-// Where a cube may have left the images by their lower border: straight on from where it was lost, or `pitch` cubes
-// aside of that.
+// Where a cube may have left the images by their lower border.
 struct Crossing {
   double y_mm;
   double border_mm;  // the x up to which all of a cube shows
   double way_mm;     // how far it must have come
 };
 
+// Straight on from where it was lost, and every `pitch` cubes aside of that, as far as it may have come and the arm
+// reaches.
 std::vector<Crossing> crossings(const ElbowRoom& room, double row_x_mm, const LostCube& lost, double pitch) {
   std::vector<Crossing> out;
-  for (const double off : {0.0, -pitch, pitch}) {
-    const double aside_mm = off * room.cube_mm;
+  const double pitch_mm = pitch * room.cube_mm;
+  const double low_mm = std::max(lost.seen_mm.y() - lost.within_mm, -room.reach_high_mm);
+  const double high_mm = std::min(lost.seen_mm.y() + lost.within_mm, room.reach_high_mm);
+  const int first = static_cast<int>(std::ceil((low_mm - lost.seen_mm.y()) / pitch_mm));
+  const int last = static_cast<int>(std::floor((high_mm - lost.seen_mm.y()) / pitch_mm));
+  for (int i = first; i <= last; ++i) {
+    const double aside_mm = i * pitch_mm;
     const double y_mm = lost.seen_mm.y() + aside_mm;
     const std::optional<double> border_mm = border_before(room, row_x_mm, y_mm);
     if (!border_mm) continue;
@@ -124,15 +130,21 @@ double furthest_x_mm(double reach_mm, double y_mm) {
   return std::sqrt(std::max(0.0, reach_mm * reach_mm - y_mm * y_mm));
 }
 
-// Towards the arm, where it comes to places beyond a cube that the lower border cuts off.
+double touching_mm(const ElbowRoom& room) { return room.cube_mm / 2 + room.finger_half_mm; }
+
+// Whether the arm comes to a place beyond a cube that the lower border cuts off.
+bool reaches_beyond(const ElbowRoom& room, const Crossing& crossing) {
+  return crossing.border_mm + touching_mm(room) <= furthest_x_mm(room.reach_high_mm, crossing.y_mm);
+}
+
+// Towards the arm.
 void add_pulls_before(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
                       const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
-  const double touching_mm = room.cube_mm / 2 + room.finger_half_mm;
-  for (const auto& [y_mm, border_mm, way_mm] : crossings(room, row_x_mm, lost, strip_pitch)) {
-    const double from_mm = furthest_x_mm(room.reach_high_mm, y_mm);
-    if (border_mm + touching_mm > from_mm) continue;
-    const Push pull{{from_mm, y_mm}, {border_mm - inside_mm + touching_mm, y_mm}};
-    if (is_free_to_pull(pull, room, standing)) out.push_back({way_mm, pull});
+  for (const Crossing& crossing : crossings(room, row_x_mm, lost, strip_pitch)) {
+    if (!reaches_beyond(room, crossing)) continue;
+    const Push pull{{furthest_x_mm(room.reach_high_mm, crossing.y_mm), crossing.y_mm},
+                    {crossing.border_mm - inside_mm + touching_mm(room), crossing.y_mm}};
+    if (is_free_to_pull(pull, room, standing)) out.push_back({crossing.way_mm, pull});
   }
 }
 
@@ -146,15 +158,20 @@ bool is_free(const Eigen::Vector2d& grip_mm, const ElbowRoom& room, const std::v
   return std::ranges::none_of(standing, is_met);
 }
 
-// As far out as the arm comes, around where the cube would have come straight from where it was lost, and on either
-// side of that.
+// Whether the fingers stand around a cube half of which lies beyond the border.
+bool grips_beyond(const Eigen::Vector2d& grip_mm, double border_mm, const ElbowRoom& room) {
+  return grip_mm.x() + (room.wide_mm - room.cube_mm) / 2 >= border_mm + room.cube_mm / 2;
+}
+
+// As far out as the arm comes, around where the cube may have come.
 void add_grips_before(const ElbowRoom& room, double row_x_mm, const LostCube& lost,
                       const std::vector<Eigen::Vector3d>& standing, std::vector<Likely>& out) {
-  for (const auto& [y_mm, border_mm, way_mm] : crossings(room, row_x_mm, lost, grip_pitch)) {
-    const Eigen::Vector2d grip_mm(furthest_x_mm(room.grip_high_mm, y_mm), y_mm);
-    if (border_mm >= grip_mm.x() || !is_free(grip_mm, room, standing)) continue;
+  for (const Crossing& crossing : crossings(room, row_x_mm, lost, grip_pitch)) {
+    const Eigen::Vector2d grip_mm(furthest_x_mm(room.grip_high_mm, crossing.y_mm), crossing.y_mm);
+    if (reaches_beyond(room, crossing) || !grips_beyond(grip_mm, crossing.border_mm, room)) continue;
+    if (!is_free(grip_mm, room, standing)) continue;
     out.push_back(
-        {way_mm, {.from_mm = grip_mm, .to_mm = grip_mm, .face_deg = fingers_side_by_side_deg, .lifts = true}});
+        {crossing.way_mm, {.from_mm = grip_mm, .to_mm = grip_mm, .face_deg = fingers_side_by_side_deg, .lifts = true}});
   }
 }
 

@@ -249,24 +249,29 @@ std::string Scene::top_of_pile(std::string name) const {
   return top;
 }
 
+std::optional<std::string> Scene::stands_before(const std::string& missing, const std::set<std::string>& but) const {
+  const Sighting* last = sightings_.find(missing);
+  if (!last || !view_) return std::nullopt;
+  const Eigen::Vector3d place = centre_mm(missing, *last);
+  std::optional<std::string> hides;
+  double least_aside_mm = 1.5 * domain_.cube_mm();
+  for (const auto& [name, sighting] : sightings_.all()) {
+    const bool other = name != options_.gripper.mark && name != missing && !but.contains(name);
+    if (!other || !sightings_.recent(name, 1)) continue;
+    const Eigen::Vector3d apart = centre_mm(name, sighting) - place;
+    const double aside_mm = std::abs(apart.dot(view_->right()));
+    if (-apart.dot(view_->away()) < domain_.cube_mm() / 2 || aside_mm >= least_aside_mm) continue;
+    least_aside_mm = aside_mm;
+    hides = name;
+  }
+  return hides ? std::optional(top_of_pile(*hides)) : std::nullopt;
+}
+
 std::optional<std::string> Scene::may_hide(const std::string& missing, const std::set<std::string>& but,
                                            bool was_here) const {
-  const Sighting* last = sightings_.find(missing);
-  std::optional<std::string> hides;
-  if (last && view_) {
-    const Eigen::Vector3d place = centre_mm(missing, *last);
-    double least_aside_mm = 1.5 * domain_.cube_mm();
-    for (const auto& [name, sighting] : sightings_.all()) {
-      const bool other = name != options_.gripper.mark && name != missing && !but.contains(name);
-      if (!other || !sightings_.recent(name, 1)) continue;
-      const Eigen::Vector3d apart = centre_mm(name, sighting) - place;
-      const double aside_mm = std::abs(apart.dot(view_->right()));
-      if (-apart.dot(view_->away()) < domain_.cube_mm() / 2 || aside_mm >= least_aside_mm) continue;
-      least_aside_mm = aside_mm;
-      hides = name;
-    }
-  }
-  if (!hides) hides = foremost(but);
+  const std::optional<std::string> before = stands_before(missing, but);
+  if (before) return before;
+  std::optional<std::string> hides = foremost(but);
   if (!hides) hides = nearest_to(missing, but, was_here);
   return hides ? std::optional(top_of_pile(*hides)) : std::nullopt;
 }

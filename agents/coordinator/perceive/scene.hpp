@@ -52,9 +52,11 @@ class Scene {
   double fingers_deg(std::string_view name) const;
   // The middle of the cube that bears the mark.
   Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
-  // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands
-  // nearest the camera, well before the row of spots, else what stands nearest that place: it may have fallen behind.
-  // Of a pile, its top. None of `but`. `was_here`: it was seen in an earlier life, so that it is not simply away.
+  // A seen cube that stands before the place where the missing one was seen last. Of a pile, its top. None of `but`.
+  std::optional<std::string> stands_before(const std::string& missing, const std::set<std::string>& but) const;
+  // A seen cube that may hide the missing one: what stands before its place, else what stands nearest the camera, well
+  // before the row of spots, else what stands nearest that place: it may have fallen behind. Of a pile, its top. None
+  // of `but`. `was_here`: it was seen in an earlier life, so that it is not simply away.
   std::optional<std::string> may_hide(const std::string& missing, const std::set<std::string>& but,
                                       bool was_here) const;
   // How far from where it was seen last a cube may have come to lie by itself. One that was higher up, as in the

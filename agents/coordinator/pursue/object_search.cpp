@@ -15,7 +15,7 @@ constexpr Duration put_down_patience = 60s;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
 constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
-constexpr int most_swept_of_goal = 12;      // each strip beside the images twice
+constexpr int most_swept_of_goal = 14;      // all that are within reach, and one again
 constexpr int tries_to_set_aside = 3;       // of a cube that stays where it is
 constexpr double moved_cubes = 0.2;         // a try that failed moved it so far: it may be graspable there
 constexpr int tries_to_sweep = 2;           // the thing that ended a sweep early has moved
@@ -161,7 +161,11 @@ std::optional<std::string> ObjectSearch::to_set_aside(std::int64_t goal, const s
   if (set_aside.done.size() >= most_set_aside || set_aside_ >= most_set_aside_of_goal) return std::nullopt;
   // A plan was made when all of the goal's objects had been found.
   const bool was_here = plan_.was_made_for(goal);
-  std::optional<std::string> before = surroundings_.scene().may_hide(missing, set_aside.done, was_here);
+  const Scene& scene = surroundings_.scene();
+  std::set<std::string> done_now = set_aside.done;
+  for (const std::string& name : set_aside.moved_before) done_now.erase(name);
+  std::optional<std::string> before = scene.stands_before(missing, done_now);
+  if (!before) before = scene.may_hide(missing, set_aside.done, was_here);
   return before == missing ? std::nullopt : before;
 }
 
@@ -173,7 +177,9 @@ Task<Result<void>> ObjectSearch::set_aside_before(std::string before, std::strin
   const bool under_too = hides_again && under && *under != missing;
   if (under_too) done = co_await rescues_.set_aside(*under);
   const bool in_vain = !done && fails_for_good(before, set_aside);
+  if (done) set_aside.failed.erase(before);
   if (done || in_vain) set_aside.done.insert(before);
+  if (done || in_vain) set_aside.moved_before.erase(before);
   co_return done;
 }
 

@@ -70,6 +70,8 @@ class ObjectSearch {
     std::set<std::string> done;
     std::map<std::string, Failed> failed;
     std::vector<Push> swept;
+    // Of those done, what was moved for the objects before: it may stand before the next one now.
+    std::set<std::string> moved_before;
     // Of the object in hand.
     bool has_swept = false;
     int stops = 0;           // how often something in its way ended the newest sweep
@@ -77,6 +79,8 @@ class ObjectSearch {
     bool head_looked = false;
 
     void next_object() {
+      moved_before = done;
+      std::erase_if(moved_before, [this](const std::string& name) { return failed.contains(name); });
       has_swept = laid_down = head_looked = false;
       stops = 0;
     }
