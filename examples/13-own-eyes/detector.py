@@ -10,7 +10,7 @@ import time
 
 from marks import NAMES, find_marks
 from pizarra import Agent, Failure, Symbol
-from pizarra.look import RELATION, Sighting, found, known, look
+from pizarra.look import RELATION, CameraModel, found, known, look
 
 CAMERA = "vision"  # whose images are looked at
 SIDES = ("left", "right")
@@ -103,15 +103,16 @@ def sightings():
     if len(frames) < 2 or not camera:
         return {}
     left, right = (find_marks(frames[side].pixels, frames[side].width, frames[side].height) for side in SIDES)
-    focal, base = camera[2], camera[5]
+    model = CameraModel(*camera)
     seen = {}
     for name in left.keys() & right.keys():
         one, other = left[name], right[name]
         disparity = one.x - other.x
         if disparity > 1 and abs(one.y - other.y) < 2:
-            mm = focal * base / disparity
-            seen[name] = Sighting((one.x, one.y), mm, min(one.confidence, other.confidence), (other.x, other.y),
-                                  mm * OFF_PX / disparity)
+            z = model.focal * model.base_line / disparity
+            x = (one.x - model.cx) * z / model.focal - model.base_line / 2
+            y = (one.y - model.cy) * z / model.focal
+            seen[name] = model.sighting((x, y, z), min(one.confidence, other.confidence), z * OFF_PX / disparity)
     return seen
 
 

@@ -8,6 +8,7 @@ of the thesis' Table C.2 too.
 A name that is tracked and not seen is `lost` in the look, and says FAIL in its text.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
@@ -43,14 +44,15 @@ class CameraModel:
     def sighting(self, pose: Sequence[float], confidence: float, spread_mm: float = 0.0,
                  covariance: Sequence[float] = ()) -> Sighting:
         """Of an object at X Y Z, mm from the middle of the base line: x right, y down, z ahead. With RX RY RZ behind
-        them it is told as a pose, too. ValueError: it is not ahead."""
+        them it is told as a pose, too. The range is the straight way there. ValueError: it is not ahead."""
         x, y, z = pose[:3]
         if z <= 0:
             raise ValueError("an object that is seen is ahead of the camera")
         row = self.cy + self.focal * y / z
         half = self.base_line / 2
         left, right = ((self.cx + self.focal * (x + side) / z, row) for side in (half, -half))
-        return Sighting(left, z, confidence, right, spread_mm, tuple(pose) if len(pose) == 6 else None, covariance)
+        told = tuple(pose) if len(pose) == 6 else None
+        return Sighting(left, math.hypot(x, y, z), confidence, right, spread_mm, told, covariance)
 
 
 def look(eyes: str, frame: int, tracked: Iterable[str], seen: Dict[str, Sighting]) -> List[Datum]:

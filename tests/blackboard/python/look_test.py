@@ -17,8 +17,12 @@ class Looks(unittest.TestCase):
         self.assertEqual(seen.left, (160 + 400 * 40 / 800, 120 - 400 * 20 / 800))
         self.assertEqual(seen.right, (160 - 400 * 20 / 800, 110))
         self.assertEqual(seen.left[0] - seen.right[0], 400 * 60 / 800)
+        self.assertAlmostEqual(seen.range_mm, 800.3124, 3)
         fact = look("detector", 7, ["circle"], {"circle": seen})
         self.assertEqual(write(fact[4][0][-1]), f"(pose 10.0 -20.0 800.0 1.0 2.0 3.0 {write(IDENTITY)})")
+
+    def test_the_range_is_the_straight_way_also_to_what_is_far_aside(self):
+        self.assertAlmostEqual(MODEL.sighting((300.0, 0.0, 400.0), 1).range_mm, 500)
 
     def test_a_place_alone_is_told_without_a_pose(self):
         fact = look("detector", 7, ["circle"], {"circle": MODEL.sighting((0, 0, 600), 1)})
