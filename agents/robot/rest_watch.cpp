@@ -13,7 +13,7 @@ constexpr Duration full_telling = 1s;  // a board that restarted has forgotten w
 
 RestWatch::RestWatch(Executor& executor, ArmConnection& arm, ArmControl& control, ArmFacts& facts, Duration tell_period)
     : executor_(executor), arm_(arm), control_(control), facts_(facts), tell_period_(tell_period), look_now_(executor) {
-  // What moves from here on moves for nobody, and is looked for at once.
+  // Any motion from here on is nobody's, and is looked for at once.
   control.on_stop_at_rest = [this] {
     if (!arm_.is_there()) return;
     arm_.forget_braking();

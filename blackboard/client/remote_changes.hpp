@@ -4,8 +4,8 @@
 // read. Where one is missing, or the server was lost, the query is watched anew under a new number.
 //
 // Lifecycle: made beside the board, which outlives it, and its request() is sent once. From then on the board hands it
-// what comes, and begins it again after a loss, until it is destroyed or end() is called. What is done with a change,
-// those say who are made of it: RemoteWatch (remote_watch.hpp), Replica (replicas.hpp).
+// what comes, and begins it again after a loss, until it is destroyed or end() is called. RemoteWatch
+// (remote_watch.hpp) and Replica (replicas.hpp) are made of it, and say what a change does.
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/delta.hpp"

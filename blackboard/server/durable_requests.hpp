@@ -1,6 +1,6 @@
 #pragma once
 
-// What a client's request has to do with durable facts, and how much the journal would write of it. A body is the form
+// Which durable facts a client's request touches, and how much the journal would write of it. A body is the form
 // that a request carries (wire.hpp).
 //
 //   if (concerns_durable(store, body)) room = bytes_at_most(body);

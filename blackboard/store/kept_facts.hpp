@@ -1,8 +1,8 @@
 #pragma once
 
 // The facts that a board keeps: those that stand, each in the table of its relation, those that are taken and may come
-// back, and the leases that they go with. What may be done with them is said by the transactions
-// (transaction_check.hpp, transaction_change.hpp); here they are found, put in their places and counted.
+// back, and the leases that they go with. Here they are found, put in their places and counted.
+// Transactions say what may be done with them (transaction_check.hpp, transaction_change.hpp).
 //
 //   StandingFact& standing = kept.put(table, fact);
 //   kept.remove(standing, revision);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is between the fingers from a grip to the release: whether it still is, by the gripper's own word, and how high
-// it is carried.
+// The object between the fingers, from a grip to the release: whether it is still there, by the gripper's own word, and
+// how high it is carried.
 //
 //   carried.begin();                                            // the fingers closed on something
 //   Result<void> done = co_await carried.keep(raise());         // slipped: the step ended early

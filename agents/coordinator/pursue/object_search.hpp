@@ -64,8 +64,8 @@ class ObjectSearch {
     Eigen::Vector3d at_mm;
     int times = 0;
   };
-  // In search of one object after another. What was done for one is not done again for the next: `done` has what was
-  // moved, or could not be moved however often that was tried.
+  // In search of one object after another. The search does nothing twice: `done` has what was moved, or could not be
+  // moved however often that was tried.
   struct SetAside {
     std::set<std::string> done;
     std::map<std::string, Failed> failed;

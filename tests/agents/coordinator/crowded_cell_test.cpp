@@ -319,7 +319,7 @@ TEST(CrowdedCell, TakesForMissingNoneThatShowsInSearchOfAnother) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 120s));
 }
 
-// What is done in search of one shows the other too, if it is there.
+// The search for one shows the other too, if it is there.
 TEST(CrowdedCell, DoesNothingTwiceInSearchOfTwoThatAreAway) {
   FakeCell cell("blocks.scm", {{"circle", {450, -190, 30}},
                                {"square", {450, -100, 30}},
