@@ -14,15 +14,15 @@
 namespace pizarra::bench {
 
 struct Disturbance {
-  double slip_chance = 0;    // of each draw
-  int slip_draws = 3;        // a carry
-  double slip_within_s = 2.3;  // after the grasp: so long a carry takes
-  double misplace = 0;       // of the edge
-  bool moved = false;        // each object, during its grasp
-  double slide_mm_s = 0;     // each object, that fast
-  bool at_the_grip = false;  // it slides while the fingers close, and else rests before that
-  bool removed = false;      // each object, out of the gripper while it is carried
-  int cubes = 3;             // in the tower
+  double slip_chance = 0;      // of each draw
+  int slip_draws = 3;          // a carry
+  double slip_within_s = 2.6;  // after the grasp: so long a carry takes
+  double misplace = 0;         // of the edge
+  bool moved = false;          // each object, during its grasp
+  double slide_mm_s = 0;       // each object, that fast
+  bool at_the_grip = false;    // it slides while the fingers close, and else rests before that
+  bool removed = false;        // each object, out of the gripper while it is carried
+  int cubes = 3;               // in the tower
 };
 
 struct Played {
