@@ -269,7 +269,7 @@ std::optional<std::string> Scene::stands_before(const std::string& missing, cons
 
 std::optional<std::string> Scene::may_hide(const std::string& missing, const std::set<std::string>& but,
                                            bool was_here) const {
-  const std::optional<std::string> before = stands_before(missing, but);
+  std::optional<std::string> before = stands_before(missing, but);
   if (before) return before;
   std::optional<std::string> hides = foremost(but);
   if (!hides) hides = nearest_to(missing, but, was_here);
