@@ -195,7 +195,7 @@ TEST_F(Indexes, WhoeverAsksAndWhateverComesAndGoesMeanwhileTheAnswersAreRight) {
 TEST_F(Indexes, OneThatWasNotUsedForLongGoesForAnother) {
   const std::vector<std::string> kinds = {"(r ?k 1 ? ? ?)", "(r ?k ? 1 ? ?)", "(r ?k ? ? 1 ?)", "(r ?k ? ? ? 1)",
                                           "(r ?k 1 1 ? ?)", "(r ?k 1 ? 1 ?)", "(r ?k 1 ? ? 1)", "(r ?k ? 1 1 ?)"};
-  const std::string least = kinds[4];
+  const std::string& least = kinds[4];
   for (const std::string& kind : kinds) EXPECT_LT(looked_at(kind), facts / 3) << kind;
   const std::string ninth = "(r ?k ? ? 1 1)";
   const std::size_t without = looked_at(ninth);
