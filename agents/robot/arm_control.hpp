@@ -1,7 +1,7 @@
 #pragma once
 
-// Commands the motions of one arm: runs one at a time, and stops it. What comes of a motion is watched by MotionWatch
-// (motion_watch.hpp), and an arm at rest by RestWatch (rest_watch.hpp).
+// Commands the motions of one arm: runs one at a time, and stops it. MotionWatch (motion_watch.hpp) watches a
+// motion, and RestWatch (rest_watch.hpp) an arm at rest.
 //
 // A motion is stopped when no state of the arm comes (silence.hpp). The stop is repeated until the motion is seen to
 // have ended: by the driver's stop() where it was not taken, and at every attempt to meet the controller anew.

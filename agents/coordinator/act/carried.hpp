@@ -7,8 +7,8 @@
 //   Result<void> done = co_await carried.keep(raise());         // slipped: the step ended early
 //   carried.end();                                              // they are about to open
 //
-// It is carried no higher than it takes to pass over all that stands, as the eyes see every object: what slips then
-// falls less far, and comes to rest near by and upright.
+// It is carried no higher than it takes to pass over all that stands. So a cube that slips falls less far, and mostly
+// comes to rest near by and upright. While an object is not seen it goes as high as the arm travels otherwise.
 
 #include "agents/coordinator/act/arm.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
@@ -30,9 +30,9 @@ class Carried {
   bool is_lost() const;
   // Carries out a step. Its motion is cut short once what is carried is lost. Failures: slipped, and those of the step.
   Task<Result<void>> keep(Task<Result<void>> step);
-  // At which the arm travels, with or without something between its fingers.
+  // The height at which the arm travels, with or without something between its fingers.
   double height_mm() const;
-  // Until it is let go: to a place where the arm does not come as low.
+  // From now on until it is let go: for a place near the arm's foot, to which the arm cannot come in low.
   void go_high() { goes_high_ = true; }
 
  private:

@@ -53,7 +53,7 @@ class FakeCell {
   Time now() { return executor_.now(); }
   void run_for(Duration duration) { executor_.run_for(duration); }
   std::vector<Datum> facts(std::string_view pattern);
-  // What is held falls to the table, or on what stands below, and the fingers close behind it.
+  // The held cube falls to the table or on another cube, and the fingers close behind it.
   void slip();
   // How often a fact that fits has been told, from the journal.
   int times_told(std::string_view pattern) const;
