@@ -63,8 +63,9 @@ std::string place_of(std::string_view file, std::string_view text, std::size_t o
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
   const std::size_t column = characters_of(text.substr(line_start, offset - line_start));
 
+  constexpr std::size_t shown = 110;
   constexpr std::size_t shown_before = 70;
-  constexpr std::size_t shown_after = 40;
+  const std::size_t shown_after = shown - std::min(offset - line_start, shown_before);
   // A whole file may be one line: its end is looked for no further than it is shown, and a character beyond.
   const std::string_view near = text.substr(0, offset + shown_after + 4);
   const std::size_t line_end = std::min(near.find_first_of("\r\n", offset), near.size());
@@ -72,9 +73,11 @@ std::string place_of(std::string_view file, std::string_view text, std::size_t o
   std::size_t to = std::min(line_end, offset + shown_after);
   while (from < offset && is_continuation(text[from])) ++from;
   while (to < line_end && is_continuation(text[to])) ++to;
-  const std::size_t indent = characters_of(text.substr(from, offset - from));
-  return fmt::format("{}:{}:{}\n  {}\n  {:>{}}", file, line_number, column + 1, visible(text.substr(from, to - from)),
-                     '^', indent + 1);
+  const std::string_view begins = from > line_start ? "... " : "";
+  const std::string_view ends = to < line_end ? " ..." : "";
+  const std::size_t indent = begins.size() + characters_of(text.substr(from, offset - from));
+  return fmt::format("{}:{}:{}\n  {}{}{}\n  {:>{}}", file, line_number, column + 1, begins,
+                     visible(text.substr(from, to - from)), ends, '^', indent + 1);
 }
 
 bool is_symbol_name(std::string_view name) {

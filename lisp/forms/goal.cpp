@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "lisp/guile/scheme.hpp"
+#include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::forms {
@@ -29,6 +30,18 @@ bool same(const Datum& a, const Datum& b) {
   if (!is_name(a) || !is_name(b)) return a == b;
   const auto lower = [](unsigned char letter) { return std::tolower(letter); };
   return std::ranges::equal(a.text(), b.text(), {}, lower, lower);
+}
+
+// A variable as people type it: ?x of <x>, which requests have in its place.
+Datum as_typed(const Datum& form) {
+  if (form.is_list()) {
+    std::vector<Datum> items;
+    for (const Datum& item : form.items()) items.push_back(as_typed(item));
+    return Datum::list(std::move(items));
+  }
+  const std::string_view name = form.is_symbol() ? form.text() : std::string_view();
+  const bool is_angled = name.size() > 2 && name.front() == '<' && name.back() == '>';
+  return is_angled ? Datum::symbol("?" + std::string(name.substr(1, name.size() - 2))) : form;
 }
 
 // The way to the first element that is the subject or one of it; empty where there is none.
@@ -74,8 +87,12 @@ Result<std::vector<Datum>> goal_from_data(const Domain& domain, const std::vecto
   if (goal) return goal;
   // A fault is shown at its place in a text.
   std::string text;
-  for (const Datum& fact : facts) text += write(fact) + '\n';
-  return read_goal(domain, text, objects_with_types);
+  for (const Datum& fact : facts) text += write(as_typed(fact)) + '\n';
+  goal = read_goal(domain, text, objects_with_types);
+  // The failure crosses the board, which holds no ?x. Its place shows the form.
+  const bool names_variable = !goal && !is_ground(goal.error().subject);
+  if (names_variable) goal.error().subject = Datum();
+  return goal;
 }
 
 Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text) {

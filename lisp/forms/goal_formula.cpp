@@ -241,6 +241,24 @@ std::vector<Datum> unmet_parts(const std::vector<Datum>& goal, const std::set<Da
   return unmet;
 }
 
+std::optional<TooFewObjects> too_few_objects(const std::vector<Datum>& goal, const TypedObjects& objects) {
+  for (const Datum& form : goal) {
+    if (form.is_form("and") || form.is_form("or")) {
+      const auto parts = form.items().subspan(1);
+      const std::optional<TooFewObjects> within = too_few_objects({parts.begin(), parts.end()}, objects);
+      if (within) return within;
+    }
+    const bool counts = form.is_form("at-least") || form.is_form("exists");
+    if (!counts) continue;
+    const std::int64_t wanted = form.is_form("exists") ? 1 : form[1].integer();
+    const std::size_t there = instances(form, objects).size();
+    if (wanted <= static_cast<std::int64_t>(there)) continue;
+    const Datum& variable = form[form.is_form("exists") ? 1 : 2];
+    return TooFewObjects{form, std::string(variable[1].text()), static_cast<std::size_t>(wanted), there};
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> objects_in(const std::vector<Datum>& goal) {
   std::vector<std::string> names;
   for (const Datum& form : goal) collect_objects(form, names);

@@ -14,6 +14,7 @@
 //
 // A literal is a fact, or (not FACT).
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -41,6 +42,15 @@ bool goal_holds(const std::vector<Datum>& goal, const std::set<Datum>& facts, co
 // The parts of the goal that do not hold: its conjuncts, an `or` or a quantifier whole.
 std::vector<Datum> unmet_parts(const std::vector<Datum>& goal, const std::set<Datum>& facts,
                                const TypedObjects& objects);
+
+// A part that wants some objects of a type, where there are fewer: the reason why there is no way to have the goal.
+struct TooFewObjects {
+  Datum part;
+  std::string type;
+  std::size_t wanted;
+  std::size_t there;
+};
+std::optional<TooFewObjects> too_few_objects(const std::vector<Datum>& goal, const TypedObjects& objects);
 
 // The objects that it names, in their order, each once.
 std::vector<std::string> objects_in(const std::vector<Datum>& goal);

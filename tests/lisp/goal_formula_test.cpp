@@ -98,6 +98,19 @@ TEST(GoalFormula, HoldsAsItsWaysDo) {
             all("((or (on b c) (on c b)))"));
 }
 
+TEST(GoalFormula, MoreObjectsOfATypeThanThereAreLeaveNoWay) {
+  const auto few = [](std::string_view goal) { return too_few_objects(all(goal), three); };
+  const std::optional<TooFewObjects> four = few("((on a b) (and (on b c) (at-least 4 (<x> OBJECT) (on-table <x>))))");
+  ASSERT_TRUE(four);
+  EXPECT_EQ(write(four->part), "(at-least 4 (<x> OBJECT) (on-table <x>))");
+  EXPECT_EQ(four->type, "OBJECT");
+  EXPECT_EQ(four->wanted, 4U);
+  EXPECT_EQ(four->there, 3U);
+  EXPECT_EQ(few("((exists (<x> ROBOT) (idle <x>)))")->there, 0U);
+  EXPECT_FALSE(few("((at-least 3 (<x> OBJECT) (on-table <x>)) (exists (<x> PLACE) (at a <x>)))"));
+  EXPECT_FALSE(few("((not (at-least 4 (<x> OBJECT) (on-table <x>))) (forall (<x> ROBOT) (idle <x>)))"));
+}
+
 TEST(GoalFormula, NamesItsObjectsAndNoVariables) {
   EXPECT_EQ(objects_in(all("((on a b) (exists (<x> OBJECT) (or (on <x> c) (not (on b a)))))")),
             (std::vector<std::string>{"a", "b", "c"}));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -82,6 +83,32 @@ TEST_F(GoalTest, AnUnknownObjectIsShownWithACaret) {
             "  (and (on circle traingle))\n"
             "                  ^\n"
             "  in the goal (and ...)");
+}
+
+// The board holds no ?x, so that requests have <x> in its place.
+TEST_F(GoalTest, AVariableIsShownAsPeopleTypeIt) {
+  const Datum counted =
+      list("at-least"_sym, "two"_sym, list("<x>"_sym, "OBJECT"_sym), list("at"_sym, "<x>"_sym, "place-1"_sym));
+  const auto facts = forms::goal_from_data(domain_, {counted}, {});
+  ASSERT_FALSE(facts);
+  EXPECT_EQ(describe(facts.error()),
+            "it is written (at-least NUMBER (?x TYPE) GOAL), the number from 1\n"
+            "goal:1:1\n"
+            "  (at-least two (?x OBJECT) (at ?x place-1))\n"
+            "  ^");
+  const auto free = forms::goal_from_data(domain_, {list("on"_sym, "<y>"_sym, "circle"_sym)}, {{"circle", "OBJECT"}});
+  ASSERT_FALSE(free);
+  EXPECT_EQ(describe(free.error()),
+            "a goal names objects, and ?y is a variable\n"
+            "goal:1:5\n"
+            "  (on ?y circle)\n"
+            "      ^");
+}
+
+TEST_F(GoalTest, ARefusalOfAGoalWithVariablesCrossesTheBoard) {
+  const auto free = forms::goal_from_data(domain_, {list("on"_sym, "<y>"_sym, "circle"_sym)}, {{"circle", "OBJECT"}});
+  ASSERT_FALSE(free);
+  EXPECT_TRUE(is_ground(free.error().subject));
 }
 
 TEST_F(GoalTest, BeforeAnythingIsSeenOnlyNamesAreOpen) {

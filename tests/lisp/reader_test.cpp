@@ -111,6 +111,14 @@ TEST(ReaderTest, ALongLineIsShownAroundTheCaret) {
   EXPECT_LT(read.error().place.size(), 250u);
 }
 
+TEST(ReaderTest, ALineIsShownWholeWhereItIsNotLongAndIsSeenToBeCutElsewhere) {
+  const std::string line = "(at-least two (?x OBJECT) (on-table ?x))";
+  EXPECT_EQ(place_of("f", line, 0), "f:1:1\n  " + line + "\n  ^");
+  const std::string longer = line + " " + line + " " + line;
+  EXPECT_EQ(place_of("f", longer, 0), "f:1:1\n  " + longer.substr(0, 110) + " ...\n  ^");
+  EXPECT_EQ(place_of("f", longer, 82), "f:1:83\n  ... " + longer.substr(12) + "\n  " + std::string(74, ' ') + "^");
+}
+
 TEST(ReaderTest, TellsAPlaceAsSoonWhereTheWholeFileIsOneLongLine) {
   const auto cpu_of_places = [](std::size_t length) {
     const std::string text(length, 'x');

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t max_steps_a_state = 4096;
 constexpr std::size_t max_steps_going_again = 1 << 20;
-constexpr std::size_t max_actions = 4000;  // their interference takes a bit a pair
+constexpr std::size_t max_interfering = 4000;  // their interference takes a bit a pair
 
 using Step = std::vector<std::size_t>;
 
@@ -141,8 +141,8 @@ Outcome StepSearch::solve(const Problem& problem, const Budget& budget, const st
   if (problem.goals.subset_of(problem.initials)) {
     return {.kind = Outcome::Kind::plan};
   }
-  if (problem.actions.size() > max_actions) {
-    return {.kind = Outcome::Kind::gave_up, .spent = fmt::format("{} actions", max_actions)};
+  if (problem.actions.size() > max_interfering) {
+    return {.kind = Outcome::Kind::gave_up, .spent = fmt::format("{} actions", max_interfering)};
   }
   return Search(problem, budget, cancelled).run();
 }
