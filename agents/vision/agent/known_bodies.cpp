@@ -162,4 +162,11 @@ std::vector<TrackSighting> KnownBodies::told(std::vector<TrackSighting> marks) {
   return out;
 }
 
+std::map<std::string, cv::Rect> KnownBodies::areas_of_unseen(std::span<const TrackSighting> marks, Time captured,
+                                                             double focal_px) const {
+  std::map<std::string, cv::Rect> out;
+  for (const Body& body : bodies_) out.merge(vision::areas_of_unseen(body, marks, captured, focal_px));
+  return out;
+}
+
 }  // namespace pizarra::vision

@@ -57,6 +57,9 @@ class KnownBodies {
   Task<Result<void>> learn_from(std::string other);
   // What was seen, of all that clients track: a body in place of its marks, and marks that are tracked as such.
   std::vector<TrackSighting> told(std::vector<TrackSighting> marks);
+  // Of all bodies, as body_sighting.hpp has it.
+  std::map<std::string, cv::Rect> areas_of_unseen(std::span<const TrackSighting> marks, Time captured,
+                                                  double focal_px) const;
 
  private:
   const Body* with_mark(std::string_view mark) const;

@@ -122,6 +122,8 @@ Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   if (tracks) {
     StereoSight sight(frame, *parts.feed.model());
     sightings = parts.tracker.update(sight, frame.captured);
+    const double focal_px = parts.feed.model()->focal_px;
+    parts.tracker.look_within(parts.bodies.areas_of_unseen(sightings, frame.captured, focal_px));
     parts.tracking_turn.looked_at(frame);
   }
   parts.tags.look_at(frame, *parts.feed.model());

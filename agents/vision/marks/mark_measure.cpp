@@ -185,6 +185,8 @@ double print_contrast(const SeenMark& mark) {
   return std::min(most, std::abs(std::log((mark.ground_level + 1) / (mark.mark_level + 1))));
 }
 
+bool is_faint(const SeenMark& mark) { return print_contrast(mark) < std::log(5); }
+
 double centre_noise_px(const SeenMark& mark, double noise) {
   constexpr double least_noise = 0.3;  // that of rounding to grey levels
   constexpr double edge_px = 8;        // across, by which noise moves an edge, smoothed and blurred: measured

@@ -10,11 +10,15 @@ namespace pizarra::vision {
 namespace {
 
 // So far inside there is ink, in standard deviations of the mark; and so far on either side there is no blur, px.
-constexpr double deep = 0.35;
+constexpr double deep_inside = 0.35;
 constexpr double beside_px = 3;
 // By how much the levels of one print differ, as a part of its contrast, and by the noise.
 constexpr double same_level = 0.13;
 constexpr double same_in_noise = 3;
+// By how much the ground of one paper differs from one place of the border to another, as a part of the contrast: at
+// least, and in what most places scatter by. A cover is seldom as even as that, and as light.
+constexpr double same_ground = 0.03;
+constexpr double same_in_scatter = 3;
 // Paper is so many times as light as ink, in a shadow too.
 constexpr double least_ratio = 2;
 
@@ -39,7 +43,11 @@ struct Print {
     }
     ink = median(inner);
     ground = median(outer);
-    slack_ = std::hypot(same_level * std::abs(ground - ink), same_in_noise * noise);
+    const double contrast = std::abs(ground - ink);
+    slack_ = std::hypot(same_level * contrast, same_in_noise * noise);
+    for (double& level : outer) level = std::abs(level - ground);
+    const double scatter = std::max(same_ground * contrast, same_in_scatter * median(std::move(outer)));
+    ground_slack_ = std::min(slack_, std::hypot(scatter, same_in_noise * noise));
   }
   double ratio(MarkTone tone) const {
     constexpr double darkest = 1;
@@ -49,9 +57,11 @@ struct Print {
   bool is_print(MarkTone tone) const { return ratio(tone) > least_ratio; }
   bool is_ink(double level) const { return std::abs(level - ink) < slack_; }
   bool is_ground(double level) const { return std::abs(level - ground) < slack_; }
+  bool is_this_ground(double level) const { return std::abs(level - ground) < ground_slack_; }
 
  private:
   double slack_ = 0;
+  double ground_slack_ = 0;
 };
 
 // How much the levels of the supporting places scatter on the side where they do so more, as a part of the contrast.
@@ -81,12 +91,14 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
   double squares = 0;
   for (PlaneEdge& edge : fit.edges) {
     if (!edge.counts) continue;
-    ++counted;
     const PlaneOutline::Point& point = outline.points[edge.point];
     const cv::Point2d inward = -cv::Point2d(edge.normal[0], edge.normal[1]);
     const bool is_print = edge.found && is_there && print.is_ink(edge.inner) && print.is_ground(edge.outer) &&
-                          print.is_ink(nearest_level(pixels, fit.in_image(point.at - deep * point.out)));
+                          print.is_ink(nearest_level(pixels, fit.in_image(point.at - deep_inside * point.out)));
     edge.is_border = edge.is_border && is_print;
+    // The template rounds what is sharp.
+    if (is_print && !edge.is_border && point.is_rounded()) continue;
+    ++counted;
     if (edge.is_border) {
       ++supported;
       squares += edge.off_px * edge.off_px;
@@ -95,9 +107,9 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
     const cv::Point2d at = fit.in_image(point.at);
     const double inside = nearest_level(pixels, at + beside_px * inward);
     const double outside = nearest_level(pixels, at - beside_px * inward);
-    const bool none_there = print.is_ground(inside) && print.is_ground(outside);
+    const bool none_there = print.is_this_ground(inside) && print.is_this_ground(outside);
     going_on += print.is_ink(inside) && print.is_ink(outside) ? 1 : 0;
-    contradicted += none_there || is_print ? 1 : 0;
+    contradicted += none_there || (is_print && print.is_this_ground(edge.outer)) ? 1 : 0;
   }
   SeenPart out;
   if (counted == 0 || supported == 0) return out;

@@ -14,7 +14,7 @@ namespace {
 constexpr double beside_border = 0.05;
 constexpr int border_places = 8;  // a side
 constexpr double least_contrast = 20;
-constexpr double least_border_share = 0.75;
+constexpr double least_tag_border_share = 0.75;
 
 // How far off the middle of a tag may be, by what covers a part of its border, that is found: px, or a part of its
 // side.
@@ -111,7 +111,7 @@ bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners, const TagFam
   int agreeing = 0;
   visit_border(grey, corners,
                [&](int inside, int outside) { agreeing += sign * (outside - inside) > least_contrast ? 1 : 0; });
-  return agreeing >= least_border_share * border_places * static_cast<double>(corners.size());
+  return agreeing >= least_tag_border_share * border_places * static_cast<double>(corners.size());
 }
 
 std::optional<SeenMark> whole_tag(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family,

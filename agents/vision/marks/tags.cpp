@@ -160,16 +160,27 @@ Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point) {
 std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
   const TagFamily* family = family_called(tag.family);
   if (family == nullptr) return {};
+  return tags_among(grey, squares_in(grey, *family, area), tag);
+}
+
+TagDetection squares_in(const cv::Mat& grey, const TagFamily& family, cv::Rect area) {
   const cv::Rect whole({0, 0}, grey.size());
-  if (family->is_wide()) area = with_wide_margin(area);
+  if (family.is_wide()) area = with_wide_margin(area);
   const cv::Rect looked_at = area.empty() ? whole : area & whole;
   if (looked_at.empty()) return {};
+  TagDetection out = detect_tags(grey(looked_at), family);
+  for (auto* squares : {&out.found, &out.others}) {
+    for (Corners& corners : *squares) move_by(corners, looked_at.tl());
+  }
+  return out;
+}
+
+std::vector<SeenMark> tags_among(const cv::Mat& grey, const TagDetection& squares, const Tag& tag) {
+  const TagFamily* family = family_called(tag.family);
   std::vector<SeenMark> out;
-  TagDetection detection = detect_tags(grey(looked_at), *family);
-  for (std::size_t i = 0; i < detection.found.size(); ++i) {
-    if (detection.numbers[i] != tag.number) continue;
-    move_by(detection.found[i], looked_at.tl());
-    std::optional<SeenMark> mark = whole_tag(grey, detection.found[i], *family, tag.number);
+  for (std::size_t i = 0; family != nullptr && i < squares.found.size(); ++i) {
+    if (squares.numbers[i] != tag.number) continue;
+    std::optional<SeenMark> mark = whole_tag(grey, squares.found[i], *family, tag.number);
     if (mark) out.push_back(std::move(*mark));
   }
   return out;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "agents/vision/marks/mark_measure.hpp"
+#include "agents/vision/marks/tag_detection.hpp"
 
 namespace pizarra::vision {
 
@@ -22,8 +23,14 @@ Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point);
 // This tag, within `area` where that is given, as often as it is there: a lab may have printed it twice.
 std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});
 
-// The same, sooner, within a small area where the tag was seen in the frame before. Of several there not all may be
-// told.
+// The squares of a family within `area`, or in all of the image, with their places in the image.
+TagDetection squares_in(const cv::Mat& grey, const TagFamily& family, cv::Rect area = {});
+
+// This tag among the squares of its family that the image was found to show: to look for several tags in one image.
+std::vector<SeenMark> tags_among(const cv::Mat& grey, const TagDetection& squares, const Tag& tag);
+
+// As find_tags(), sooner, within a small area where the tag was seen in the frame before. Of several there not all may
+// be told.
 std::vector<SeenMark> follow_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area);
 
 // How much of an image must be looked at for a tag to be found that is about where `box` is: half its side to each

@@ -17,4 +17,9 @@ namespace pizarra::vision {
 // clearly more, and is set anew.
 TrackSighting body_sighting(const Body& body, std::span<const TrackSighting> tracked, std::string& front);
 
+// Where in the left image each mark that this look does not show can come into sight in the next, by those of its body
+// that it shows: empty for one that is turned away. Nothing where the look shows no mark of the body.
+std::map<std::string, cv::Rect> areas_of_unseen(const Body& body, std::span<const TrackSighting> tracked, Time captured,
+                                                double focal_px);
+
 }  // namespace pizarra::vision

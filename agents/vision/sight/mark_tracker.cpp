@@ -84,13 +84,16 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured
   if (anew) paced_.clear();
   ConfinedSights sights(sight);
   for (Track& track : tracks_) out.push_back(look_in_turn(sights, track));
+  within_.clear();
   last_left_ = sight.left();
   last_segmentation_.reset();
   return out;
 }
 
 TrackSighting MarkTracker::look_in_turn(ConfinedSights& sights, Track& track) {
-  const SearchLimit limit = limits_.of(track.name);
+  SearchLimit limit = limits_.of(track.name);
+  const auto within = within_.find(track.name);
+  if (!limit.area && within != within_.end()) limit.area = within->second;
   StereoSight& sight = sights.of(limit.area);
   if (!limit.per_second) {
     paced_.erase(track.name);

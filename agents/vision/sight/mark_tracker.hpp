@@ -14,7 +14,8 @@
 // while they are in view.
 //
 // An object may be looked for in an area only, and at a rate of its own (search_limits.hpp). Outside the area it is not
-// seen. In a frame in which its turn is not due it stands as it was told last.
+// seen. In a frame in which its turn is not due it stands as it was told last. Who knows for one frame where an object
+// can be at all, such as a mark of a body in sight, says so before that frame.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -77,6 +78,9 @@ class MarkTracker {
   void clear() { keep_only({}); }
   bool empty() const { return tracks_.empty(); }
 
+  // In the next frame these objects are looked for there alone, of the left image, where no limit says otherwise; in an
+  // empty area not at all.
+  void look_within(std::map<std::string, cv::Rect> areas) { within_ = std::move(areas); }
   // One sighting an object, the end-effector first, then in the order added. The pixels of the left image must stay
   // until the next one has been seen.
   std::vector<TrackSighting> update(StereoSight& sight, Time captured);
@@ -155,6 +159,7 @@ class MarkTracker {
   const SearchLimits& limits_;
   std::vector<Track> tracks_;
   std::map<std::string, Paced> paced_;
+  std::map<std::string, cv::Rect> within_;  // for the next frame
   // Of the frame in hand, and since the one before it.
   Time captured_ = {};
   double frame_s_ = 0;

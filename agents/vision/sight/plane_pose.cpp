@@ -161,11 +161,12 @@ cv::Point2d in_image(const camera::StereoModel& model, const cv::Vec3d& place_mm
           model.centre_y_px + model.focal_px * place_mm[1] / place_mm[2]};
 }
 
-// Half of the squared deviations, of the edges and of how cameras are aimed.
-double unlikely(const PlaneTilt& tilt) {
+// Half of the squared deviation of how cameras are aimed; and with those of the edges.
+double unusual(const PlaneTilt& tilt) {
   const double turned = std::acos(std::min(1.0, std::abs(tilt.turn(2, 2)))) / usual_turn_rad;
-  return tilt.misfit + turned * turned / 2;
+  return turned * turned / 2;
 }
+double unlikely(const PlaneTilt& tilt) { return tilt.misfit + unusual(tilt); }
 
 PlaneErrors errors_of(const PoseEdges& edges, const PlaneFace& face, double stretch_at_least, bool by_both) {
   PlaneErrors out{.weight = edges.scatter().weight()};
@@ -209,6 +210,10 @@ std::vector<SolvedPlane> explained(const camera::StereoModel& model, const Plane
 }
 
 }  // namespace
+
+double usual_turn(const PlanePose& pose) {
+  return std::lerp(std::exp(-unusual(pose)), std::exp(-unusual(pose.other)), pose.share_of_other());
+}
 
 bool PlanePose::is_contradicted() const { return misfit - free_misfit > clearly_contradicted; }
 

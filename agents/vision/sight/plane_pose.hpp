@@ -47,9 +47,12 @@ struct PlaneFace {
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                     const PlaneFace& face, const PlaneFit* right = nullptr);
 
+// How usual it is that a face is turned so far from the axis of a camera, which is aimed at what it is to see: 1 where
+// it faces the camera. By both tilts, as the edges explain them.
+double usual_turn(const PlanePose& pose);
+
 // Where the mark's middle is seen, px: by both tilts, as likely as each is, and no farther than that from either while
-// both may be it. A camera is aimed, so that of two that explain the edges alike the face that is turned less from the
-// camera's axis is the likelier one.
+// both may be it. Of two that explain the edges alike the more usual one is the likelier.
 cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& pose, double most_off_px);
 
 // How likely a look that is slimmer than the mark is one of a part of it, facing the camera, rather than of all of it,

@@ -250,14 +250,21 @@ std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect
   return pair_of(tag, std::move(seen), {});
 }
 
-std::vector<SeenMark> StereoSight::tags(const Tag& tag, std::optional<cv::Rect> area) const {
-  if (!area_) return find_tags(left_, tag, area.value_or(cv::Rect()));
-  const cv::Rect looked_at = area.value_or(*area_) & *area_;
-  if (looked_at.empty()) return {};
-  std::vector<SeenMark> seen = find_tags(left_, tag, looked_at);
-  // Around a wide one more is looked at.
-  std::erase_if(seen, [&](const SeenMark& mark) { return !holds(mark); });
+std::vector<SeenMark> StereoSight::tags(const Tag& tag, std::optional<cv::Rect> area) {
+  std::vector<SeenMark> seen = tags_anywhere(tag);
+  // Around the area of a wide one more is looked at.
+  std::erase_if(seen, [&](const SeenMark& mark) { return !holds(mark) || (area && (mark.box & *area) != mark.box); });
   return seen;
+}
+
+std::vector<SeenMark> StereoSight::tags_anywhere(const Tag& tag) {
+  const TagFamily* family = family_called(tag.family);
+  if (family == nullptr || (area_ && area_->empty())) return {};
+  auto found = left_tags_.find(tag.family);
+  if (found == left_tags_.end()) {
+    found = left_tags_.emplace(tag.family, squares_in(left_, *family, area_.value_or(cv::Rect()))).first;
+  }
+  return tags_among(left_, found->second, tag);
 }
 
 std::optional<SeenPair> StereoSight::follow(const Tag& tag, const cv::Rect& area, std::optional<double> disparity_px) {

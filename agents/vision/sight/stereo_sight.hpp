@@ -6,11 +6,14 @@
 //   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "agents/vision/marks/edge_chains.hpp"
 #include "agents/vision/marks/segmentation.hpp"
+#include "agents/vision/marks/tag_detection.hpp"
 #include "agents/vision/objects/recognise.hpp"
 #include "agents/vision/sight/plane_view.hpp"
 #include "agents/vision/sight/stereo.hpp"
@@ -71,7 +74,7 @@ class StereoSight {
   // The same, sooner, where it is expected, and in the right image first where the disparity puts it.
   std::optional<SeenPair> follow(const Tag& tag, const cv::Rect& area, std::optional<double> disparity_px = {});
   // This tag, as often as the left image shows it.
-  std::vector<SeenMark> tags(const Tag& tag, std::optional<cv::Rect> area = {}) const;
+  std::vector<SeenMark> tags(const Tag& tag, std::optional<cv::Rect> area = {});
   // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
   // shows no part of it farther away: then it is a larger thing.
   bool is_cut_off(const LearnedObject& object, const SeenMark& left);
@@ -87,6 +90,8 @@ class StereoSight {
   using Regions = std::array<std::optional<std::vector<LevelRegion>>, 2>;  // by tone
   std::vector<SeenPair> looks_in_plane(ImageSegmentation& segmentation, Regions& regions, const LearnedObjects& objects,
                                        const LearnedObject& object) const;
+  // This tag anywhere in what is looked at of the left image.
+  std::vector<SeenMark> tags_anywhere(const Tag& tag);
   // Of those that are seen in the left image the one that is meant, with its partner.
   std::optional<SeenPair> pair_of(const Tag& tag, std::vector<SeenMark> seen, std::optional<double> disparity_px) const;
 
@@ -100,7 +105,8 @@ class StereoSight {
   Regions left_regions_;
   Regions right_regions_;
   std::optional<EdgeChains> left_edges_;
-  std::optional<ImageSegmentation> right_rows_;  // beside the first mark whose partner was looked for
+  std::map<std::string, TagDetection> left_tags_;  // in all that is looked at, by family: several tags are looked for
+  std::optional<ImageSegmentation> right_rows_;    // beside the first mark whose partner was looked for
 };
 
 // Whether the pair can be the whole of the object's mark: as large in the world as one of its samples, and, but for

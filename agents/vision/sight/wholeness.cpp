@@ -30,6 +30,9 @@ constexpr double if_no_plane = 0.85;
 // A look that is slimmer than this, of what it was learned, may be another object, ever so alike but for being slim.
 constexpr double least_of_slimness = 0.72;
 constexpr double if_slim = 0.87;
+// How many windows, tiles and the like, which a camera shows from any side, look just like the mark for each mark that
+// is as faint and faces the camera.
+constexpr double faint_others_for_one_mark = 0.02;
 
 // A mark that is seen in part may be a part of something unlearned.
 constexpr double if_part = 0.5;
@@ -53,13 +56,19 @@ double most_by_plane(const PlaneView& plane, double of_learned_slimness) {
   return of_learned_slimness < least_of_slimness && !tilt_shows ? if_slim : 1;
 }
 
+// A mark is seldom turned far from the axis of a camera that is aimed at it; other things are as often as not.
+double confidence_in_print(double confidence, const SeenPair& pair) {
+  if (!pair.plane || !pair.plane->pose || !is_faint(pair.left)) return confidence;
+  return 1 / (1 / confidence + faint_others_for_one_mark / usual_turn(*pair.plane->pose));
+}
+
 // By one camera: a look that is slimmer than the mark is one of all of it, tilted, or of a part of it; perspective says
 // how likely either is. Of what no edges registered nobody knows.
 double confidence_before_one(const LearnedObject& object, const SeenPair& pair, double most_off_px, const Odds& odds) {
   const double slimness = front_slimness(object);
   const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
   const double most = plane != nullptr ? most_by_plane(*plane, pair.left.slimness / slimness) : 1;
-  const double of_whole = std::min(pair.likeness.confidence(), most);
+  const double of_whole = confidence_in_print(std::min(pair.likeness.confidence(), most), pair);
   const double bent_px = plane != nullptr ? off_if_bent_px(plane->sample->plane, plane->fit) : 0;
   const auto if_off = [&](double off_px) {
     return confidence_if_off(of_whole, std::max(bent_px, off_px), most_off_px);

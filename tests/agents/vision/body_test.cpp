@@ -96,12 +96,24 @@ cv::Mat1b image_of_cube(const camera::StereoModel& model, const Placed& at, bool
   return out;
 }
 
+const camera::StereoModel& cameras() {
+  static const camera::StereoModel model = pair_of_cameras();
+  return model;
+}
+
+StereoSight look_at(const Placed& at, Random& random) {
+  return {image_of_cube(cameras(), at, false, random), image_of_cube(cameras(), at, true, random), cameras()};
+}
+
+void track_all(MarkTracker& tracker) {
+  for (const MarkOnBody& mark : cube().marks) EXPECT_TRUE(tracker.add(*cube_tags().find(mark.name)));
+}
+
 // What tracking tells of the cube's marks in one look.
 std::vector<MarkInSight> marks_in_sight(const Placed& at, Random& random) {
-  static const camera::StereoModel model = pair_of_cameras();
-  StereoSight sight(image_of_cube(model, at, false, random), image_of_cube(model, at, true, random), model);
+  StereoSight sight = look_at(at, random);
   MarkTracker tracker(cube_tags());
-  for (const MarkOnBody& mark : cube().marks) EXPECT_TRUE(tracker.add(*cube_tags().find(mark.name)));
+  track_all(tracker);
   std::vector<MarkInSight> out;
   for (const TrackSighting& sighting : tracker.update(sight, Time(1s))) {
     if (!sighting.seen || !sighting.pose) continue;
@@ -240,6 +252,83 @@ TEST(Body, IsToldByTheNewestFrameAlone) {
   marks[1].captured = Time(2s);
   std::string front;
   EXPECT_EQ(body_sighting(cube(), marks, front).by, std::vector<std::string>{"right"});
+}
+
+// By up to 12 degrees and 15 mm, as between two frames.
+Placed moved(const Placed& at, Random& random) {
+  const cv::Matx33d way = any_turn(random);
+  const double by = radians(random.uniform(0, 12));
+  const cv::Matx33d about_z(std::cos(by), -std::sin(by), 0, std::sin(by), std::cos(by), 0, 0, 0, 1);
+  const cv::Vec3d step(random.uniform(-15, 15), random.uniform(-15, 15), random.uniform(-15, 15));
+  return {way * about_z * way.t() * at.turn, at.place_mm + step};
+}
+
+double turned_away_deg(const MarkOnBody& mark, const Placed& at) {
+  const cv::Matx33d turn = at.turn * mark.turn;
+  const cv::Vec3d middle = at.place_mm + at.turn * mark.place_mm;
+  return degrees(std::acos(cv::Vec3d(turn(0, 2), turn(1, 2), turn(2, 2)).dot(middle) / cv::norm(middle)));
+}
+
+// As if nobody had seen the mark in this look.
+std::map<std::string, cv::Rect> areas_without(const std::string& mark, std::vector<TrackSighting> seen) {
+  std::ranges::find(seen, mark, &TrackSighting::name)->seen = false;
+  return areas_of_unseen(cube(), seen, Time(1s), cameras().focal_px);
+}
+
+TEST(Body, AMarkOfItIsInTheNextLookWhereTheOthersSay) {
+  Random random(31);
+  int foreseen = 0;
+  int turned_away = 0;
+  constexpr int views = 25;
+  for (int view = 0; view < views; ++view) {
+    SCOPED_TRACE(view);
+    const Placed before{any_turn(random), {random.uniform(-40, 40), random.uniform(-30, 30), random.uniform(350, 500)}};
+    MarkTracker tracker(cube_tags());
+    track_all(tracker);
+    StereoSight first = look_at(before, random);
+    const std::vector<TrackSighting> seen = tracker.update(first, Time(1s));
+    StereoSight second = look_at(moved(before, random), random);
+    for (const TrackSighting& now : tracker.update(second, Time(1s + 33ms))) {
+      const auto areas = areas_without(now.name, seen);
+      const auto area = areas.find(now.name);
+      if (area == areas.end()) continue;
+      const double away_deg = turned_away_deg(*cube().mark(now.name), before);
+      if (area->second.empty()) {
+        ++turned_away;
+        EXPECT_GT(away_deg, 68) << now.name;
+        continue;
+      }
+      if (!now.seen) continue;
+      ++foreseen;
+      const cv::Rect box = cv::boundingRect(now.contour);
+      EXPECT_EQ(box & area->second, box) << now.name;
+    }
+  }
+  EXPECT_GT(foreseen, views);
+  EXPECT_GT(turned_away, 2 * views) << "three of its faces or more";
+}
+
+TEST(Body, AMarkIsLookedForOnlyWhereItCanBe) {
+  Random random(8);
+  const Placed at{cv::Matx33d::eye(), {0, 0, 400}};
+  const auto sees_front_within = [&](std::optional<cv::Rect> area) {
+    StereoSight sight = look_at(at, random);
+    MarkTracker tracker(cube_tags());
+    track_all(tracker);
+    if (area) tracker.look_within({{"front", *area}});
+    const std::vector<TrackSighting> seen = tracker.update(sight, Time(1s));
+    return std::ranges::find(seen, "front", &TrackSighting::name)->seen;
+  };
+  EXPECT_TRUE(sees_front_within(std::nullopt));
+  EXPECT_TRUE(sees_front_within(cv::Rect(200, 120, 300, 240)));
+  EXPECT_FALSE(sees_front_within(cv::Rect(0, 0, 200, 200)));
+  EXPECT_FALSE(sees_front_within(cv::Rect())) << "it is turned away";
+}
+
+TEST(Body, NothingIsSaidOfItsMarksWhereNoneIsSeenInThisLook) {
+  std::vector<TrackSighting> marks = turned_marks(20);
+  marks.push_back(sighting_of("left", Time(2s)));
+  EXPECT_TRUE(areas_of_unseen(cube(), marks, Time(2s), cameras().focal_px).empty()) << "they are of a look before";
 }
 
 // Reads a cell file of so many bodies, each with so many marks at that distance. Answers the error's

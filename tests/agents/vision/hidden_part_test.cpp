@@ -107,6 +107,76 @@ TEST(Plane, OfASquareThatIsHalfHiddenIsWhereTheWholeIs) {
   EXPECT_GE(within, 16);
 }
 
+// A cover that is nearly as light as the paper is another thing all the same.
+TEST(Plane, OfASquareIsWhereTheWholeIsBehindWhatIsALittleLighterThanItsGround) {
+  Random random(24);
+  LearnedObjects objects;
+  objects.add("square", learned(square, random));
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const double turned = random.uniform(-3, 3);
+    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(400, 550));
+    const cv::Matx33d turn = turned_about({0, 0, turned});
+    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
+    cv::Mat1b image = filled(projected(square, turn, place), random);
+    cover(image, middle, 0.28 * 600 * 2 * half_mm / place[2], turned + CV_PI / 4, i % 2 == 0 ? 212 : 218);
+    const std::vector<PartLook> parts = parts_of_square(image, objects);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_LT(cv::norm(parts.front().fit.in_image({0, 0}) - middle), 0.5);
+  }
+}
+
+// A faint square that is seen aslant is less likely the mark than a part of a bold one that faces the camera.
+TEST(Plane, OfASquareIsWhereAPartFacesTheCameraRatherThanWhereAllOfOneIsTurnedAway) {
+  Random random(25);
+  LearnedObjects objects;
+  objects.add("square", learned(square, random));
+  const camera::StereoModel model = one_camera();
+  int within = 0;
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const double turned = random.uniform(-3, 3);
+    const cv::Matx33d turn = turned_about({0, 0, turned});
+    const cv::Vec3d place(-80, random.uniform(-60, 60), random.uniform(400, 500));
+    const cv::Point2d middle = projected({{0, 0}}, turn, place).front();
+    cv::Mat image = filled(projected(square, turn, place), random);
+    const cv::Matx33d aslant = turned_about({random.uniform(0.5, 1.1), 0.2, 0});
+    const Corners other = projected(square, aslant, {80, 0, random.uniform(350, 400)});
+    image = cv::min(image, cv::max(filled(other, random), 60));
+    cv::Mat1b grey = image;
+    cover(grey, middle, 0.28 * 600 * 2 * half_mm / place[2], turned + CV_PI / 4, 110);
+    StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
+    const Result<FoundMark> found = MarkFinder(objects).find(sight, *objects.find("square"), {});
+    ASSERT_TRUE(found);
+    within += cv::norm(found->pair.left.centre - middle) < 1 ? 1 : 0;
+  }
+  EXPECT_GE(within, 10);
+}
+
+TEST(Plane, OfAFaintSquareThatIsTurnedFarAwayIsNotSure) {
+  Random random(26);
+  LearnedObjects objects;
+  objects.add("square", learned(square, random));
+  const camera::StereoModel model = one_camera();
+  const auto found_in = [&](double tilt, int level) {
+    const Corners corners = projected(square, turned_about({tilt, 0.2, 0}), {20, 0, 350});
+    const cv::Mat image = cv::max(filled(corners, random), level);
+    StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
+    return MarkFinder(objects).find(sight, *objects.find("square"), {});
+  };
+  for (const double tilt : {1.05, 1.1, 1.15}) {
+    SCOPED_TRACE(tilt);
+    const Result<FoundMark> found = found_in(tilt, 60);
+    EXPECT_TRUE(!found || found->confidence < 0.9);
+  }
+  const Result<FoundMark> facing = found_in(0.2, 50);
+  ASSERT_TRUE(facing);
+  EXPECT_GT(facing->confidence, 0.9);
+  const Result<FoundMark> bold = found_in(1.1, 25);
+  ASSERT_TRUE(bold);
+  EXPECT_GT(bold->confidence, 0.9);
+}
+
 TEST(Plane, OfASquareIsNotTheArmOfANearCross) {
   Random random(23);
   LearnedObjects objects;

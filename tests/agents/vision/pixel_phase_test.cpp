@@ -6,6 +6,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 #include "tests/bench/vision/scene.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -17,7 +18,7 @@ TEST(PixelPhase, HidesNoMark) {
     ASSERT_TRUE(tracker.add(*learned_cell().find(name)));
     Time now = {};
     int lost = 0;
-    for (int frame = 0; frame < 240; ++frame) {
+    for (int frame = 0; frame < campaign(80, 240); ++frame) {
       const double along = 0.02 * frame + 2.5 * (frame % 2);
       bench::Scene scene;
       scene.noise = 5;

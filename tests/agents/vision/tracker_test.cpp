@@ -5,6 +5,7 @@
 #include "agents/vision/agent/reply_text.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/vision/eyes.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -233,7 +234,7 @@ TEST_F(Tracker, TellsHowFarAFaceIsTurned) {
         SCOPED_TRACE(name + " at " + std::to_string(x_mm) + " turned " + std::to_string(yaw_deg));
         scene.faces = {{.mark = drawn_as(name), .place = {x_mm, 60, 850}, .yaw_deg = yaw_deg}};
         double sum = 0;
-        constexpr int frames = 10;
+        const int frames = campaign(4, 10);
         for (int i = 0; i < frames; ++i) {
           const std::vector<TrackSighting> sightings = see();
           ASSERT_TRUE(sightings[0].yaw_deg.has_value());
