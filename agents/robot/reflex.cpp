@@ -147,7 +147,8 @@ Task<void> Reflex::beat_on(LeaseId lease) {
     if (++silence_ < silent_beats) continue;
     silence_ = 0;
     const Duration silent = silent_beats * beat;
-    control_.stop_at_once(stopped(fmt::format("the board has not answered for {} ms", silent.count() / 1000), Datum()));
+    control_.stop_at_once(stopped(fmt::format("the board has not answered for {} ms", silent.count() / 1000),
+                                  list("silent"_sym, "board"_sym)));
   }
 }
 

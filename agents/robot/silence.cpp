@@ -16,7 +16,8 @@ Task<void> Silence::listen() {
     heard = driver_.states_heard();
     if (silent < beats) continue;
     silent = 0;
-    tell_({"stopped", fmt::format("the arm has not told its state for {} ms", longest.count() / 1000), {}, {}});
+    const std::string sentence = fmt::format("the arm has not told its state for {} ms", longest.count() / 1000);
+    tell_({"stopped", sentence, list("silent"_sym, "arm"_sym), {}});
   }
 }
 

@@ -9,12 +9,13 @@
 #include <csignal>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <spawn.h>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
+
+#include "tests/whole_file.hpp"
 
 namespace pizarra {
 
@@ -55,10 +56,7 @@ class ChildProgram {
     return rest;
   }
   // Every file that its memory shows: the program and the libraries it runs with.
-  std::string mapped_files() const {
-    std::ifstream maps("/proc/" + std::to_string(child_) + "/maps");
-    return {std::istreambuf_iterator<char>(maps), {}};
-  }
+  std::string mapped_files() const { return whole_file("/proc/" + std::to_string(child_) + "/maps"); }
   double resident_mb() const {
     std::ifstream status("/proc/" + std::to_string(child_) + "/status");
     for (std::string line; std::getline(status, line);) {

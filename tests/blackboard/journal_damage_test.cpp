@@ -10,6 +10,7 @@
 #include "blackboard/time/random.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/journal_fixture.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra {
 namespace {
@@ -26,10 +27,7 @@ class JournalDamageTest : public JournalFileTest {
     }
     return life.facts("(goal ? ?)");
   }
-  std::string contents() const {
-    std::ifstream in(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string contents() const { return whole_file(path_); }
   // A board's view of a file with this content.
   Result<void> recover(const std::string& text, store::Store& store) const {
     std::ofstream(path_, std::ios::binary) << text;
@@ -259,8 +257,7 @@ TEST_F(JournalDamageTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDropped
     std::ofstream(copy + "-wal", std::ios::binary) << log;
     return journal::JournalFile::open(copy, {});
   };
-  std::ifstream in(path_ + "-wal", std::ios::binary);
-  const std::string log((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  const std::string log = whole_file(path_ + "-wal");
   // What SQLite has not come to yet is nothing.
   const std::size_t written = log.find_last_not_of('\0');
   ASSERT_GT(written, 100'000U);

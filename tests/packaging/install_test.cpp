@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <regex>
 
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra {
 namespace {
@@ -58,8 +58,7 @@ TEST(Installed, FindsItsFilesWhereItStands) {
 
 TEST(Installed, TheFirstPageLinksOnlyToFilesThatAreThere) {
   const std::string pages = prefix() + "/share/pizarra/docs/";
-  std::ifstream file(pages + "README.md");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = whole_file(pages + "README.md");
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
   int links = 0;
   for (std::sregex_iterator found(text.begin(), text.end(), link); found != std::sregex_iterator(); ++found) {

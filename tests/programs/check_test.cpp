@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <string>
 #include <unistd.h>
 
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -19,8 +19,7 @@ class Check : public testing::Test {
  protected:
   Check() {
     std::filesystem::create_directories(folder_);
-    std::ifstream in(source_dir() + "/domains/blocks.scm");
-    std::string text(std::istreambuf_iterator<char>(in), {});
+    std::string text = whole_file(source_dir() + "/domains/blocks.scm");
     const std::string sound = "(PICK-UP (<ob1>) (GRASP <ob1>))";
     const std::size_t at = text.find(sound);
     EXPECT_NE(at, std::string::npos);

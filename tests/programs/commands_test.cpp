@@ -219,7 +219,22 @@ TEST(Words, AReplayRefusesWhatItWouldLeaveOut) {
   EXPECT_EQ(beyond.status, 2);
   EXPECT_TRUE(contains(beyond, "counted from 0, and none is number 99")) << beyond.text;
   EXPECT_EQ(run("chaos --runs 1 --video film.avi").status, 2);
-  EXPECT_EQ(run("chaos --replay 7 --coverage points.txt").status, 2);
+  for (const char* of_many : {"--coverage points.txt", "--runs 9", "--first-seed 4", "--jobs 3", "--no-shrink"}) {
+    const Said said = run(std::string("chaos --replay 7 --faults none ") + of_many);
+    EXPECT_EQ(said.status, 2) << of_many;
+    EXPECT_TRUE(contains(said, "excludes")) << said.text;
+  }
+  const Said all = run("chaos --replay 7 --faults none --plant all");
+  EXPECT_EQ(all.status, 2);
+  EXPECT_TRUE(contains(all, "with --replay, --plant names one fault")) << all.text;
+}
+
+TEST(Words, ASearchForAPlantedFaultRefusesWhatItWouldLeaveOut) {
+  for (const char* of_runs : {"--coverage points.txt", "--reference " PIZARRA_CELL, "--no-shrink"}) {
+    const Said said = run(std::string("chaos --plant plan-not-kept --runs 1 ") + of_runs);
+    EXPECT_EQ(said.status, 2) << of_runs;
+    EXPECT_TRUE(contains(said, "excludes")) << said.text;
+  }
 }
 
 TEST(Words, APromptHasTheAgentsThatItsCellNamesAndNoOthers) {

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 #include "agents/launcher/local_cell.hpp"
 #include "agents/runtime/contract.hpp"
@@ -14,6 +12,7 @@
 #include "programs/method/system.hpp"
 #include "tests/programs/tapped_cell.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -51,12 +50,7 @@ std::string without(const Names& names, const Names& others) {
   return out;
 }
 
-std::string page(const std::string& name) {
-  std::ifstream in(source_dir() + "/docs/facts/" + name + ".md");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+std::string page(const std::string& name) { return whole_file(source_dir() + "/docs/facts/" + name + ".md"); }
 
 // Facts that several agents tell alike have pages of their own. A predicate of the domain is a relation too.
 void expect_described(const Datum& contract, const Names& predicates) {

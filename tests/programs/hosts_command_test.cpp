@@ -13,6 +13,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -120,10 +121,10 @@ TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
   const Said joined = join("desk");
   ASSERT_EQ(joined.status, 0) << joined.text;
   EXPECT_TRUE(joined.text.contains("keys/board.key  bring it here from there\n")) << joined.text;
-  const std::string secret = text_of(keys_ + "/desk.secret");
+  const std::string secret = whole_file(keys_ + "/desk.secret");
   const files::perms readable = files::status(keys_ + "/desk.secret").permissions();
   EXPECT_EQ(readable & (files::perms::group_all | files::perms::others_all), files::perms::none);
-  const std::string service = text_of(service_);
+  const std::string service = whole_file(service_);
   std::istringstream words(secret);
   for (std::string word; words >> word;) {
     const bool is_told = service.contains(word) || joined.text.contains(word);
@@ -133,8 +134,8 @@ TEST_F(HostsOfACell, HaveAServiceWithoutSecretsAndKeepTheKeyThatTheyHave) {
   EXPECT_EQ(line_of_service("ExecStart"), '"' + std::string(PIZARRA_CELL) + "\" up \"" + cell_ + "\" --host \"desk\"");
   EXPECT_EQ(line_of_service("Restart"), "on-failure") << "`down` is a normal end";
   ASSERT_EQ(join("desk").status, 0);
-  EXPECT_EQ(text_of(keys_ + "/desk.secret"), secret) << "the board may know it already";
-  EXPECT_EQ(text_of(service_), service);
+  EXPECT_EQ(whole_file(keys_ + "/desk.secret"), secret) << "the board may know it already";
+  EXPECT_EQ(whole_file(service_), service);
 }
 
 TEST_F(HostsOfACell, HaveAServiceWithTheMemberOfTheLogAndAreToldWhatIsMissing) {

@@ -7,6 +7,7 @@
 #include "tests/programs/running.hpp"
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -17,7 +18,7 @@ TEST(JournalWords, TheSameSeedGivesTheSameJournalByteForByte) {
   const auto journal_of = [](const std::string& options) {
     const std::string file = scratch_folder() + "journal";
     run("demo --png '' --goal '(on circle triangle)' --journal " + file + " " + options);
-    return text_of(file);
+    return whole_file(file);
   };
   const std::string seven = journal_of("--seed 7");
   EXPECT_GT(seven.size(), 1000U);

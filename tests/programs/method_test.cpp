@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <regex>
 
 #include "agents/console/console_contract.hpp"
@@ -20,6 +19,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::method {
 namespace {
@@ -179,8 +179,7 @@ TEST(Method, TheConsolesContractHasWhatItsPagesFollow) {
   const std::regex following(R"((?:follow(?:Always)?\((?:'[a-z]+', )?'\(|query = \[sym\(')([a-z-]+)[ '])");
   std::set<std::string> followed;
   for (const auto& file : std::filesystem::directory_iterator(source_dir() + "/agents/console/page/src")) {
-    std::ifstream in(file.path());
-    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::string text = whole_file(file.path());
     const std::sregex_iterator found(text.begin(), text.end(), following);
     for (auto each = found; each != std::sregex_iterator(); ++each) followed.insert((*each)[1]);
   }

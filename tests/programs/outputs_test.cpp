@@ -9,6 +9,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -45,7 +46,7 @@ TEST(Outputs, WhatCouldNotBeWrittenWholeIsToldWithItsPathAndReason) {
 
 TEST(Outputs, AFilmIsWholeAlsoWhenNobodyReadsTheStory) {
   const Said said = run("demo --png '' --video unread.avi --goal '(on-table circle)' | head -n 1");
-  EXPECT_NE(text_of(scratch_folder() + "unread.avi").find("idx1"), std::string::npos) << said.text;
+  EXPECT_NE(whole_file(scratch_folder() + "unread.avi").find("idx1"), std::string::npos) << said.text;
 }
 
 TEST(Outputs, AnInterruptedCountOfSeedsIsSummedUp) {
@@ -97,12 +98,12 @@ TEST(Outputs, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
   const std::string journal = base + ".txt";
   for (const int signal : {SIGINT, SIGTERM}) {
     Running demo({PIZARRA_CELL, "demo", "--png", "", "--video", film, "--journal", journal}, base + ".log");
-    ASSERT_TRUE(wait_until([&] { return !text_of(journal).empty(); }, std::chrono::seconds(20)))
+    ASSERT_TRUE(wait_until([&] { return !whole_file(journal).empty(); }, std::chrono::seconds(20)))
         << "no story began: " << demo.said();
     demo.signal(signal);
     EXPECT_EQ(demo.end(std::chrono::seconds(20)), 130) << demo.said();
-    EXPECT_NE(text_of(film).find("idx1"), std::string::npos) << "the film has no index";
-    EXPECT_TRUE(text_of(journal).ends_with(")\n"));
+    EXPECT_NE(whole_file(film).find("idx1"), std::string::npos) << "the film has no index";
+    EXPECT_TRUE(whole_file(journal).ends_with(")\n"));
     std::filesystem::remove(journal);
   }
   std::filesystem::remove(film);

@@ -16,6 +16,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -40,7 +41,7 @@ std::string folder_of_photographs() {
 
 TEST(OwnEyes, ASheetIsPrintedAtItsRealSize) {
   ASSERT_EQ(run("shapes --print shapes.png").status, 0);
-  const std::string bytes = text_of(scratch_folder() + "shapes.png");
+  const std::string bytes = whole_file(scratch_folder() + "shapes.png");
   EXPECT_EQ(bytes.substr(37, 4), "pHYs") << "it says how many dots a metre has";
   const cv::Mat page = cv::imread(scratch_folder() + "shapes.png", cv::IMREAD_GRAYSCALE);
   ASSERT_EQ(page.size(), cv::Size(2480, 3508));
@@ -61,7 +62,7 @@ TEST(OwnEyes, ASheetIsPrintedAtItsRealSize) {
 
 TEST(OwnEyes, APdfLeadsToItsParts) {
   ASSERT_EQ(run("shapes --board --print board.pdf").status, 0);
-  const std::string pdf = text_of(scratch_folder() + "board.pdf");
+  const std::string pdf = whole_file(scratch_folder() + "board.pdf");
   EXPECT_TRUE(pdf.starts_with("%PDF-1.4\n"));
   EXPECT_TRUE(pdf.ends_with("%%EOF\n"));
   const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref") + 10));
@@ -117,17 +118,23 @@ TEST(OwnEyes, ACameraThatIsNotThereIsNamedByLookByUpAndInTheLog) {
   const Said resting = run("look colour" + patient);
   EXPECT_EQ(resting.status, 1);
   EXPECT_TRUE(contains(resting, "(vision (connect))")) << resting.text;
-  const Said connected = run("repl --cell no-eyes --eval '(vision (connect))' --eval '(vision (keep))'");
   const std::string why = "the camera: /dev/no-such-camera cannot be opened";
+  Said connected;
+  const auto says_why = [&] {
+    connected = run("repl --cell no-eyes --eval '(vision (connect))' --eval '(vision (keep))'");
+    return contains(connected, "\n  vision has no images: " + why + "\n");
+  };
+  // It says at first that the camera is being opened, if that takes long.
+  EXPECT_TRUE(wait_until(says_why, std::chrono::seconds(60))) << connected.text;
   EXPECT_TRUE(contains(connected, "ok\n  until this prompt ends")) << connected.text;
-  EXPECT_TRUE(contains(connected, "\n  vision has no images: " + why + "\n")) << connected.text;
   const Said looked = run("look colour" + patient);
   EXPECT_EQ(looked.status, 1);
   EXPECT_TRUE(contains(looked, "no image came in 1 s: " + why)) << looked.text;
   const std::string told = "vision has no images: " + why + "\n";
   EXPECT_TRUE(wait_until([&] { return up.said().contains(told); }, std::chrono::seconds(10))) << up.said();
   const std::string log = log_folder_of(up.said()) + "/vision.log";
-  EXPECT_TRUE(wait_until([&] { return text_of(log).contains(told); }, std::chrono::seconds(10))) << log << text_of(log);
+  EXPECT_TRUE(wait_until([&] { return whole_file(log).contains(told); }, std::chrono::seconds(10)))
+      << log << whole_file(log);
   up.signal(SIGINT);
   EXPECT_EQ(up.end(std::chrono::seconds(20)), 0) << up.said();
 }

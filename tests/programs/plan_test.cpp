@@ -65,7 +65,7 @@ TEST(Plan, IsNothingAtAllForPddlToolsWhereThereIsNone) {
   EXPECT_EQ(printed("(on a b)", "--time 0"), "");
   EXPECT_EQ(printed("(on a b)", "--planner 'echo hello # {domain} {problem}'"), "");
   EXPECT_EQ(printed("(on a b)", "--planner '/nowhere/ff {domain} {problem}'"), "");
-  EXPECT_EQ(printed("(on a b)", "--fast --time 0.2"), "(pick-up a)\n(stack a b)\n");
+  EXPECT_EQ(printed("(on a b)", "--fast --time 60"), "(pick-up a)\n(stack a b)\n");
 }
 
 TEST(Plan, IsOneObjectForPrograms) {

@@ -3,11 +3,11 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 
@@ -19,11 +19,6 @@ bool wait_until(const std::function<bool()>& condition, std::chrono::seconds how
     std::this_thread::sleep_for(look_pause);
   }
   return condition();
-}
-
-std::string text_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 Running::Running(std::vector<std::string> words, std::string log) : log_(std::move(log)) {

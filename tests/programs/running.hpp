@@ -13,12 +13,12 @@
 #include <sys/types.h>
 #include <vector>
 
+#include "tests/whole_file.hpp"
+
 namespace pizarra::programs {
 
 // Whether the condition comes to hold.
 bool wait_until(const std::function<bool()>& condition, std::chrono::seconds how_long);
-
-std::string text_of(const std::string& file);
 
 class Running {
  public:
@@ -31,7 +31,7 @@ class Running {
   void signal(int number) const;
   // Its exit status, minus the signal that killed it, or nothing while it runs on.
   std::optional<int> end(std::chrono::seconds how_long);
-  std::string said() const { return text_of(log_); }
+  std::string said() const { return whole_file(log_); }
 
  private:
   bool look();

@@ -9,6 +9,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -51,7 +52,7 @@ class SchemeCell : public testing::Test {
 };
 
 TEST_F(SchemeCell, TheExamplesRulesWorkAndSayWhyAndAreReplacedWhenTheirFileIsSaved) {
-  up(text_of(example("conveyor.scm")));
+  up(whole_file(example("conveyor.scm")));
   EXPECT_EQ(cell("tell '(barrier exit blocked)'").status, 0);
   EXPECT_TRUE(comes("ask '(belt ?s)'", "?s = stopped")) << up_->said();
   const Said why = cell("why '(belt ?)'");
@@ -61,12 +62,12 @@ TEST_F(SchemeCell, TheExamplesRulesWorkAndSayWhyAndAreReplacedWhenTheirFileIsSav
   EXPECT_EQ(cell("tell '(barrier door blocked)'").status, 0);
   EXPECT_TRUE(comes("ask '(stop ?who ?why)'", "the barrier at the door is blocked")) << up_->said();
 
-  save(file_, text_of(example("conveyor.scm")) + "(rule third (barrier exit ?s)\n  (tell (belt reversed))");
+  save(file_, whole_file(example("conveyor.scm")) + "(rule third (barrier exit ?s)\n  (tell (belt reversed))");
   EXPECT_TRUE(comes("ask '(program conveyor ?state ?why)'", "?state = kept")) << up_->said();
   EXPECT_TRUE(contains(cell("ask '(program conveyor ?state ?why)'"), "conveyor.scm:")) << up_->said();
   EXPECT_TRUE(contains(cell("ask '(belt ?s)'"), "?s = stopped"));
 
-  save(file_, text_of(example("conveyor.scm")) + "(rule third (barrier exit ?s)\n  (tell (belt reversed)))");
+  save(file_, whole_file(example("conveyor.scm")) + "(rule third (barrier exit ?s)\n  (tell (belt reversed)))");
   EXPECT_TRUE(comes("ask '(belt ?s)'", "?s = reversed")) << up_->said();
 }
 

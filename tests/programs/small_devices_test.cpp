@@ -15,6 +15,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -70,7 +71,7 @@ class SmallDevices : public testing::Test {
   }
   // The second text of NAME.secret, as docs/small-devices.md says.
   std::string token(const std::string& name) {
-    const std::string text = text_of(keys_ + "/" + name + ".secret");
+    const std::string text = whole_file(keys_ + "/" + name + ".secret");
     const std::size_t end = text.rfind('"');
     const std::size_t begin = text.rfind('"', end - 1) + 1;
     return text.substr(begin, end - begin);
@@ -181,14 +182,14 @@ TEST_F(SmallDevices, ACellFileNamesTheDoorAndUpStartsItAgain) {
   address_ = said_behind(up, "board       ");
   EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1")) << up.said();
   const std::string log = said_behind(up, "logs        ") + "/door.log";
-  EXPECT_TRUE(wait_until([&] { return text_of(log).contains("ready on 127.0.0.1:"); }, patience)) << text_of(log);
+  EXPECT_TRUE(wait_until([&] { return whole_file(log).contains("ready on 127.0.0.1:"); }, patience)) << whole_file(log);
   const std::string started = "door started as process ";
   const std::string killed = said_behind(up, started);
   ::kill(static_cast<pid_t>(std::stol(killed)), SIGKILL);
   const auto another = [&] { return up.said().rfind(started) != up.said().find(started); };
   EXPECT_TRUE(wait_until(another, patience)) << up.said();
   barrier.type("block");
-  EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1")) << up.said() << text_of(log);
+  EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1")) << up.said() << whole_file(log);
   up.signal(SIGINT);
   EXPECT_EQ(up.end(patience), 0) << up.said();
 }
@@ -208,11 +209,11 @@ TEST_F(SmallDevices, ADoorOfACellWhoseBoardAsksForKeysLetsInWhoHasOne) {
   Running up({PIZARRA_CELL, "up", cell}, folder_ + "keyed-up.log");
   key_ = " --key " + keys_ + "/desk.secret";
   const std::string log = said_behind(up, "logs        ") + "/door.log";
-  EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1")) << up.said() << text_of(log);
+  EXPECT_TRUE(comes("(watching ?b)", "?b = barrier-1")) << up.said() << whole_file(log);
   barrier.type("block");
-  EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1")) << text_of(log);
+  EXPECT_TRUE(comes("(blocked ?b)", "?b = barrier-1")) << whole_file(log);
   std::filesystem::remove(keys_ + "/barrier-1.key");
-  EXPECT_TRUE(goes("(watching ?b)")) << text_of(log);
+  EXPECT_TRUE(goes("(watching ?b)")) << whole_file(log);
   up.signal(SIGINT);
   EXPECT_EQ(up.end(patience), 0) << up.said();
 }

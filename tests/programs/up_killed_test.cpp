@@ -15,6 +15,7 @@
 #include "tests/programs/running.hpp"
 #include "tests/programs/taught_cell.hpp"
 #include "tests/scratch.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -60,7 +61,7 @@ class UpKilled : public testing::Test {
   std::vector<std::string> cell_processes() {
     std::vector<std::string> found;
     for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
-      const std::string command = text_of(entry.path().string() + "/cmdline");
+      const std::string command = whole_file(entry.path().string() + "/cmdline");
       if (command.find(folder_) != std::string::npos) found.push_back(entry.path().filename().string() + " " + command);
     }
     return found;

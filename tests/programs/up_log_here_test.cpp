@@ -12,6 +12,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -155,7 +156,7 @@ TEST_F(UpWithLogHere, WaitsForTheOthersWhereAMemberHasLostItsData) {
   up("c", {});
   // `up` tells it once the member has given up for now. The member says it at once.
   const std::string of_member = scratch_folder() + "pizarra/here@c/log.log";
-  const auto waits_aloud = [&] { return text_of(of_member).contains("member-c has no data, and waits for "); };
+  const auto waits_aloud = [&] { return whole_file(of_member).contains("member-c has no data, and waits for "); };
   ASSERT_TRUE(wait_until(waits_aloud, seconds(60))) << said();
   // With this one alone it has no majority that remembers.
   up("b", {"--standby", standby_});

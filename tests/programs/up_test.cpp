@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
@@ -16,6 +15,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::programs {
 namespace {
@@ -60,10 +60,7 @@ class UpTest : public testing::Test {
     const std::size_t pid = text.find("\"pid\":", line);
     return line == std::string::npos ? 0 : static_cast<pid_t>(std::strtol(text.c_str() + pid + 6, nullptr, 10));
   }
-  std::string log() {
-    std::ifstream in(folder_ + "up.log");
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string log() { return whole_file(folder_ + "up.log"); }
 
   const std::string folder_ = scratch_folder();
   const std::string cell_ = folder_ + "cell.scm";

@@ -9,6 +9,7 @@
 
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::door {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr const char* compiler = "arm-none-eabi-gcc";
 
 bool runs(const std::string& command) { return std::system((command + " > /dev/null 2>&1").c_str()) == 0; }
-
-std::string text_of(const std::string& file) {
-  std::ifstream in(file);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
-}
 
 // As `size` tells it of an object: text, data and bss.
 struct Sizes {
@@ -42,7 +36,7 @@ Sizes sizes_of(const std::string& object) {
 // Of all functions together, each once: none calls itself.
 int stack_of(const std::string& file) {
   int sum = 0;
-  std::istringstream lines(text_of(file));
+  std::istringstream lines(whole_file(file));
   for (std::string line; std::getline(lines, line);) {
     std::istringstream columns(line.substr(line.find('\t')));
     int bytes = 0;
@@ -83,7 +77,7 @@ TEST(SmallDeviceSize, FitsASmallProcessor) {
 TEST(SmallDeviceSize, NeedsNothingOfTheCLibraryButStrings) {
   const std::string out = scratch_folder() + "symbols";
   ASSERT_EQ(std::system(("nm -u " PIZARRA_DEVICE_LIBRARY " | grep ' U ' > " + out).c_str()), 0);
-  std::istringstream lines(text_of(out));
+  std::istringstream lines(whole_file(out));
   for (std::string kind, name; lines >> kind >> name;) {
     const bool ours = name == "memcpy" || name == "memmove" || name == "memset" || name == "memcmp" || name == "strlen";
     EXPECT_TRUE(ours || name.starts_with("__")) << name;

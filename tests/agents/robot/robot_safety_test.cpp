@@ -264,7 +264,7 @@ TEST_F(RobotBeforeSilence, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond)
   const arm::Joints stood = arm.at();
   muted = false;
   executor.run_for(1s);
-  EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
+  EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" (silent board))");
   EXPECT_EQ(arm.at(), stood) << "nothing goes on before it is asked for";
 }
 
@@ -296,7 +296,7 @@ TEST_F(RobotBeforeSilence, AJogThatItStoppedDoesNotGoOnThoughTheHandNeverLetGo) 
   const arm::Joints stood = arm.at();
   muted = false;
   hold_for(1s);
-  EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
+  EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" (silent board))");
   EXPECT_EQ(arm.at(), stood);
 }
 

@@ -6,8 +6,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -17,6 +15,7 @@
 
 #include "lisp/installed_program.hpp"
 #include "tests/scratch.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::cluster {
 
@@ -103,10 +102,7 @@ std::string RealEtcd::address(const std::string& cell) const {
   return fmt::format("etcd://127.0.0.1:{}/{}", port_, cell);
 }
 
-std::string RealEtcd::said() const {
-  std::ifstream log(folder_ + ".log");
-  return {std::istreambuf_iterator<char>(log), {}};
-}
+std::string RealEtcd::said() const { return whole_file(folder_ + ".log"); }
 
 void RealEtcd::signal(int number) const {
   kill(pid_, number);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/scratch.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::arm {
 namespace {
@@ -30,8 +31,7 @@ TEST(Arms, EveryShippedArmIsDescribedInUnderSixtyLines) {
 }
 
 TEST(Arms, APoseInWhichTheToolLeansIsRefusedWhereItStands) {
-  std::ifstream shipped(forms::shipped_arm_file("crs-f3"));
-  std::string text(std::istreambuf_iterator<char>(shipped), {});
+  const std::string text = whole_file(forms::shipped_arm_file("crs-f3"));
   const std::string file = scratch_folder() + "leaning.scm";
   for (const auto& [pose, leaning] : {std::pair("(home  0 20 -80 0 -120", "(home  0 20 -80 0 -110"),
                                       std::pair("(ready 0 0 -90 0 -90", "(ready 0 0 -90 5 -90")}) {

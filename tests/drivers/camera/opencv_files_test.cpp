@@ -2,11 +2,11 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 
 #include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/image_file.hpp"
 #include "tests/scratch.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::camera {
 namespace {
@@ -18,10 +18,7 @@ constexpr unsigned char png[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a,
                                  0x9c, 0x63, 0x48, 0x01, 0x00, 0x00, 0x66, 0x00, 0x65, 0x7a, 0xa0, 0xc6, 0x92, 0x00,
                                  0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
-bool loaded(const std::string& library) {
-  std::ifstream maps("/proc/self/maps");
-  return std::string(std::istreambuf_iterator<char>(maps), {}).contains(library);
-}
+bool loaded(const std::string& library) { return whole_file("/proc/self/maps").contains(library); }
 
 TEST(OpencvFiles, AreLoadedForTheFirstImageThatIsNeitherJpegNorPng) {
   const std::string& folder = scratch_folder();

@@ -5,12 +5,12 @@
 #include <set>
 
 #include "blackboard/wire/answer_form.hpp"
-#include "tests/blackboard/server_fixture.hpp"
+#include "tests/blackboard/simulated/simulated_server.hpp"
 
-namespace pizarra {
+namespace pizarra::simulated {
 namespace {
 
-class ServerIndex : public ServerTest {
+class ServerIndex : public SimulatedServer {
  protected:
   static constexpr int facts = 120'000;
   static constexpr int alike = facts / 6;
@@ -33,7 +33,7 @@ class ServerIndex : public ServerTest {
   // Asks what needs an index, and lets the making begin.
   void ask_oddly(int number = 1) {
     odd.send(request(odds, number, asked));
-    for (int patience = 5000; patience > 0 && !is_making(); --patience) pass(executor, 1ms);
+    pass(frame_delay);
     ASSERT_TRUE(is_making());
   }
   bool is_making() { return !board.store().index_maker().is_idle(); }
@@ -73,10 +73,10 @@ class ServerIndex : public ServerTest {
   }
   static constexpr const char* asked = "(ask (note ?n 7))";
 
-  Client odd = client();
-  Client other = client();
-  const std::string odds = odd.join("odd");
-  const std::string others = other.join("other");
+  Client odd{*this, "odd"};
+  Client other{*this, "other"};
+  const std::string odds = odd.join();
+  const std::string others = other.join();
 };
 
 TEST_F(ServerIndex, OthersAreServedBetweenItsParts) {
@@ -88,7 +88,8 @@ TEST_F(ServerIndex, OthersAreServedBetweenItsParts) {
   }
   EXPECT_EQ(numbers(odd.receive()).size(), 6U);
   EXPECT_FALSE(is_making());
-  EXPECT_TRUE(refusals("odd").empty());
+  pass(2 * server::Refusals::pause);
+  EXPECT_TRUE(board.ask(query("(board-refusal ? ? ? ?)"))->answers.empty());
 }
 
 TEST_F(ServerIndex, WhatChangesMeanwhileIsInTheAnswer) {
@@ -183,22 +184,22 @@ TEST_F(ServerIndex, WhoLeavesMeanwhileLeavesNothingButTheIndex) {
   odd.send("(hello \"odd\" " + odds + ")");
   odd.send("(bye " + odds + ")");
   EXPECT_EQ(numbers(other.ask(request(others, 1, asked))).size(), 6U);
-  pass(executor, 50ms);
+  pass(50ms);
   EXPECT_EQ(server->sessions(), 1U);
   server.reset();
-  serve(10s);
-  Client next = client();
-  EXPECT_EQ(numbers(next.ask(request(next.join("next"), 1, asked))).size(), 6U);
+  serve();
+  Client next(*this, "next");
+  EXPECT_EQ(numbers(next.ask(request(next.join(), 1, asked))).size(), 6U);
 }
 
 TEST_F(ServerIndex, AServerThatEndsMeanwhileLeavesTheRestToTheNext) {
   ask_oddly();
   server.reset();
   EXPECT_EQ(board.ask(query("(note ?n 7)")).value().answers.size(), 6U);
-  serve(10s);
-  Client next = client();
-  EXPECT_EQ(numbers(next.ask(request(next.join("next"), 1, "(ask (note ?n 8))"))).size(), 6U);
-  pass(executor, 5ms);
+  serve();
+  Client next(*this, "next");
+  EXPECT_EQ(numbers(next.ask(request(next.join(), 1, "(ask (note ?n 8))"))).size(), 6U);
+  pass(5ms);
   EXPECT_FALSE(is_making());
 }
 
@@ -264,4 +265,4 @@ TEST(Postponed, HasRoomForSoManyMessagesAndSoMuchOfThem) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::simulated
