@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double limit_slack = 1e-5;        // degrees or mm: the arc cosine of a stretched elbow is no better
+constexpr double reading_slack = 1e-5;      // degrees or mm: the arc cosine of a stretched elbow is no better
 constexpr double singular_sine = 1e-7;      // below it the axes of roll and spin count as one
 constexpr double direction_slack = 1.2e-5;  // radians that a wrist of fewer axes may be off: 0.0007 degree
 
@@ -23,10 +23,10 @@ Vector3d along_track(const ArmModel& model) { return model.track_along_x ? Vecto
 // limits where none lies within.
 double nearest_turn(double deg, double near_deg, const Range& limits) {
   double best = deg + 360 * std::round((near_deg - deg) / 360);
-  if (best > limits.high + limit_slack) best -= 360 * std::ceil((best - limits.high - limit_slack) / 360);
-  if (best < limits.low - limit_slack) {
-    const double raised = best + 360 * std::ceil((limits.low - limit_slack - best) / 360);
-    if (raised <= limits.high + limit_slack) best = raised;
+  if (best > limits.high + reading_slack) best -= 360 * std::ceil((best - limits.high - reading_slack) / 360);
+  if (best < limits.low - reading_slack) {
+    const double raised = best + 360 * std::ceil((limits.low - reading_slack - best) / 360);
+    if (raised <= limits.high + reading_slack) best = raised;
   }
   return best;
 }
@@ -132,7 +132,7 @@ bool reaches(const ArmModel& model, const Posture& posture, const ToolPose& pose
 }  // namespace
 
 double excess_of(const Range& range, double reading) {
-  return std::max({0.0, range.low - limit_slack - reading, reading - range.high - limit_slack});
+  return std::max({0.0, range.low - reading_slack - reading, reading - range.high - reading_slack});
 }
 
 Vector3d wrist_of(const ArmModel& model, const ToolPose& pose) {

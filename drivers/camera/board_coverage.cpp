@@ -16,9 +16,9 @@ constexpr std::array<const char*, parts* parts> part_names = {
 // Of most cameras that nobody has calibrated yet, of the image's width.
 constexpr double usual_focal = 0.87;
 
-using Corners = std::vector<cv::Point2f> BoardView::*;
+using CornersOf = std::vector<cv::Point2f> BoardView::*;
 
-bool is_reached(const std::vector<BoardView>& views, Corners side, const cv::Rect2f& part) {
+bool is_reached(const std::vector<BoardView>& views, CornersOf side, const cv::Rect2f& part) {
   return std::ranges::any_of(views, [&](const BoardView& view) {
     return std::ranges::any_of(view.*side, [&](const cv::Point2f& corner) { return part.contains(corner); });
   });

@@ -77,7 +77,7 @@ std::optional<std::int64_t> as_integer(const Numbers& numbers) {
 }
 
 // Of the images of one side, in the order of their names.
-struct Side {
+struct SideFiles {
   std::vector<std::string> files;
   std::vector<Numbers> numbers;  // of those that tell images apart
 };
@@ -88,7 +88,7 @@ bool are_most(const ImagePairs& pairs, std::size_t left, std::size_t right) {
 }
 
 // Pairs the images whose numbers are equal.
-ImagePairs matched(const Side& left, const ByNumbers& right) {
+ImagePairs matched(const SideFiles& left, const ByNumbers& right) {
   ImagePairs out;
   for (std::size_t i = 0; i < left.files.size(); ++i) {
     const auto partner = right.find(left.numbers[i]);
@@ -102,8 +102,8 @@ ImagePairs matched(const Side& left, const ByNumbers& right) {
 }
 
 // Counted alike on both sides, but from another number on.
-std::optional<ImagePairs> counted_apart(const Side& left, const Side& right) {
-  const auto integers_of = [](const Side& side) -> std::optional<std::map<std::int64_t, std::string>> {
+std::optional<ImagePairs> counted_apart(const SideFiles& left, const SideFiles& right) {
+  const auto integers_of = [](const SideFiles& side) -> std::optional<std::map<std::int64_t, std::string>> {
     std::map<std::int64_t, std::string> out;
     for (std::size_t i = 0; i < side.files.size(); ++i) {
       const std::optional<std::int64_t> number = as_integer(side.numbers[i]);
@@ -133,7 +133,7 @@ std::vector<Numbers> stems_of(const std::vector<std::string>& files) {
   return out;
 }
 
-Failure unpaired(const Side& left, const ByNumbers& right) {
+Failure unpaired(const SideFiles& left, const ByNumbers& right) {
   std::string example;
   for (std::size_t i = left.files.size(); i-- > 0;) {
     if (!right.contains(left.numbers[i])) example = name_of(left.files[i]);
@@ -184,8 +184,8 @@ Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::st
     left_places.insert(right_places.begin(), right_places.end());
     right_places = left_places;
   }
-  const Side left_side{std::move(left), at_places(*left_names, left_places)};
-  const Side right_side{std::move(right), at_places(*right_names, right_places)};
+  const SideFiles left_side{std::move(left), at_places(*left_names, left_places)};
+  const SideFiles right_side{std::move(right), at_places(*right_names, right_places)};
   const Result<ByNumbers> numbered_left = by_numbers(left_side.files, left_side.numbers);
   const Result<ByNumbers> numbered_right = by_numbers(right_side.files, right_side.numbers);
   if (!numbered_left) return fail(numbered_left);

@@ -8,7 +8,7 @@ namespace pizarra::forms {
 
 namespace {
 
-constexpr const char* module = "agent-program";
+constexpr const char* program_module = "agent-program";
 
 // Has the process killed when the interpreter does not come back within so much of the processor's time.
 class LastResort {
@@ -32,7 +32,7 @@ class LastResort {
 
 Result<Datum> call(const ProgramLimits& limits, const char* procedure, const std::vector<Datum>& arguments) {
   const LastResort last_resort(limits);
-  Result<Datum> outcome = guile::call_scheme(module, procedure, arguments);
+  Result<Datum> outcome = guile::call_scheme(program_module, procedure, arguments);
   if (!outcome || !outcome->is_form("error")) return outcome;
   return fail(std::string((*outcome)[1].text()), std::string((*outcome)[2].text()));
 }

@@ -2,7 +2,7 @@
 
 namespace pizarra::arm {
 
-using Kind = BscSign::Kind;
+using SignKind = BscSign::Kind;
 
 Task<Result<void>> BscStation::open(Time deadline) {
   signs_.clear();
@@ -46,10 +46,10 @@ Task<Result<void>> BscStation::bid() {
       if (!sign && sign.error().symbol == "disconnected") co_return fail(sign);
       waiting = sign.has_value();
       if (!waiting) continue;
-      if (sign->kind == Kind::ack0) co_return Result<void>();
+      if (sign->kind == SignKind::ack0) co_return Result<void>();
       // It has a text of ours that it waits to be told the end of.
-      if (sign->kind == Kind::ack1) say(bsc::end);
-      if (sign->kind == Kind::enquiry && manners_ == Manners::yields) {
+      if (sign->kind == SignKind::ack1) say(bsc::end);
+      if (sign->kind == SignKind::enquiry && manners_ == Manners::yields) {
         [[maybe_unused]] const Result<BscMessage> for_nobody = co_await take_in();
         waiting = false;
       }
@@ -58,7 +58,7 @@ Task<Result<void>> BscStation::bid() {
   co_return fail("disconnected", "no answer comes from the other end of the line");
 }
 
-Task<Result<void>> BscStation::hand_over(std::string block, Kind expected) {
+Task<Result<void>> BscStation::hand_over(std::string block, SignKind expected) {
   say(block);
   for (int i = 0; i < tries; ++i) {
     const Result<BscSign> answer = co_await next_within(answer_time);
@@ -68,9 +68,10 @@ Task<Result<void>> BscStation::hand_over(std::string block, Kind expected) {
       continue;
     }
     if (answer->kind == expected) co_return Result<void>();
-    if (answer->kind == Kind::end) co_return fail("no-answer", "the other end broke the text off");
+    if (answer->kind == SignKind::end) co_return fail("no-answer", "the other end broke the text off");
     // The answer to the block before: this one was not heard.
-    const bool unheard = answer->kind == Kind::nak || answer->kind == Kind::ack0 || answer->kind == Kind::ack1;
+    const bool unheard =
+        answer->kind == SignKind::nak || answer->kind == SignKind::ack0 || answer->kind == SignKind::ack1;
     say(unheard ? std::string_view(block) : bsc::enquiry);
   }
   co_return fail("no-answer", "the other end does not confirm what it was sent");
@@ -80,11 +81,11 @@ Task<Result<void>> BscStation::send(BscMessage message) {
   if (manners_ == Manners::yields) co_await drop_what_came();
   const Result<void> begun = co_await bid();
   if (!begun) co_return begun;
-  Kind expected = Kind::ack1;
+  SignKind expected = SignKind::ack1;
   for (std::string& block : write_bsc(message)) {
     const Result<void> handed = co_await hand_over(std::move(block), expected);
     if (!handed) co_return handed;
-    expected = expected == Kind::ack1 ? Kind::ack0 : Kind::ack1;
+    expected = expected == SignKind::ack1 ? SignKind::ack0 : SignKind::ack1;
   }
   say(bsc::end);
   co_return Result<void>();
@@ -100,13 +101,13 @@ Task<Result<BscMessage>> BscStation::take_in() {
   say(answer);
   for (int i = 0; i < most_signs && message.text.size() <= longest_message; ++i) {
     const Result<BscSign> sign = co_await next_within(text_time);
-    const bool over = sign ? sign->kind == Kind::end : sign.error().symbol == "timeout";
+    const bool over = sign ? sign->kind == SignKind::end : sign.error().symbol == "timeout";
     if (over && complete) co_return message;
     if (over) break;
     if (!sign) co_return fail(sign);
-    if (sign->kind == Kind::enquiry) say(answer);
-    if (sign->kind == Kind::damaged) say(bsc::nak);
-    if (sign->kind != Kind::block) continue;
+    if (sign->kind == SignKind::enquiry) say(answer);
+    if (sign->kind == SignKind::damaged) say(bsc::nak);
+    if (sign->kind != SignKind::block) continue;
     const BscMessage& part = sign->part;
     if (!last || *last != part) {
       if (!part.header.empty()) message = {part.header, ""};
@@ -124,7 +125,7 @@ Task<Result<BscMessage>> BscStation::receive(Time deadline) {
   while (true) {
     const Result<BscSign> sign = co_await next(deadline);
     if (!sign) co_return fail(sign);
-    if (sign->kind != Kind::enquiry) continue;
+    if (sign->kind != SignKind::enquiry) continue;
     Result<BscMessage> message = co_await take_in();
     co_return message;
   }
