@@ -86,6 +86,11 @@ Result<std::optional<std::vector<std::size_t>>> chosen_faults(const ChaosChoices
 }
 
 int replay_one(const ChaosChoices& choices, const forms::CellDescription& cell) {
+  if (choices.plant == "all") {
+    return complain(
+        Failure{"several-plants", "with --replay, --plant names one fault; --list-plants lists them", {}, {}},
+        exit_usage);
+  }
   const chaos::ChaosStory story = chaos::draw_story(cell, *choices.replay, choices.only);
   const auto faults = chosen_faults(choices, story.faults.size());
   if (!faults) return complain(faults.error(), exit_usage);
@@ -199,7 +204,8 @@ int run_chaos(const ChaosChoices& choices) {
   return choices.plant.empty() ? run_many(choices, *cell) : find_plants(choices, *cell);
 }
 
-CLI::Option* add_replay_options(CLI::App* word, ChaosChoices& choices) {
+// After the options that it excludes.
+void add_replay_options(CLI::App* word, ChaosChoices& choices) {
   CLI::Option* const replay =
       word->add_option("--replay", choices.replay, "Play the run of this seed and tell its story")->check(seed_check());
   word->add_option("--faults", choices.faults, "With --replay: of its faults these alone: N,... or none")
@@ -209,7 +215,18 @@ CLI::Option* add_replay_options(CLI::App* word, ChaosChoices& choices) {
       ->type_name("N,...")
       ->needs(replay);
   word->add_option("--video", choices.video, "With --replay: film it (.avi or .mp4)")->needs(replay);
-  return replay;
+  for (const char* of_many : {"--runs", "--first-seed", "--jobs", "--coverage", "--reference", "--no-shrink"}) {
+    replay->excludes(of_many);
+  }
+}
+
+// After the options that it excludes.
+void add_plant_option(CLI::App* word, ChaosChoices& choices) {
+  CLI::Option* const plant = word->add_option("--plant", choices.plant,
+                                              "Plant this fault into the cell, or `all` one after another, and find it")
+                                 ->check(plant_fault)
+                                 ->type_name("NAME");
+  for (const char* of_runs : {"--coverage", "--reference", "--no-shrink"}) plant->excludes(of_runs);
 }
 
 void add_lists(CLI::App* word) {
@@ -238,30 +255,28 @@ void add_chaos_command(CLI::App& app, int& status) {
   CLI::App* word = app.add_subcommand(
       "chaos", "Play many runs of a cell in which whatever can fail fails, each drawn from its seed, in virtual time.");
   word->add_option("CELL", choices->cell_file, "A cell file (without: the demo's)")->check(CLI::ExistingFile);
-  word->add_option("--runs", choices->runs, "How many")->check(CLI::Range(1, 1'000'000))->capture_default_str();
+  word->add_option("--runs,--seeds", choices->runs, "How many")->check(CLI::Range(1, 1'000'000))->capture_default_str();
   word->add_option("--first-seed", choices->first_seed, "The first run's; each has the next")
       ->check(seed_check())
       ->capture_default_str();
   word->add_option("--jobs", choices->jobs, "Processes at once (without: one a core)")->check(CLI::Range(1, 256));
-  word->add_option("--only", choices->only, "Faults of these classes alone: CLASS,... (--list-classes)")
+  word->add_option("--only", choices->only,
+                   "Faults of these classes alone, with commas or blanks between (--list-classes)")
       ->delimiter(',')
-      ->check(class_fault);
+      ->check(class_fault)
+      ->type_name("CLASS");
   word->add_option("--arm", choices->arm, "Another arm in place of the cell's: of arms/, or an arm file");
-  CLI::Option* const replay = add_replay_options(word, *choices);
-  word->add_option("--plant", choices->plant, "Plant this fault into the cell, or `all` one after another, and find it")
-      ->check(plant_fault)
-      ->type_name("NAME");
   word->add_option(
-          "--coverage", choices->coverage,
-          "Write to this file how many runs failed, were unsafe and hung, and how often each point was reached")
-      ->excludes(replay);
+      "--coverage", choices->coverage,
+      "Write to this file how many runs failed, were unsafe and hung, and how often each point was reached");
   word->add_option(
           "--reference", choices->reference,
           "A file of --coverage of the same runs. The status is 1 if more runs fail, are unsafe or hang, or if a "
           "point that it counts five times or more is no longer reached")
-      ->check(CLI::ExistingFile)
-      ->excludes(replay);
+      ->check(CLI::ExistingFile);
   word->add_flag("--no-shrink", choices->no_shrink, "Leave out to look for the fewest faults that still fail");
+  add_replay_options(word, *choices);
+  add_plant_option(word, *choices);
   add_lists(word);
   word->footer(
       help_footer("chaos --runs 200 --first-seed 1",

@@ -14,9 +14,9 @@
 #include "programs/commands/check_planning.hpp"
 #include "programs/commands/check_sight.hpp"
 #include "programs/commands/commands.hpp"
-#include "programs/commands/goal_text.hpp"
 #include "programs/host/this_host.hpp"
 #include "programs/method/description.hpp"
+#include "programs/story/goal_text.hpp"
 #include "programs/story/scenario_run.hpp"
 
 namespace pizarra::programs {

@@ -4,7 +4,7 @@
 //
 //   CLI::App app;
 //   int status = exit_reached;
-//   add_demo_command(app, status);
+//   add_check_command(app, status);
 //   CLI11_PARSE(app, argc, argv);
 //   return status;
 
@@ -12,8 +12,6 @@
 
 namespace pizarra::programs {
 
-void add_demo_command(CLI::App& app, int& status);
-void add_scenario_command(CLI::App& app, int& status);
 void add_chaos_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_up_command(CLI::App& app, int& status);

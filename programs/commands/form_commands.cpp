@@ -11,8 +11,8 @@
 #include "programs/command_line/moment.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
-#include "programs/commands/goal_text.hpp"
 #include "programs/commands/recall.hpp"
+#include "programs/story/goal_text.hpp"
 
 namespace pizarra::programs {
 

@@ -6,6 +6,7 @@
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/play/play_commands.hpp"
 
 int main(int argc, char** argv) {
   // One thread each: two runs of the same seed must not differ, and many runs share the cores.

@@ -47,7 +47,8 @@ Director::Director(launcher::LocalCell& cell, const forms::Scenario& scenario, c
       expectations_(scenario, *board_, cell.executor()),
       events_(cell, *board_, scenario, narrator,
               [this](std::vector<Datum> goal) { return give_goal(std::move(goal)); }),
-      witness_(cell, judge) {}
+      witness_(cell, judge),
+      stages_(context_, witness_, narrator) {}
 
 Director::~Director() = default;
 
@@ -78,6 +79,7 @@ Task<Result<void>> Director::give_goal(std::vector<Datum> goal) {
   const Result<Datum> accepted = co_await caller_.call(coordinator->server, std::move(operation), goal_timeout);
   if (!accepted) co_return fail(accepted);
   goal_number_ = (*accepted)[0].integer();
+  stages_.begin(goal_number_, report_.goal);
   co_return {};
 }
 
@@ -146,6 +148,8 @@ Task<void> Director::give_judgement() {
   report_.blind = witness_.blind_to(report_.goal);
   const Result<Verdict> verdict = co_await witness_.judge(report_.goal);
   add(report_.unmet, events_.troubles());
+  report_.false_stages = stages_.unmet(report_.outcome);
+  add(report_.unmet, report_.false_stages);
   if (!verdict) {
     report_.unmet.push_back(describe(verdict.error()));
     co_return;

@@ -12,8 +12,8 @@
 #include "programs/story/director_report.hpp"
 #include "programs/story/expectations.hpp"
 #include "programs/story/narrator.hpp"
+#include "programs/story/stage_watch.hpp"
 #include "programs/story/story_events.hpp"
-#include "programs/story/witness.hpp"
 
 namespace pizarra::story {
 
@@ -53,6 +53,7 @@ class Director {
   Expectations expectations_;
   StoryEvents events_;
   Witness witness_;
+  StageWatch stages_;
 };
 
 }  // namespace pizarra::story

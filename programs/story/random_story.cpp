@@ -14,6 +14,7 @@ namespace {
 constexpr double off_x_mm = 25;
 constexpr double off_y_mm = 6;
 constexpr double off_yaw_deg = 10;
+constexpr double highest_pile_mm = 300;  // over which the arm travels
 constexpr double latest_disturbance_s = 20;
 constexpr double within_s = 400;
 constexpr double agent_away_s = 3;
@@ -25,12 +26,24 @@ void shuffle(std::vector<T>& items, Random& random) {
   for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
 }
 
-// At most `most` piles.
-Piles random_piles(std::vector<std::string> names, std::size_t most, Random& random) {
+struct Room {
+  std::size_t most = 0;  // piles
+  std::size_t high = 0;  // cubes in one
+};
+
+// For a cube that finds its pile as high as it may be: a new one, or the lowest.
+std::size_t another_pile(const Piles& piles, const Room& room) {
+  if (piles.size() < room.most) return piles.size();
+  const auto lowest = std::ranges::min_element(piles, {}, &Piles::value_type::size);
+  return static_cast<std::size_t>(lowest - piles.begin());
+}
+
+Piles random_piles(std::vector<std::string> names, const Room& room, Random& random) {
   shuffle(names, random);
   Piles piles;
   for (const std::string& name : names) {
-    const std::uint64_t pile = random.below(std::min(piles.size() + 1, most));
+    std::size_t pile = random.below(std::min(piles.size() + 1, room.most));
+    if (pile < piles.size() && piles[pile].size() >= room.high) pile = another_pile(piles, room);
     if (pile == piles.size()) piles.emplace_back();
     piles[pile].push_back(name);
   }
@@ -46,6 +59,12 @@ std::size_t shares(const forms::CellDescription& cell) {
 // Where not every cube has a share, one is left free, so that cubes can be put down.
 std::size_t most_piles(const forms::CellDescription& cell) {
   return shares(cell) < cell.cubes.size() ? shares(cell) - 1 : shares(cell);
+}
+
+// At least as many as it takes for all cubes to stand in the piles that there may be.
+std::size_t most_in_a_pile(const forms::CellDescription& cell) {
+  const std::size_t needed = (cell.cubes.size() + most_piles(cell) - 1) / most_piles(cell);
+  return std::max(needed, static_cast<std::size_t>(highest_pile_mm / cell.cube_mm));
 }
 
 std::vector<forms::CubePlacement> place_piles(const Piles& piles, const forms::CellDescription& cell, Random& random) {
@@ -87,13 +106,13 @@ bool stands_on(const Piles& piles, std::string_view upper, std::string_view lowe
 
 // A goal made of an arrangement of all cubes: which stands on which, and at times which stand on the table. It differs
 // from the start, so that there is something to do.
-std::vector<Datum> random_goal(const std::vector<std::string>& names, std::size_t most, const Piles& start,
+std::vector<Datum> random_goal(const std::vector<std::string>& names, const Room& room, const Piles& start,
                                Random& random) {
   std::vector<Datum> goal;
   bool differs = false;
   while (!differs) {
     goal.clear();
-    for (const auto& pile : random_piles(names, most, random)) {
+    for (const auto& pile : random_piles(names, room, random)) {
       for (std::size_t i = 1; i < pile.size(); ++i) {
         goal.push_back(on(pile[i], pile[i - 1]));
         differs = differs || !stands_on(start, pile[i], pile[i - 1]);
@@ -166,11 +185,11 @@ RandomStory random_story(forms::CellDescription cell, Random random) {
 
   RandomStory story;
   story.cell = std::move(cell);
-  const std::size_t most = most_piles(story.cell);
-  const Piles piles = random_piles(names, most, start);
+  const Room room{.most = most_piles(story.cell), .high = most_in_a_pile(story.cell)};
+  const Piles piles = random_piles(names, room, start);
   story.cell.cubes = place_piles(piles, story.cell, start);
   story.scenario.name = "random";
-  story.scenario.goal = random_goal(names, most, piles, wish);
+  story.scenario.goal = random_goal(names, room, piles, wish);
   story.scenario.within_s = within_s;
   const double at_s = trouble.uniform(0, latest_disturbance_s);
   std::vector<Datum> actions{list("wait"_sym, at_s)};

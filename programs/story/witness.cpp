@@ -46,6 +46,12 @@ bool Witness::blind_to(const std::vector<Datum>& goal) const {
   });
 }
 
+Task<Result<bool>> Witness::shows(std::vector<Datum> goal) const {
+  const Result<WorldState> truth = co_await read_world_state(cell_.link());
+  if (!truth) co_return fail(truth);
+  co_return judge_.shows(goal, *truth);
+}
+
 Task<Result<Verdict>> Witness::judge(std::vector<Datum> goal) {
   co_await sleep(cell_.executor(), settling_time);
   const Result<WorldState> truth = co_await read_world_state(cell_.link());

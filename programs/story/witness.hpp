@@ -29,6 +29,8 @@ class Witness {
   void open_eyes();
   // Whether a cube of the goal was less than half visible for the last 2 s.
   bool blind_to(const std::vector<Datum>& goal) const;
+  // Whether the world shows this now, as Judge::shows() does. Failures as judge().
+  Task<Result<bool>> shows(std::vector<Datum> goal) const;
   // Waits until what was built stands still, or falls. Failures: the link's, the domain's rules'.
   Task<Result<Verdict>> judge(std::vector<Datum> goal);
 

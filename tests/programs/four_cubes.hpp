@@ -14,6 +14,9 @@ inline forms::CellDescription four_cubes() {
   forms::CellDescription cell;
   EXPECT_TRUE(forms::put_arm(cell, "crs-f3"));
   for (const char* name : {"circle", "triangle", "square", "cross"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
+  // As of a cell file that says nothing of it.
+  cell.camera.sure_mm = 20;
+  cell.camera.sure_deg = 2;
   return cell;
 }
 

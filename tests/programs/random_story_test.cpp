@@ -53,5 +53,21 @@ TEST(RandomStory, MoreCubesThanTheRowHasRoomForStandInPilesThatLeaveAPlaceFree) 
   }
 }
 
+// The arm travels at 300 mm.
+TEST(RandomStory, NoPileIsHigherThanTheArmPassesOver) {
+  forms::CellDescription cell = four_cubes();
+  for (const char* name : {"star", "house", "arrow", "letter-h"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const story::RandomStory story = story::random_story(cell, Random(seed));
+    std::size_t highest = 0;
+    std::size_t high = 0;
+    for (const forms::CubePlacement& cube : story.cell.cubes) {
+      high = cube.on.empty() ? 1 : high + 1;
+      highest = std::max(highest, high);
+    }
+    EXPECT_LE(highest, 5U) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace pizarra::programs

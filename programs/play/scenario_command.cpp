@@ -5,7 +5,7 @@
 #include "lisp/json.hpp"
 #include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/commands/commands.hpp"
+#include "programs/play/play_commands.hpp"
 #include "programs/story/scenario_run.hpp"
 
 namespace pizarra::programs {

@@ -1,4 +1,4 @@
-#include "programs/commands/random_runs.hpp"
+#include "programs/play/random_runs.hpp"
 
 #include <fmt/format.h>
 #include <map>

@@ -1,4 +1,4 @@
-#include "programs/commands/demo_choices.hpp"
+#include "programs/play/demo_choices.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>

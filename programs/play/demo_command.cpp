@@ -5,10 +5,10 @@
 #include "lisp/outside_text.hpp"
 #include "lisp/writer.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/commands/commands.hpp"
-#include "programs/commands/demo_choices.hpp"
-#include "programs/commands/goal_text.hpp"
-#include "programs/commands/random_runs.hpp"
+#include "programs/play/demo_choices.hpp"
+#include "programs/play/play_commands.hpp"
+#include "programs/play/random_runs.hpp"
+#include "programs/story/goal_text.hpp"
 #include "programs/story/output_file.hpp"
 #include "programs/story/random_story.hpp"
 #include "programs/story/scenario_run.hpp"
@@ -52,10 +52,9 @@ void tell_end(story::Narrator& narrator, const story::StoryReport& report, const
   const Time end = Time{} + report.simulated;
   const story::DirectorReport& director = report.director;
   narrator.begin(Time{});
-  if (director.reached()) {
-    narrator.say(end, "judge", "the world shows " + goal_words(director.goal));
-  } else if (director.outcome == "reached") {
-    narrator.say(end, "judge", "the world does not show " + goal_words(director.goal));
+  if (director.outcome == "reached") {
+    const std::string verdict = director.truth_holds ? "the world shows " : "the world does not show ";
+    narrator.say(end, "judge", verdict + story::words_of_the_end(director.goal));
   }
   const double cell_s = static_cast<double>(report.simulated.count()) / 1e6;
   narrator.say(end, "time",
