@@ -12,6 +12,8 @@ const out = resolve(process.argv[2] ?? join(here, 'built'));
 
 await mkdir(out, { recursive: true });
 const unknown = 'version-of-this-page';
+// Three carries its notice in its source; uPlot's stands in a file.
+const notice = await readFile(join(here, 'node_modules/uplot/LICENSE'), 'utf8');
 const { outputFiles } = await build({
   entryPoints: [join(here, 'src/main.js')],
   write: false,
@@ -22,6 +24,7 @@ const { outputFiles } = await build({
   format: 'esm',
   target: ['chrome110', 'firefox115'],
   legalComments: 'inline',
+  footer: { js: `/*! uPlot\n${notice.trim()}\n*/` },
 });
 const script = outputFiles[0].text;
 const styles = [join(here, 'node_modules/uplot/dist/uPlot.min.css'), join(here, 'src/console.css')];
