@@ -55,7 +55,8 @@
       ; It may have slipped as far as the fingers reach, and still be held.
       (< (abs (- ?x ?gx)) (if (was (holding ?o)) 36 32))
       (< (abs (- ?y ?gy)) (if (was (holding ?o)) 22 18))
-      (< (abs (- ?z ?gz)) (if (was (holding ?o)) 48 44)))
+      ; What stands below what is held is a whole cube away.
+      (< (abs (- ?z ?gz)) (* (if (was (holding ?o)) 0.8 0.73) cube)))
 
     (rule (holding ?o)                  ; lost from sight for a moment, but still something is between the fingers
       (unseen ?o)

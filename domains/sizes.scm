@@ -32,7 +32,7 @@
       (seen ?o ?x ?y ?z)
       (< (abs (- ?x ?gx)) (if (was (holding ?o)) 36 32))
       (< (abs (- ?y ?gy)) (if (was (holding ?o)) 22 18))
-      (< (abs (- ?z ?gz)) (if (was (holding ?o)) 48 44)))
+      (< (abs (- ?z ?gz)) (* (if (was (holding ?o)) 0.8 0.73) ?edge)))
     (rule (holding ?o)
       (unseen ?o)
       (was (holding ?o))

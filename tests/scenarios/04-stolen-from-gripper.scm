@@ -3,7 +3,7 @@
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle triangle))
   (when (and (holding circle) (operation ? (STACK circle triangle) running))
-    (hand steal circle)
+    (wait 0.5) (hand steal circle)
     (hand add circle "circle" 440 -200))
   (expect reached)
   (expect-seen (event ? difference ? ?))

@@ -73,6 +73,15 @@ Result<Eigen::Vector3d> Aims::free_spot_for(const Datum& target) {
   return spots_.on_table(spot_->x(), spot_->y(), held_edge_mm(held));
 }
 
+// One place must not be judged by the eyes, and the next by the gripper alone: the arm would go to and fro between
+// them.
+Eigen::Vector3d Aims::held_place(const std::string& held, const Eigen::Vector3d& grip) {
+  const Eigen::Vector3d by_gripper = grip + (domain_.cube_mm() - held_edge_mm(held)) / 2 * scene_.view()->away();
+  const bool is_seen = !options_.open_loop && scene_.sightings().recent(held, 1);
+  if (is_seen) held_off_mm_ = scene_.sightings().find(held)->place_mm - by_gripper;
+  return by_gripper + held_off_mm_;
+}
+
 Result<Aim> Aims::at(const Datum& target) {
   if (!scene_.view()) return fail("unseen", "the camera has not told its focal length and centre yet");
   const Result<Eigen::Vector3d> grip = this->grip();
@@ -88,9 +97,7 @@ Result<Aim> Aims::at(const Datum& target) {
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
   const std::string_view held = target[1].text();
-  const bool held_is_seen = !options_.open_loop && scene_.sightings().recent(held, 1);
-  const Eigen::Vector3d unseen = *grip + (domain_.cube_mm() - held_edge_mm(held)) / 2 * scene_.view()->away();
-  const Eigen::Vector3d followed = held_is_seen ? scene_.sightings().find(held)->place_mm : unseen;
+  const Eigen::Vector3d followed = held_place(std::string(held), *grip);
   Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
   if (target.is_form("on-top") && target.size() == 3) {
     wanted = on_top_of(target[2].text(), held);

@@ -22,7 +22,10 @@ class Aims {
 
   // A new operation: a free spot is chosen anew. One that is (free-spot HELD X Y) leaves in sight what stands behind
   // there.
-  void reset() { spot_.reset(); }
+  void reset() {
+    spot_.reset();
+    held_off_mm_.setZero();
+  }
   // Failures: unseen (with the mark that is), no-room, unknown-place, bad-target.
   Result<Aim> at(const Datum& target);
   // The least height of the grip at which a cube in it passes over all that stands.
@@ -36,12 +39,15 @@ class Aims {
   double held_edge_mm(std::string_view held) const;
   Result<Eigen::Vector3d> on_top_of(std::string_view lower, std::string_view held) const;
   Result<Eigen::Vector3d> free_spot_for(const Datum& target);
+  Eigen::Vector3d held_place(const std::string& held, const Eigen::Vector3d& grip);
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   const Scene& scene_;
   SpotChoice spots_;
   std::optional<Eigen::Vector2d> spot_;
+  // Where the held object was seen last, from where it should be by the gripper's place.
+  Eigen::Vector3d held_off_mm_ = Eigen::Vector3d::Zero();
 };
 
 // The name a target is told under: its object, the object below, the place, or `table`.

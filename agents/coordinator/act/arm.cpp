@@ -134,6 +134,8 @@ Task<Result<double>> Arm::grip(double opening_mm) {
 
 bool was_cut_short(const Failure& why) { return why.symbol == "stopped" && why.subject.is_form("finish"); }
 
+bool met_silence(const Failure& why) { return why.symbol == "stopped" && why.subject.is_form("silent"); }
+
 bool is_beyond_reach(const Failure& why) { return why.symbol == "unreachable" || why.symbol == "joint-limit"; }
 
 }  // namespace pizarra::coordinator

@@ -53,6 +53,8 @@ class Arm {
 
 // Whether a motion ended as cut_short() asked for that, and nobody else did.
 bool was_cut_short(const Failure& why);
+// Whether a motion ended as a line fell silent, to the board or to the arm: nothing was in its way.
+bool met_silence(const Failure& why);
 // Whether a motion was refused since the arm does not come there.
 bool is_beyond_reach(const Failure& why);
 

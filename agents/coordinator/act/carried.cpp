@@ -6,6 +6,8 @@ namespace pizarra::coordinator {
 
 namespace {
 
+// Fingers that hold something close no further, but for the sensor's error.
+constexpr double closed_mm = 5;
 // Till it is asked again whether a look has come.
 constexpr Duration look_patience = 1s;
 // From the middle of a cube to that of one that is carried over it, in cubes: half a cube is left between them, since
@@ -16,16 +18,27 @@ constexpr double clearing_cubes = 1.5;
 
 bool Carried::is_lost() const {
   const std::optional<double> opening_mm = surroundings_.scene().opening_mm();
-  return is_carried_ && opening_mm && !domain_.edge_like(*opening_mm) && !options_.open_loop;
+  if (!held_mm_ || !opening_mm || options_.open_loop) return false;
+  return *opening_mm < *held_mm_ - closed_mm || !domain_.edge_like(*opening_mm);
+}
+
+Result<void> Carried::check() const {
+  if (is_lost()) return fail("slipped", "what was carried is not between the fingers any more");
+  return Result<void>();
 }
 
 Task<Result<void>> Carried::keep(Task<Result<void>> step) {
   Job watching;
-  if (is_carried_) watching = context_.executor.spawn(cut_short_when_lost());
+  if (held_mm_) watching = context_.executor.spawn(cut_short_when_lost());
   const Result<void> done = co_await step;
-  if (!is_lost()) co_return done;
-  is_carried_ = false;
-  co_return fail("slipped", "what was carried is not between the fingers any more");
+  const Result<void> held = check();
+  if (!held) {
+    held_mm_.reset();
+    slipped_ = true;
+    co_return held;
+  }
+  if (!done) go_high();
+  co_return done;
 }
 
 // A step may have several motions left.
@@ -38,10 +51,14 @@ Task<void> Carried::cut_short_when_lost() {
   }
 }
 
-bool Carried::sees_all() const {
-  const Scene& scene = surroundings_.scene();
+// An arm that is low may hide what slipped, which counts as there meanwhile. What slipped may cover another.
+bool Carried::goes_low() const {
+  if (goes_high_ || (!held_mm_ && !slipped_)) return false;
+  const Sightings& sightings = surroundings_.scene().sightings();
   return std::ranges::all_of(surroundings_.tracked(), [&](const std::string& name) {
-    return scene.sightings().remembered(name, options_.grace_looks);
+    if (name == options_.gripper.mark) return true;
+    const bool shows = sightings.recent(name, options_.belief_looks) || sightings.covered(name);
+    return (shows || !slipped_) && sightings.remembered(name, options_.grace_looks);
   });
 }
 

@@ -10,6 +10,8 @@ namespace {
 
 // That are taken out of the way of a sweep, such as a pile beside the object.
 constexpr int most_neighbours = 3;
+// In a row, of an object that is taken away.
+constexpr int most_slips = 5;
 
 }  // namespace
 
@@ -30,7 +32,8 @@ Task<Result<void>> Rescues::lay_down_at(Datum spot, std::string object) {
   const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),
                                 list("lower"_sym, spot)};
   const Result<void> lowered = co_await runner_.improvise(down);
-  const bool interrupted = !lowered && lowered.error().symbol != "stopped";
+  const bool was_met = !lowered && lowered.error().symbol == "stopped" && !met_silence(lowered.error());
+  const bool interrupted = !lowered && !was_met;
   if (interrupted) co_return lowered;
   const std::vector<Datum> let_go{list("release"_sym), list("raise"_sym)};
   const Result<void> released = co_await runner_.improvise(let_go);
@@ -43,24 +46,41 @@ Task<Result<void>> Rescues::set_aside(std::string object) {
   co_return co_await take_away(std::move(object));
 }
 
+// An object that slips is grasped again, unless it has come to lie elsewhere.
 Task<Result<void>> Rescues::take_away(std::string object) {
+  const Sighting* seen = scene_.sightings().find(object);
+  if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
+  const Eigen::Vector3d stood = scene_.centre_mm(object, *seen);
+  // A missing object may be anywhere behind where it stood, and is not to be hidden again.
+  const Datum spot = list("free-spot"_sym, "held"_sym, stood.x(), stood.y());
+  for (int slips = 0; slips < most_slips; ++slips) {
+    Result<void> taken = co_await grasp(object);
+    if (taken) taken = co_await lay_down_at(spot, object);
+    const bool has_slipped = !taken && taken.error().symbol == "slipped";
+    if (has_slipped) taken = co_await let_it_lie(object);
+    if (!taken) co_return taken;
+    if (is_away_from(object, stood)) co_return Result<void>();
+    if (!has_slipped) break;
+  }
+  co_return fail("missed", fmt::format("{} lies where it lay", object), Datum::symbol(object));
+}
+
+Task<Result<void>> Rescues::grasp(std::string object) {
   const Datum name = Datum::symbol(object);
-  const std::vector<Datum> grasp{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
+  const std::vector<Datum> steps{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
                                  list("align"_sym, name), list("lower"_sym, name), list("close"_sym),
                                  list("raise"_sym)};
-  // A missing object may be anywhere behind where it stood, and is not to be hidden again.
-  const Sighting* seen = scene_.sightings().find(object);
-  if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), name);
-  const Eigen::Vector3d stood = scene_.centre_mm(object, *seen);
-  const Datum spot = list("free-spot"_sym, "held"_sym, stood.x(), stood.y());
-  const Result<void> grasped = co_await runner_.improvise(grasp);
-  if (!grasped) co_return grasped;
-  const Result<void> laid = co_await lay_down_at(spot, object);
-  if (!laid) co_return laid;
+  co_return co_await runner_.improvise(steps);
+}
+
+Task<Result<void>> Rescues::let_it_lie(std::string object) {
+  const std::vector<Datum> steps{list("open"_sym, Datum::symbol(object)), list("raise"_sym)};
+  co_return co_await runner_.improvise(steps);
+}
+
+bool Rescues::is_away_from(const std::string& object, const Eigen::Vector3d& place_mm) const {
   const Sighting* lies = scene_.sightings().find(object);
-  const double moved_mm = lies ? (scene_.centre_mm(object, *lies) - stood).head<2>().norm() : 0;
-  if (moved_mm < domain_.cube_mm() / 2) co_return fail("missed", fmt::format("{} lies where it lay", object), name);
-  co_return Result<void>();
+  return lies && (scene_.centre_mm(object, *lies) - place_mm).head<2>().norm() >= domain_.cube_mm() / 2;
 }
 
 Task<Result<void>> Rescues::bring_into_view(std::string object) {

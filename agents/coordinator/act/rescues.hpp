@@ -29,6 +29,8 @@ class Rescues {
   // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
   // Nothing is done where it holds nothing.
   Task<Result<void>> lay_down(std::string object);
+  // After it has slipped: the fingers open, out of its way, while it comes to rest.
+  Task<Result<void>> let_it_lie(std::string object);
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
   // Whether the object was seen last on the table, where the images now cut it off.
@@ -47,6 +49,8 @@ class Rescues {
  private:
   Task<Result<void>> lay_down_at(Datum spot, std::string object);
   Task<Result<void>> take_away(std::string object);
+  Task<Result<void>> grasp(std::string object);
+  bool is_away_from(const std::string& object, const Eigen::Vector3d& place_mm) const;
   Task<Result<void>> clear_way_inwards(std::string object);
   // Whether the raised fingers stay as open as they were although they are to close.
   Task<Result<bool>> fingers_stay_at(double opened_mm);

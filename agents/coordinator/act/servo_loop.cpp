@@ -122,8 +122,12 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   for (int i = 0; i < most_motions; ++i) {
     const Result<void> fine = may_move(surroundings_, vigil_);
     if (!fine) co_return fine;
-    const Result<void> looked = co_await eyes_.look_at_rest();
+    const bool is_shown = i == 0 && surroundings_.shows_rest();
+    Result<void> looked;
+    if (!is_shown) looked = co_await eyes_.look_at_rest();
     if (!looked) co_return looked;
+    const Result<void> held = carried_.check();
+    if (!held) co_return held;
     const Result<Aim> aim = aims_.at(target);
     if (!aim) {
       const Failure& why = aim.error();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "agents/coordinator/geometry/sight_lines.hpp"
-
 namespace pizarra::coordinator {
 
 namespace {
@@ -60,12 +58,7 @@ bool SpotChoice::is_shown(const Eigen::Vector2d& spot) const {
 
 // Whether a cube there hides none of the others, and none of them hides it.
 bool SpotChoice::is_in_sight(const Eigen::Vector2d& spot, const std::vector<Eigen::Vector3d>& others) const {
-  const auto eyes = scene_.view()->eyes();
-  SightLines lines;
-  lines.eyes_mm.assign(eyes.begin(), eyes.end());
-  lines.cube_mm = domain_.cube_mm();
-  lines.mark_half_mm = options_.gripper.outline.mark_half_mm;
-  lines.margin_mm = off_spot_mm;
+  const SightLines lines = scene_.sight_lines(off_spot_mm);
   const Eigen::Vector3d centre(spot.x(), spot.y(), domain_.cube_mm() / 2);
   return std::ranges::none_of(others, [&](const Eigen::Vector3d& other) { return lines.cross(centre, other); });
 }

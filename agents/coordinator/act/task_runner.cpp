@@ -46,7 +46,8 @@ Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation)
 Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
   vigil_.rest();
   aims_.reset();
-  carried_.end();
+  // A slip of the step before is not told again.
+  if (carried_.is_lost()) carried_.end();
   const Result<void> done = co_await run_steps(std::move(steps));
   co_return done;
 }
@@ -99,7 +100,7 @@ Task<Result<void>> TaskRunner::close() {
   const Result<double> opening = co_await arm_.grip(0);
   if (!opening) co_return fail(opening);
   const bool is_held = domain_.edge_like(*opening).has_value();
-  if (is_held) carried_.begin();
+  if (is_held) carried_.begin(*opening);
   if (is_held) co_return Result<void>();
   co_return fail("missed", fmt::format("the gripper closed to {:.0f} mm", *opening), to_datum(*opening));
 }
@@ -130,17 +131,29 @@ Task<Result<void>> TaskRunner::go_up(double missing_mm, double height_mm) {
   co_return fail("unreachable", "the arm does not reach its travel height", to_datum(missing_mm));
 }
 
+// One look at rest that shows it will do.
+Task<Result<void>> TaskRunner::look_for_mark(bool has_moved) {
+  const Sightings& sightings = surroundings_.scene().sightings();
+  Result<void> looked;
+  const bool at_rest = !has_moved && surroundings_.shows_rest();
+  if (!at_rest) looked = co_await eyes_.look_at_rest();
+  const bool is_shown = !looked || sightings.recent(options_.gripper.mark, 1);
+  if (!is_shown) looked = co_await eyes_.fresh_look();
+  co_return looked;
+}
+
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
 Task<Result<void>> TaskRunner::raise_to(double height_mm) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
     if (!grip) co_return fail(grip);
     const double missing = height_mm - grip->z();
-    if (std::abs(missing) > height_tolerance_mm) {
+    const bool moves = std::abs(missing) > height_tolerance_mm;
+    if (moves) {
       const Result<void> moved = co_await go_up(missing, height_mm);
       if (!moved) co_return moved;
     }
-    const Result<void> looked = co_await eyes_.fresh_look();
+    const Result<void> looked = co_await look_for_mark(moves);
     if (!looked) co_return looked;
     const Scene& scene = surroundings_.scene();
     if (scene.sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
@@ -157,7 +170,9 @@ Task<Result<void>> TaskRunner::raise_to(double height_mm) {
 
 Task<Result<void>> TaskRunner::check_held(std::string object) {
   for (int i = 0; i < held_looks; ++i) {
-    const Result<void> looked = co_await eyes_.fresh_look();
+    const bool is_shown = i == 0 && surroundings_.shows_rest();
+    Result<void> looked;
+    if (!is_shown) looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
     const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
     const Sighting* seen = surroundings_.scene().sightings().find(object);

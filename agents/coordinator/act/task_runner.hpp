@@ -44,6 +44,8 @@ class TaskRunner {
   Task<Result<void>> raise_to(double height_mm);
   // By as much, inwards where the arm does not reach as high.
   Task<Result<void>> go_up(double missing_mm, double height_mm);
+  // Looks whether the raised arm's mark is seen.
+  Task<Result<void>> look_for_mark(bool has_moved);
   Task<Result<void>> run_steps(std::vector<Datum> steps);
   Task<Result<void>> run_step(Datum step);
   Task<Result<void>> open(double opening_mm);

@@ -147,7 +147,8 @@ double MountFit::spread_mm(const Eigen::Vector3d& point_mm) const {
     return CameraView(camera_of(numbers, {}).pose, {}).from_camera(seen);
   });
   const Eigen::Matrix3d placed = slope * covariance * slope.transpose();
-  return std::sqrt(eigenvalues_of(placed)[2]);
+  // Rounded, the largest may be a little below 0.
+  return std::sqrt(std::max(0.0, eigenvalues_of(placed)[2]));
 }
 
 Surprise surprise(const MountFit& fit, const MarkPair& pair, const CameraModel& model) {

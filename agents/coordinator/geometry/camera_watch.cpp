@@ -79,11 +79,12 @@ CameraWatch::CameraWatch(const forms::BelievedCamera& guess, const forms::CubeRo
   unknown_ = guess.unknown;
 }
 
-void CameraWatch::go_on_from(const forms::CameraPose& measured) {
-  pose_ = measured;
+void CameraWatch::go_on_from(const CameraMeasured& measured) {
+  pose_ = measured.pose;
   pose_.axes = guess_.pose.axes;
   unknown_ = false;
   begin_anew(as_measured, {}, {});
+  doubtful_ = measured.is_doubtful;
 }
 
 void CameraWatch::begin_anew(const Sureness& sure, std::vector<MarkPair> pairs, const CameraModel& model) {

@@ -19,6 +19,11 @@
 
 namespace pizarra::coordinator {
 
+struct CameraMeasured {
+  forms::CameraPose pose;
+  bool is_doubtful = false;  // newer looks did not agree
+};
+
 class CameraWatch {
  public:
   enum class News { nothing, found, corrected, doubtful, moved };
@@ -26,7 +31,7 @@ class CameraWatch {
   // `row`: where the arm works, and things must be placed well.
   CameraWatch(const forms::BelievedCamera& guess, const forms::CubeRow& row);
   // An earlier life had measured it.
-  void go_on_from(const forms::CameraPose& measured);
+  void go_on_from(const CameraMeasured& measured);
 
   News take(const MarkPair& pair, const CameraModel& model);
   // The mark is not seen where it should be in view. Looks that agree end the doubt.

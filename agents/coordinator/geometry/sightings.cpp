@@ -23,6 +23,8 @@ void Sightings::look(std::int64_t frame, std::span<const forms::SeenObject> seen
     sighting.frame = frame;
     sighting.look = looks_;
     sighting.excused = 0;
+    sighting.covered = 0;
+    sighting.in_gripper = false;
     if ((place - sighting.anchor_mm).norm() > still_mm) {
       sighting.anchor_mm = place;
       sighting.still_since = looks_;
@@ -38,6 +40,29 @@ void Sightings::excuse(const std::string& name) {
   if (it == seen_.end() || it->second.look == looks_ || it->second.excused == most_excused) return;
   ++it->second.excused;
   ++it->second.look;
+}
+
+void Sightings::hold(const std::string& name) {
+  const auto it = seen_.find(name);
+  if (it != seen_.end()) it->second.in_gripper = true;
+}
+
+void Sightings::carry(const std::string& name, const Eigen::Vector3d& place_mm) {
+  const auto it = seen_.find(name);
+  if (it == seen_.end() || it->second.look == looks_) return;
+  it->second.place_mm = place_mm;
+  excuse(name);
+}
+
+void Sightings::cover(const std::string& name) {
+  const auto it = seen_.find(name);
+  if (it == seen_.end()) return;
+  Sighting& sighting = it->second;
+  const std::uint64_t unseen = looks_ - sighting.look;
+  const bool is_forgotten = sighting.covered == 0 && unseen > most_patience;
+  if (unseen == 0 || is_forgotten || sighting.excused == most_excused) return;
+  ++sighting.excused;
+  sighting.covered = sighting.covered == 0 ? unseen : sighting.covered + 1;
 }
 
 void Sightings::end_excuses() {
@@ -73,7 +98,12 @@ bool Sightings::remembered(std::string_view name, int grace) const {
   const Sighting* sighting = find(name);
   if (!sighting) return false;
   const std::uint64_t patience = std::min(2 * sighting->longest_gap, most_patience);
-  return recent(name, std::max(static_cast<std::uint64_t>(grace), patience));
+  return recent(name, std::max(static_cast<std::uint64_t>(grace), patience) + sighting->covered);
+}
+
+bool Sightings::covered(std::string_view name) const {
+  const Sighting* sighting = find(name);
+  return sighting && sighting->covered > 0;
 }
 
 std::uint64_t Sightings::still_looks(std::string_view name) const {

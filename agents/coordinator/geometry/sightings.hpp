@@ -28,6 +28,8 @@ struct Sighting {
   std::uint64_t still_since;      // ... since this look
   std::uint64_t longest_gap = 0;  // for how many looks in a row it went unseen there, at most
   int excused = 0;                // for how many looks in a row something known hid it
+  std::uint64_t covered = 0;      // for so many looks in a row another object stood before it
+  bool in_gripper = false;        // when it was seen last: it goes where the gripper goes
   double yaw_deg = 0;  // how far its face looks to the right of facing the camera, averaged while it is still
   int yaw_samples = 0;
 };
@@ -44,8 +46,16 @@ class Sightings {
   // `most_excused` looks in a row, then it ages like any other.
   static constexpr int most_excused = 150;
   void excuse(const std::string& name);
+  // Another object stands before one that the newest look did not show: it counts as there, as an excused one does, but
+  // not as seen. The other may have come there up to `most_patience` looks ago, unseen as it fell.
+  void cover(const std::string& name);
   // What is hidden now may be elsewhere: it ages from here on.
   void end_excuses();
+
+  // The newest look shows it in the gripper.
+  void hold(const std::string& name);
+  // The newest look did not show it, but nothing else can have become of it: it is excused, and where it was carried.
+  void carry(const std::string& name, const Eigen::Vector3d& place_mm);
 
   std::uint64_t looks() const { return looks_; }
   std::int64_t frame() const { return frame_; }
@@ -59,6 +69,8 @@ class Sightings {
   // counts for longer: twice the longest gap between two sights of it where it lies.
   static constexpr std::uint64_t most_patience = 60;
   bool remembered(std::string_view name, int grace) const;
+  // Whether another object stood before it since it was seen.
+  bool covered(std::string_view name) const;
   // For how many looks it has lain where it is.
   std::uint64_t still_looks(std::string_view name) const;
 

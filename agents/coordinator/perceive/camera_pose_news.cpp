@@ -40,7 +40,7 @@ std::string sentence_of(const CameraWatch& camera, News news) {
 
 }  // namespace
 
-Task<std::optional<forms::CameraPose>> CameraPoseNews::told_before() {
+Task<std::optional<CameraMeasured>> CameraPoseNews::told_before() {
   const Datum any = "?"_sym;
   const Datum pattern =
       list("camera-pose"_sym, any, any, any, any, any, any, any, any, Datum::list(numbers_of(guess_)));
@@ -49,10 +49,11 @@ Task<std::optional<forms::CameraPose>> CameraPoseNews::told_before() {
   const Datum& fact = told.back().datum;
   if (fact[7].is_symbol("guessed") || fact[7].is_symbol("unknown")) co_return std::nullopt;
   told_ = fact[7].text();
-  co_return forms::CameraPose{.at_mm = {fact[1].number(), fact[2].number(), fact[3].number()},
-                              .pan_deg = fact[4].number(),
-                              .tilt_deg = fact[5].number(),
-                              .roll_deg = fact[6].number()};
+  const forms::CameraPose pose{.at_mm = {fact[1].number(), fact[2].number(), fact[3].number()},
+                               .pan_deg = fact[4].number(),
+                               .tilt_deg = fact[5].number(),
+                               .roll_deg = fact[6].number()};
+  co_return CameraMeasured{pose, fact[7].is_symbol("doubtful")};
 }
 
 Task<void> CameraPoseNews::tell(const CameraWatch& camera, News news) {

@@ -3,7 +3,7 @@
 // Tells where the camera is taken to stand, as the durable fact (camera-pose X Y Z PAN TILT ROLL STATE SPREAD GUESS)
 // and in the story, whenever that changes; and reads it back after a restart.
 //
-//   const std::optional<forms::CameraPose> measured = co_await news.told_before();
+//   const std::optional<CameraMeasured> measured = co_await news.told_before();
 //   co_await news.tell(scene.camera(), what_a_look_told);
 
 #include "agents/coordinator/geometry/camera_watch.hpp"
@@ -18,7 +18,7 @@ class CameraPoseNews {
   CameraPoseNews(runtime::AgentContext& context, const forms::CameraPose& guess, Story& story)
       : context_(context), guess_(guess), story_(story) {}
 
-  Task<std::optional<forms::CameraPose>> told_before();
+  Task<std::optional<CameraMeasured>> told_before();
   Task<void> tell(const CameraWatch& camera, CameraWatch::News news);
 
  private:

@@ -19,8 +19,12 @@ constexpr int looks_on_their_way = 3;
 constexpr double held_mm = 40;
 // A look under way when the arm came to rest may show it moving; the second after it does not.
 constexpr std::uint64_t looks_till_rest = 2;
-// The eyes and an arm that differ by more do not see the same mark.
+// The eyes and an arm that differ by more do not see the same mark, or the camera was knocked. Then two places of the
+// tool tell of one difference: of an image that stands still they tell of two.
 constexpr double most_off_mm = 30;
+constexpr double most_off_knocked_mm = 80;  // 30 mm and 3 degrees, a metre away
+constexpr double elsewhere_mm = 5;
+constexpr double one_difference_mm = 8;
 // The middle of what hangs in the air is at least so many cubes above the table: higher than on a cube that is not
 // seen.
 constexpr double hanging_cubes = 1.75;
@@ -77,7 +81,7 @@ void Scene::take_arm(bool rests) {
   pose_look_ = sightings_.looks();
 }
 
-void Scene::take_camera_pose(const forms::CameraPose& measured) {
+void Scene::take_camera_pose(const CameraMeasured& measured) {
   camera_.go_on_from(measured);
   turn_view();
 }
@@ -99,7 +103,8 @@ forms::LookSituation Scene::situation() const {
   for (const auto& [name, sighting] : sightings_.all()) {
     if (!sightings_.remembered(name, options_.grace_looks)) continue;
     const std::uint64_t age = sightings_.looks() + 1 - sighting.look;
-    const bool excusable = sighting.excused < Sightings::most_excused;
+    // A held object went with the gripper: it is not hidden where it was seen last.
+    const bool excusable = !sighting.in_gripper && sighting.excused < Sightings::most_excused;
     out.remembered.push_back(list(name, as_list(sighting.place_mm), age, excusable ? 1 : 0));
   }
   if (opening_mm_) out.measured.push_back(list("gripper"_sym, *opening_mm_));
@@ -109,9 +114,56 @@ forms::LookSituation Scene::situation() const {
 CameraWatch::News Scene::take_look(std::int64_t frame, const forms::PerceivedLook& look) {
   sightings_.look(frame, look.seen, head_->pan_deg);
   for (const std::string& name : look.hidden) sightings_.excuse(name);
+  note_held(look.seen);
+  carry_held();
+  note_covered(look.hidden);
   if (!arm_rests()) return CameraWatch::News::nothing;
   compare_pose();
   return watch_camera();
+}
+
+bool Scene::fingers_hold() const { return opening_mm_ && domain_.edge_like(*opening_mm_); }
+
+void Scene::note_held(std::span<const forms::SeenObject> seen) {
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  if (!grip || !fingers_hold()) return;
+  for (const forms::SeenObject& object : seen) {
+    if (object.name == options_.gripper.mark) continue;
+    const Eigen::Vector3d place(object.at_mm[0], object.at_mm[1], object.at_mm[2]);
+    if ((place - *grip).norm() < held_mm) sightings_.hold(object.name);
+  }
+}
+
+// The gripper carries a held object on where the images' border cuts it off.
+void Scene::carry_held() {
+  const std::optional<Eigen::Vector3d> grip = grip_by_arm_mm();
+  if (!grip || !fingers_hold() || view_->shows(*grip, options_.gripper.outline.mark_half_mm)) return;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (sighting.in_gripper) sightings_.carry(name, *grip + set_back_mm(name));
+  }
+}
+
+// A cube that another stands before does not show, and is not gone for that.
+void Scene::note_covered(std::span<const std::string> hidden_by_gripper) {
+  const SightLines lines = sight_lines(0);
+  for (const auto& [name, hidden] : sightings_.all()) {
+    if (hidden.in_gripper || name == options_.gripper.mark || sightings_.recent(name, 1)) continue;
+    if (std::ranges::find(hidden_by_gripper, name) != hidden_by_gripper.end()) continue;
+    const Eigen::Vector3d middle = centre_mm(name, hidden);
+    const bool is_covered = std::ranges::any_of(sightings_.all(), [&](const auto& other) {
+      const bool stands = other.first != options_.gripper.mark && sightings_.recent(other.first, 1);
+      return stands && lines.covers(centre_mm(other.first, other.second), middle);
+    });
+    if (is_covered) sightings_.cover(name);
+  }
+}
+
+SightLines Scene::sight_lines(double margin_mm) const {
+  const auto eyes = view_->eyes();
+  return {.eyes_mm = {eyes.begin(), eyes.end()},
+          .cube_mm = domain_.cube_mm(),
+          .mark_half_mm = options_.gripper.outline.mark_half_mm,
+          .margin_mm = margin_mm};
 }
 
 // As far as it says, and its mark is seen.
@@ -131,13 +183,22 @@ CameraWatch::News Scene::watch_camera() {
   if (placed_anew) {
     turn_view();
     pose_off_mm_ = Eigen::Vector3d::Zero();
+    compared_.reset();
   }
   return news;
 }
 
+void Scene::compare_at_rest() {
+  if (tool_ && view_ && rests_ && sightings_.recent(options_.gripper.mark, 1)) compare_pose();
+}
+
 void Scene::compare_pose() {
   const Eigen::Vector3d off = *grip_mm() - held_front_by_arm_mm();
-  if (off.norm() < most_off_mm) pose_off_mm_ = off;
+  const Eigen::Vector3d tool = tool_->translation();
+  const bool is_elsewhere = !compared_ || (tool - compared_->tool_mm).norm() > elsewhere_mm;
+  const bool is_one_difference = compared_ && is_elsewhere && (off - compared_->off_mm).norm() < one_difference_mm;
+  if (off.norm() < (is_one_difference ? most_off_knocked_mm : most_off_mm)) pose_off_mm_ = off;
+  if (is_elsewhere) compared_ = Compared{tool, off};
 }
 
 // The front of what is held looks as the fingers do.

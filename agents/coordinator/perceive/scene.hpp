@@ -11,6 +11,7 @@
 #include <set>
 
 #include "agents/coordinator/geometry/camera_watch.hpp"
+#include "agents/coordinator/geometry/sight_lines.hpp"
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
@@ -39,6 +40,8 @@ class Scene {
   // Where the mark of a held object of that size would stand: below the end effector's mark, or, while that is not
   // seen, by the arm's own word and how far off that was when the two could last be compared.
   std::optional<Eigen::Vector3d> grip_mm() const;
+  // How the eyes look past cubes that stand so much further to the side. There is a view.
+  SightLines sight_lines(double margin_mm) const;
   // Whether the camera should show the end effector's mark: also where the arm does not say where it is.
   bool mark_in_view() const;
   // From there to where the mark of this object would stand: further from the camera, where it is smaller than others.
@@ -87,7 +90,7 @@ class Scene {
   // An object that the gripper hides may not be where it was.
   void doubt_hidden() { sightings_.end_excuses(); }
   void doubt_camera() { camera_.doubt(); }
-  void take_camera_pose(const forms::CameraPose& measured);
+  void take_camera_pose(const CameraMeasured& measured);
 
   // Whether the next look can be placed: the camera's model and its head are known, and the head stands long enough for
   // no look under way to be older. Counts the looks that cannot.
@@ -96,6 +99,9 @@ class Scene {
   forms::LookSituation situation() const;
   // What it tells of where the camera stands.
   CameraWatch::News take_look(std::int64_t frame, const forms::PerceivedLook& look);
+  // The newest look was captured while the arm rested where it says that it is: where both place the gripper may be
+  // compared at once. Else an arm whose mark one place shows, and the next does not, goes to and fro between them.
+  void compare_at_rest();
 
  private:
   // Where a face looks that is turned so far to the right of facing the camera; of length 1.
@@ -106,6 +112,10 @@ class Scene {
   Eigen::Vector3d held_front_by_arm_mm() const;
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
   bool arm_rests() const;
+  bool fingers_hold() const;
+  void note_held(std::span<const forms::SeenObject> seen);
+  void carry_held();
+  void note_covered(std::span<const std::string> hidden_by_gripper);
   void compare_pose();
   CameraWatch::News watch_camera();
   std::optional<std::string> foremost(const std::set<std::string>& but) const;
@@ -128,6 +138,11 @@ class Scene {
   bool rests_ = false;                                     // by the arm's word, as the pose is
   std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose, or came to rest
   Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen
+  struct Compared {
+    Eigen::Vector3d tool_mm;
+    Eigen::Vector3d off_mm;
+  };
+  std::optional<Compared> compared_;  // when the tool was at another place last, or came here
 };
 
 }  // namespace pizarra::coordinator

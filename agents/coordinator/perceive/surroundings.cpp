@@ -8,6 +8,9 @@ namespace pizarra::coordinator {
 
 namespace {
 
+// A look that came longer ago is not taken for one that is to come: the eyes may have fallen silent.
+constexpr Duration new_look = 200ms;
+
 // Of the objects of a look, each told as ("NAME" STATE ...).
 std::set<std::string> names_in(const Datum& objects) {
   std::set<std::string> names;
@@ -43,7 +46,7 @@ Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOpti
       looked_(context.executor) {}
 
 Task<void> Surroundings::resume() {
-  const std::optional<forms::CameraPose> measured = co_await camera_pose_news_.told_before();
+  const std::optional<CameraMeasured> measured = co_await camera_pose_news_.told_before();
   if (measured) scene_.take_camera_pose(*measured);
 }
 
@@ -68,6 +71,7 @@ Task<void> Surroundings::take_look(Change change) {
   const std::int64_t frame = look.datum[2].integer();
   tracked_ = names_in(look.datum[4]);
   const std::optional<Time> captured = captured_in(look.datum[4]);
+  came_at_ = context_.executor.now();
   captured_.reset();
   if (captured) captured_ = capture_clock_.on_board(*captured, look.when);
   const std::vector<Datum> believed(beliefs().begin(), beliefs().end());
@@ -78,6 +82,7 @@ Task<void> Surroundings::take_look(Change change) {
     co_return;
   }
   const CameraWatch::News news = scene_.take_look(frame, *perceived);
+  if (captured_at_rest()) scene_.compare_at_rest();
   Beliefs::Change changed;
   // Without a place nothing is believed of what is seen.
   const bool placed = !scene_.camera().unknown();
@@ -112,12 +117,18 @@ Task<bool> Surroundings::look_after(std::uint64_t look, Time deadline) {
   co_return true;
 }
 
+bool Surroundings::captured_at_rest() const {
+  const std::optional<Time>& rests_since = devices_.rests_since();
+  return captured_ && rests_since && *captured_ > *rests_since;
+}
+
+bool Surroundings::shows_rest() const { return captured_at_rest() && context_.executor.now() - came_at_ < new_look; }
+
 Task<bool> Surroundings::look_at_rest_after(std::uint64_t look, Time deadline) {
   const bool looked = co_await look_after(look, deadline);
   if (!looked) co_return false;
-  const std::optional<Time> rests_since = devices_.rests_since();
-  const bool is_known = captured_ && rests_since;
-  if (is_known && *captured_ > *rests_since) co_return true;
+  const bool shows_rest = captured_at_rest();
+  if (shows_rest) co_return true;
   co_return co_await second_look_after(look, deadline);
 }
 

@@ -48,6 +48,10 @@ class Surroundings {
     return beliefs_.settled() && scene_.calm() && scene_.still(objects);
   }
 
+  // Whether the newest look has just come, and its frame is known to have been captured while the arm rested as it
+  // does. A look to come would show no more.
+  bool shows_rest() const;
+
   // What is hidden no longer counts as there.
   void doubt_hidden() { scene_.doubt_hidden(); }
   // The gripper's mark is not seen where it should be in view: the camera may have been moved.
@@ -62,6 +66,7 @@ class Surroundings {
   Task<bool> look_at_rest_after(std::uint64_t look, Time deadline);
 
  private:
+  bool captured_at_rest() const;
   Task<void> take_look(Change change);
   Task<void> tell_failure(Failure why);
 
@@ -77,6 +82,7 @@ class Surroundings {
   std::set<std::string> tracked_;
   CaptureClock capture_clock_;
   std::optional<Time> captured_;  // on the board's clock; none where it is not known
+  Time came_at_;                  // the newest look, on this agent's clock
   std::string told_failure_;
   WaitList looked_;
   Job eyes_;

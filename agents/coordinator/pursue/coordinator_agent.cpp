@@ -45,7 +45,7 @@ struct Life {
         replanning(context, surroundings, planning, plan, search, runner, rescues, vigil),
         pursuit(context, options, domain, surroundings, story, eyes, planning, plan, differences, search, replanning,
                 runner, rescues, survey, vigil),
-        loop(context, surroundings, eyes, planning, plan, differences, goal, pursuit, vigil),
+        loop(context, options, surroundings, eyes, planning, plan, differences, goal, pursuit, vigil),
         why_not(options, domain, surroundings, eyes, planning) {}
 
   TaskDomain domain;

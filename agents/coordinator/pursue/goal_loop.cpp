@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "agents/coordinator/geometry/seen_places.hpp"
 #include "agents/coordinator/perceive/missing_objects.hpp"
 #include "lisp/forms/goal_formula.hpp"
 #include "lisp/writer.hpp"
@@ -11,9 +12,17 @@ namespace pizarra::coordinator {
 namespace {
 
 constexpr Duration missing_pause = 1s;
+constexpr const char* missing_shows = "what was missing is seen: going on";
 constexpr Duration watch_pause = 300ms;
 // How long nothing is tried of a kept goal that cannot be had as things are.
 constexpr Duration hopeless_pause = 10s;
+
+// As the state of a goal tells them.
+Datum told_missing(const std::vector<std::string>& names) {
+  std::vector<Datum> detail{"missing"_sym};
+  for (const std::string& name : names) detail.push_back(Datum::symbol(name));
+  return Datum::list(std::move(detail));
+}
 
 }  // namespace
 
@@ -73,11 +82,9 @@ Task<Result<void>> GoalLoop::pursue_patiently(Goal goal, Duration patience) {
 
 Task<Result<void>> GoalLoop::await_missing(std::int64_t goal, Failure missing, Duration patience) {
   const std::vector<std::string> names = names_of_missing(missing);
-  std::vector<Datum> detail{"missing"_sym};
-  for (const std::string& name : names) detail.push_back(Datum::symbol(name));
   const double seconds = std::chrono::duration<double>(patience).count();
   const std::string sentence = fmt::format("{}: waiting {:g} s for it", missing.sentence, seconds);
-  const Datum told = Datum::list(detail);
+  const Datum told = told_missing(names);
   co_await goal_.tell_progress(goal, "running", told, "missing", sentence);
   const Time deadline = context_.executor.now() + patience;
   for (const std::string& name : names) {
@@ -95,7 +102,7 @@ Task<Result<void>> GoalLoop::await_missing(std::int64_t goal, Failure missing, D
     }
   }
   const Datum nothing;
-  const std::string seen = "what was missing is seen: going on";
+  const std::string seen = missing_shows;
   co_await goal_.tell_progress(goal, "running", nothing, "missing", seen);
   co_return Result<void>();
 }
@@ -109,13 +116,10 @@ Task<Result<void>> GoalLoop::keep(Goal goal, Wish wish) {
     const Result<void> done = co_await pursue_stages(goal, wish);
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     if (!done) {
-      const bool is_new = done.error().sentence != told.sentence;
-      told = done.error();
-      const std::string sentence = fmt::format("cannot be had as things are, and is kept in mind: {}", told.sentence);
-      const Datum why = failure_to_datum(told);
-      if (is_new) co_await goal_.tell_progress(goal.number, "running", why, "result", sentence);
       holds = false;
-      co_await await_change();
+      const Failure why = done.error();
+      const Failure before = told;
+      told = co_await keep_in_mind(goal.number, why, before);
       continue;
     }
     const std::string stands = fmt::format("goal {} is kept", goal.number);
@@ -133,6 +137,46 @@ Task<Result<void>> GoalLoop::keep(Goal goal, Wish wish) {
       co_await goal_.tell_progress(goal.number, "running", nothing, "plan", sentence);
     }
   }
+}
+
+Task<Failure> GoalLoop::keep_in_mind(std::int64_t goal, Failure why, Failure told) {
+  if (why.symbol == "missing-object") {
+    co_await await_sight(goal, why);
+    co_return Failure();
+  }
+  const bool is_new = why.sentence != told.sentence;
+  const std::string sentence = fmt::format("cannot be had as things are, and is kept in mind: {}", why.sentence);
+  const Datum detail = failure_to_datum(why);
+  if (is_new) co_await goal_.tell_progress(goal, "running", detail, "result", sentence);
+  co_await await_change();
+  co_return why;
+}
+
+// A search moves other objects about and takes minutes. Another would end the same way while nobody else has done
+// anything, so that the arm rests.
+Task<void> GoalLoop::await_sight(std::int64_t goal, Failure missing) {
+  const std::vector<std::string> names = names_of_missing(missing);
+  const Datum who = told_missing(names);
+  const std::string sentence =
+      missing.sentence + ", and is kept in mind: the arm rests until it shows, or something else was moved";
+  co_await goal_.tell_progress(goal, "running", who, "missing", sentence);
+  const Sightings& sightings = surroundings_.scene().sightings();
+  const SeenPlaces before(sightings, options_.gripper.mark);
+  std::string news;
+  while (news.empty() && !vigil_.interrupted()) {
+    for (const std::string& name : names) {
+      // Eyes that do not answer, or show nothing, are waited for too.
+      const Result<bool> found = co_await eyes_.find(name);
+      const Result<void> looked = co_await eyes_.fresh_look();
+      const bool shows = found && looked && sightings.recent(name, 2);
+      if (shows) news = missing_shows;
+    }
+    const std::optional<std::string> moved = before.moved(sightings);
+    if (news.empty() && moved) news = *moved + " was moved: what is missing is looked for again";
+    if (news.empty()) co_await sleep(context_.executor, missing_pause);
+  }
+  const Datum nothing;
+  if (!news.empty()) co_await goal_.tell_progress(goal, "running", nothing, "missing", news);
 }
 
 Task<void> GoalLoop::await_change() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/coordinator/act/arm.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "agents/runtime/stop_fact.hpp"
 
@@ -22,7 +23,7 @@ constexpr const char* stopped_by_somebody = "halted";
 bool is_hold_up(const Failure& failure) {
   constexpr std::string_view symbols[] = {stopped_by_somebody, "not-in-control", "not-commander", "journal-full",
                                           "disconnected",      "fault",          "timeout",       "busy"};
-  return std::ranges::find(symbols, failure.symbol) != std::end(symbols);
+  return met_silence(failure) || std::ranges::find(symbols, failure.symbol) != std::end(symbols);
 }
 
 void HoldUp::went_on() {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Hold-ups stop the cell and say nothing of its goal: somebody's stop, the pendant, an arm whose line is silent or that
-// has an alarm, a full disk. The pursuit waits until one ends, and then begins with a look.
+// Hold-ups stop the cell and say nothing of its goal: somebody's stop, the pendant, a line to board or arm that was
+// silent, an arm that has an alarm, a full disk. The pursuit waits until one ends, and then begins with a look.
 //
 //   HoldUp hold_up(context, story, vigil);
 //   if (is_hold_up(why)) done = co_await hold_up.await_end(why);      // interrupted, or it lasts too long

@@ -14,7 +14,7 @@ constexpr Duration unseen_patience = 1s;
 constexpr Duration put_down_patience = 60s;
 // How many things are set aside in search of one, and how long each time one looks what was behind.
 constexpr std::size_t most_set_aside = 6;
-constexpr int most_set_aside_of_goal = 10;  // what is found may be hidden again, and again
+constexpr int most_set_aside_of_goal = 20;  // tries: what is found may be hidden again, and again
 constexpr int most_swept_of_goal = 14;      // all that are within reach, and one again
 constexpr int tries_to_set_aside = 3;       // of a cube that stays where it is
 constexpr double moved_cubes = 0.2;         // a try that failed moved it so far: it may be graspable there
@@ -103,6 +103,7 @@ Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string ob
   set_aside.next_object();
   bool looked_behind = false;
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
+  std::uint64_t looked_from = surroundings_.looks();
   while (true) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
@@ -119,9 +120,13 @@ Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string ob
       // One that ended early is tried again while there is time.
       out_of_the_way = raised.has_value();
     }
-    if (context_.executor.now() > doubtful) {
+    // Looks that show what hides it say more than time that passes.
+    const bool looked_enough = surroundings_.looks() - looked_from >= options_.belief_looks;
+    const bool is_hidden = !*found && looked_enough && seems_hidden(object, set_aside);
+    if (is_hidden || context_.executor.now() > doubtful) {
       const Result<bool> cleared = co_await look_elsewhere(goal, object, set_aside);
       if (!cleared) co_return fail(cleared);
+      looked_from = surroundings_.looks();
       doubtful = context_.executor.now() + look_behind;
       const bool goes_on = *cleared || !looked_behind;
       if (goes_on) deadline = context_.executor.now() + options_.missing_patience;
@@ -149,11 +154,21 @@ Task<Result<bool>> ObjectSearch::look_elsewhere(std::int64_t goal, std::string o
   co_return cleared;
 }
 
-Task<Result<void>> ObjectSearch::clear_view_of(std::int64_t goal, std::string missing) {
-  SetAside none;
-  const Result<bool> cleared = co_await clear_view(goal, std::move(missing), none);
-  if (!cleared) co_return fail(cleared);
-  co_return Result<void>();
+Task<Result<bool>> ObjectSearch::clear_view_of(std::int64_t goal, std::string missing, std::string but) {
+  SetAside set_aside;
+  set_aside.done.insert(std::move(but));
+  co_return co_await clear_view(goal, std::move(missing), set_aside);
+}
+
+std::optional<std::string> ObjectSearch::stands_before(const std::string& missing, const SetAside& set_aside) const {
+  if (set_aside.done.size() >= most_set_aside || set_aside_ >= most_set_aside_of_goal) return std::nullopt;
+  std::set<std::string> done_now = set_aside.done;
+  for (const std::string& name : set_aside.moved_before) done_now.erase(name);
+  return surroundings_.scene().stands_before(missing, done_now);
+}
+
+bool ObjectSearch::seems_hidden(const std::string& object, const SetAside& set_aside) const {
+  return surroundings_.scene().calm() && !arm_stands_low() && stands_before(object, set_aside);
 }
 
 std::optional<std::string> ObjectSearch::to_set_aside(std::int64_t goal, const std::string& missing,
@@ -162,9 +177,7 @@ std::optional<std::string> ObjectSearch::to_set_aside(std::int64_t goal, const s
   // A plan was made when all of the goal's objects had been found.
   const bool was_here = plan_.was_made_for(goal);
   const Scene& scene = surroundings_.scene();
-  std::set<std::string> done_now = set_aside.done;
-  for (const std::string& name : set_aside.moved_before) done_now.erase(name);
-  std::optional<std::string> before = scene.stands_before(missing, done_now);
+  std::optional<std::string> before = stands_before(missing, set_aside);
   if (!before) before = scene.may_hide(missing, set_aside.done, was_here);
   return before == missing ? std::nullopt : before;
 }
@@ -177,7 +190,7 @@ Task<Result<void>> ObjectSearch::set_aside_before(std::string before, std::strin
   const bool under_too = hides_again && under && *under != missing;
   if (under_too) done = co_await rescues_.set_aside(*under);
   const bool in_vain = !done && fails_for_good(before, set_aside);
-  if (done) set_aside.failed.erase(before);
+  if (done) set_aside.try_failed_again();
   if (done || in_vain) set_aside.done.insert(before);
   if (done || in_vain) set_aside.moved_before.erase(before);
   co_return done;
@@ -253,11 +266,19 @@ Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {
     const Duration waited = context_.executor.now() - begun;
     if (waited >= steady_patience) co_return;
     const std::uint64_t looks = surroundings_.looks() - first_look;
+    drop_hidden(objects);
     const bool is_long = waited >= unseen_patience && looks >= options_.belief_looks;
     if (is_long) drop_unseen(objects, looks);
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return;
   }
+}
+
+void ObjectSearch::drop_hidden(std::vector<std::string>& objects) const {
+  const Sightings& sightings = surroundings_.scene().sightings();
+  std::erase_if(objects, [&](const std::string& name) {
+    return sightings.covered(name) || !sightings.remembered(name, options_.grace_looks);
+  });
 }
 
 void ObjectSearch::drop_unseen(std::vector<std::string>& objects, std::uint64_t looks) const {

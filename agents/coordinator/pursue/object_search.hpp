@@ -48,8 +48,8 @@ class ObjectSearch {
   Task<Result<void>> look_for(Goal goal);
   // Of a goal about some objects of a type: any other might do. Failures as look_for(), but missing-object.
   Task<Result<void>> look_for_others(Goal goal);
-  // Tries once to set something aside that may hide the object.
-  Task<Result<void>> clear_view_of(std::int64_t goal, std::string missing);
+  // Tries once to set something aside that may hide the object, but not `but`. Whether there was something to try.
+  Task<Result<bool>> clear_view_of(std::int64_t goal, std::string missing, std::string but = "");
   // A hand may be at work: what is planned on should have come to rest. Not for ever, and only for what shows: the rest
   // is searched for.
   Task<void> await_steady(std::vector<std::string> objects);
@@ -78,6 +78,11 @@ class ObjectSearch {
     bool laid_down = false;  // what the gripper held
     bool head_looked = false;
 
+    // What was moved may have been in their way.
+    void try_failed_again() {
+      for (const auto& [name, tries] : failed) done.erase(name);
+      failed.clear();
+    }
     void next_object() {
       moved_before = done;
       std::erase_if(moved_before, [this](const std::string& name) { return failed.contains(name); });
@@ -99,11 +104,17 @@ class ObjectSearch {
   Task<Result<bool>> lay_down_held(std::string missing, SetAside& set_aside);
   Task<Result<bool>> search_the_table(std::int64_t goal, std::string missing, SetAside& set_aside);
   Task<Result<bool>> sweep_in(std::int64_t goal, std::string missing, SetAside& set_aside);
+  // An object that stands before the place where the missing one was seen last, and was not moved for it.
+  std::optional<std::string> stands_before(const std::string& missing, const SetAside& set_aside) const;
+  // Whether such a thing stands there, in a calm scene, and the arm hides nothing.
+  bool seems_hidden(const std::string& object, const SetAside& set_aside) const;
   std::optional<std::string> to_set_aside(std::int64_t goal, const std::string& missing,
                                           const SetAside& set_aside) const;
   Task<Result<void>> set_aside_before(std::string before, std::string missing, SetAside& set_aside);
   // Counts a failure to set it aside. Whether that failed often enough where it lies.
   bool fails_for_good(const std::string& before, SetAside& set_aside) const;
+  // Drops the objects that count as there no more, and those that another stands before.
+  void drop_hidden(std::vector<std::string>& objects) const;
   // Drops the objects that none of the newest looks has shown.
   void drop_unseen(std::vector<std::string>& objects, std::uint64_t looks) const;
 

@@ -52,19 +52,19 @@ Datum Planning::types() const {
   return Datum::list(std::move(types));
 }
 
-// The beliefs and the facts that always hold by the domain, as a list with this head.
-Datum Planning::holding(std::string_view head) const {
-  Facts facts = surroundings_.beliefs();
+// These facts and those that always hold by the domain, as a list with this head.
+Datum Planning::holding(std::string_view head, const Facts& from) const {
+  Facts facts = from;
   facts.insert(domain_.domain().facts.begin(), domain_.domain().facts.end());
   std::vector<Datum> items(facts.begin(), facts.end());
   if (!head.empty()) items.insert(items.begin(), Datum::symbol(head));
   return Datum::list(std::move(items));
 }
 
-// (HEAD ... (OPERATOR ...) (types ...) (initials ...) (goals ...)), from what is believed now.
-Datum Planning::question(std::vector<Datum> head, std::vector<Datum> goal) const {
+// (HEAD ... (OPERATOR ...) (types ...) (initials ...) (goals ...)).
+Datum Planning::question(std::vector<Datum> head, std::vector<Datum> goal, const Facts& from) const {
   goal.insert(goal.begin(), "goals"_sym);
-  head.insert(head.end(), {operators(), types(), holding("initials"), Datum::list(std::move(goal))});
+  head.insert(head.end(), {operators(), types(), holding("initials", from), Datum::list(std::move(goal))});
   return Datum::list(std::move(head));
 }
 
@@ -80,15 +80,15 @@ Task<Result<std::vector<Datum>>> Planning::plan_of(Datum question) {
 }
 
 Task<Result<std::vector<Datum>>> Planning::make_plan(std::int64_t goal, std::vector<Datum> facts) {
-  return plan_of(question({"make-plan"_sym, to_datum(goal)}, std::move(facts)));
+  return plan_of(question({"make-plan"_sym, to_datum(goal)}, std::move(facts), surroundings_.beliefs()));
 }
 
-Task<Result<std::vector<Datum>>> Planning::try_plan(std::vector<Datum> facts) {
-  return plan_of(question({"try-plan"_sym}, std::move(facts)));
+Task<Result<std::vector<Datum>>> Planning::try_plan(std::vector<Datum> facts, Facts from) {
+  return plan_of(question({"try-plan"_sym}, std::move(facts), from));
 }
 
 Task<Result<NextOperation>> Planning::next(std::int64_t goal) {
-  const Datum question = list("next-operation"_sym, goal, holding({}));
+  const Datum question = list("next-operation"_sym, goal, holding({}, surroundings_.beliefs()));
   const Result<Datum> reply = co_await ask(question, answer_timeout);
   if (!reply) co_return fail(reply);
   co_return read(*reply);

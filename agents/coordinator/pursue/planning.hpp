@@ -33,8 +33,9 @@ class Planning {
   // Has a plan made from what is believed now, and answers its operations, one after another; none where the goal
   // holds. Failures: no-plan (proved), gave-up, absent, and what the planner says of a task it cannot read.
   Task<Result<std::vector<Datum>>> make_plan(std::int64_t goal, std::vector<Datum> facts);
-  // The same of a plan that is only thought of: nothing is kept, and the plan in use goes on.
-  Task<Result<std::vector<Datum>>> try_plan(std::vector<Datum> facts);
+  // The same of a plan that is only thought of, from facts that need not be believed: nothing is kept, and the plan in
+  // use goes on.
+  Task<Result<std::vector<Datum>>> try_plan(std::vector<Datum> facts, Facts from);
   // The objects that are seen, and those that the domain says are always there, with their types. A goal quantifies
   // over these.
   forms::TypedObjects objects() const;
@@ -45,10 +46,10 @@ class Planning {
  private:
   Task<Result<Datum>> ask(Datum operation, Duration patience);
   Task<Result<std::vector<Datum>>> plan_of(Datum question);
-  Datum question(std::vector<Datum> head, std::vector<Datum> goal) const;
+  Datum question(std::vector<Datum> head, std::vector<Datum> goal, const Facts& from) const;
   Datum operators() const;
   Datum types() const;
-  Datum holding(std::string_view head) const;
+  Datum holding(std::string_view head, const Facts& from) const;
   Result<NextOperation> read(const Datum& reply) const;
 
   runtime::AgentContext& context_;

@@ -107,6 +107,7 @@ Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {
 Task<Result<void>> Pursuit::rounds(Goal goal) {
   const std::vector<std::string> objects = objects_of(goal);
   Progress progress;
+  room_.begin();
   for (int round = 0; round < most_rounds; ++round) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<void> found = co_await find_camera();
@@ -130,11 +131,11 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
       progress.announced.reset();
       continue;
     }
-    const std::optional<std::string> cut_off = to_bring_into_view(next.rest.front(), progress);
-    if (cut_off) {
-      co_await rescues_.bring_into_view(*cut_off);
-      continue;
-    }
+    const Result<bool> changed = co_await room_.make(goal.number, next);
+    const bool ends = !changed && is_hold_up(changed.error());
+    if (ends) co_return fail(changed);
+    const bool chooses_anew = !changed || *changed;
+    if (chooses_anew) continue;
     const Result<void> done = co_await do_operation(next);
     if (done) {
       hold_up_.went_on();
@@ -186,8 +187,7 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
   progress.expected.reset();
   if (why.symbol == "difference" || is_of_the_camera(why)) {
     progress.announced.reset();
-    const std::optional<std::string> cut_off = carried_out_of_view(operation);
-    if (cut_off) co_await rescues_.bring_into_view(*cut_off);
+    co_await room_.make_below_carried(operation);
     co_return Result<void>();
   }
   const int failures = ++progress.failures_of[operation.name];
@@ -199,31 +199,14 @@ Task<Result<void>> Pursuit::recover(std::int64_t goal, GroundOperation operation
   co_return Result<void>();
 }
 
-// How it lies is not to blame, so that it is grasped again as before. The fingers open, out of its way, while it comes
-// to rest.
+// How it lies is not to blame, so that it is grasped again as before.
 Task<Result<void>> Pursuit::recover_from_slip(GroundOperation operation, Failure why, Progress& progress) {
   if (++progress.failures > most_failures) co_return fail(why);
-  std::vector<Datum> make_ready{list("raise"_sym)};
-  const bool has_object = operation.name.size() > 1;
-  if (has_object) make_ready.insert(make_ready.begin(), list("open"_sym, operation.name[1]));
-  const Result<void> ready = co_await runner_.improvise(make_ready);
+  if (operation.name.size() < 2) co_return Result<void>();
+  const Result<void> ready = co_await rescues_.let_it_lie(std::string(operation.name[1].text()));
   const bool ends = !ready && (is_final(ready.error()) || is_hold_up(ready.error()));
   if (ends) co_return ready;
   co_return Result<void>();
-}
-
-std::optional<std::string> Pursuit::carried_out_of_view(const GroundOperation& operation) const {
-  const bool carries_to_another = operation.name.size() == 3 && rescues_.seems_to_hold();
-  if (!carries_to_another) return std::nullopt;
-  std::string target(operation.name[2].text());
-  return rescues_.lay_cut_off(target) ? std::optional(std::move(target)) : std::nullopt;
-}
-
-// Every second time: in between, a cube that cannot be swept is tried as it lies.
-std::optional<std::string> Pursuit::to_bring_into_view(const GroundOperation& operation, Progress& progress) const {
-  std::optional<std::string> target = carried_out_of_view(operation);
-  if (!target || ++progress.carries_to_cut_off[*target] % 2 == 1) return std::nullopt;
-  return target;
 }
 
 // Whatever comes of it is seen afterwards.
@@ -261,13 +244,17 @@ bool Pursuit::outgrows_plan(const Goal& goal) const {
 }
 
 Task<bool> Pursuit::settles(Goal goal) {
+  // It is reached when it shows, and not because something hides that it does not hold.
+  surroundings_.doubt_hidden();
   Time since = context_.executor.now();
   Time last = since;
   int pauses = 0;
   for (int looks = 0; looks < options_.settle_looks || last < since + options_.settle; ++looks) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
-    if (vigil_.interrupted()) co_return false;
+    // While nobody knows where the camera stands, no look proves the goal.
+    const bool counts = !vigil_.interrupted() && surroundings_.scene().camera().known();
+    if (!counts) co_return false;
     const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
     if (!lost.empty()) {
       co_await differences_.tell(lost, "the goal");

@@ -19,6 +19,7 @@
 #include "agents/coordinator/pursue/differences.hpp"
 #include "agents/coordinator/pursue/hold_up.hpp"
 #include "agents/coordinator/pursue/replanning.hpp"
+#include "agents/coordinator/pursue/room_to_see.hpp"
 
 namespace pizarra::coordinator {
 
@@ -43,6 +44,7 @@ class Pursuit {
         rescues_(rescues),
         survey_(survey),
         vigil_(vigil),
+        room_(surroundings, search, rescues),
         hold_up_(context, story, vigil) {}
 
   Task<Result<void>> run(Goal goal);
@@ -50,11 +52,10 @@ class Pursuit {
  private:
   // How far the rounds of one goal have come.
   struct Progress {
-    std::optional<NextOperation> expected;          // what is handed out next unless something differs
-    std::optional<std::size_t> announced;           // the one that the story has said to be next
-    std::map<Datum, int> failures_of;               // of each operation, since it succeeded
-    std::map<Datum, int> failures_in_a_row;         // since any did
-    std::map<std::string, int> carries_to_cut_off;  // to each object that the images cut off
+    std::optional<NextOperation> expected;   // what is handed out next unless something differs
+    std::optional<std::size_t> announced;    // the one that the story has said to be next
+    std::map<Datum, int> failures_of;        // of each operation, since it succeeded
+    std::map<Datum, int> failures_in_a_row;  // since any did
     int failures = 0;
     int plans = 0;
   };
@@ -71,10 +72,6 @@ class Pursuit {
   // Takes note of a failed operation; a failure where it is to be the last.
   Task<Result<void>> recover(std::int64_t goal, GroundOperation operation, Failure why, Progress& progress);
   Task<Result<void>> recover_from_slip(GroundOperation operation, Failure why, Progress& progress);
-  // The object on which the operation puts the one in hand, if the images cut it off.
-  std::optional<std::string> carried_out_of_view(const GroundOperation& operation) const;
-  // The same from the second time on, when it is brought into view first: the one put on it before did not stay.
-  std::optional<std::string> to_bring_into_view(const GroundOperation& operation, Progress& progress) const;
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(std::int64_t goal, GroundOperation operation, Failure why);
   Task<Result<void>> do_operation(NextOperation next);
@@ -99,6 +96,7 @@ class Pursuit {
   Rescues& rescues_;
   CameraSurvey& survey_;
   Vigil& vigil_;
+  RoomToSee room_;
   HoldUp hold_up_;
 };
 

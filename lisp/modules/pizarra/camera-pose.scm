@@ -12,11 +12,10 @@
 (define-module (pizarra camera-pose)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (interpret pose-of axes-of camera-pose-of-section standing-as))
+  #:export (interpret pose-of axes-of camera-pose-of-section usual-guess))
 
-;; How sure a pose is where the file does not say: one that a person measured with a rule, and one of the world's own.
+;; How sure a pose is where the file does not say: one that a person measured with a rule.
 (define measured-by-hand '(20 2))
-(define as-in-the-world '(1 0.1))
 ;; Of the gripper that the arms come with, in the tool's frame.
 (define usual-mark '(30 0 -66))
 
@@ -53,9 +52,8 @@
       (complain! (section-in parts 'along) 'malformed "this axis points mostly ~a is positive" main-way))
     (list (numbers-in parts 'at anywhere '(0 0 0)) (or along '(0 0 0)))))
 
-;; Where a cell has no such section, the agents know the pose as well as the world does.
-(define (standing-as pose axes)
-  (list pose as-in-the-world usual-mark "" axes))
+;; Where a cell has no such section: the usual place, as a person would put the cameras there.
+(define usual-guess (list (pose-of '()) measured-by-hand usual-mark "" '()))
 
 (define (camera-pose-of-section node known)
   (let* ((nodes (node-rest (node-within node "in the camera's pose")))

@@ -94,12 +94,12 @@
         (complain! (section-in parts 'size) 'out-of-range
                    "the simulated cameras take images of (size 320 240), (size 640 480) or (size 1280 960)"))))
 
-;; Where the agents take the camera to be.
-(define (believed-camera-of found world-camera)
+;; Where the agents take the camera to be. Where it stands in the world is the simulator's alone to know.
+(define (believed-camera-of found)
   (let ((section (section-in found 'camera-pose)))
     (if section
         (camera-pose-of-section section '(at pan tilt roll sure mark head file))
-        (standing-as (take world-camera 6) (last world-camera)))))
+        usual-guess)))
 
 ;; A camera that stands still turns about nothing.
 (define (refuse-axes found)
@@ -264,7 +264,7 @@
       (agents ,agents)
       (tags ,(tags-of found))
       (door ,(door-of found (third board)))
-      (camera-pose ,(believed-camera-of found camera))
+      (camera-pose ,(believed-camera-of found))
       (lamp ,(lamp-of things))
       (tagged ,tagged)
       (background ,(picture-of things 'background))

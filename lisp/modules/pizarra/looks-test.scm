@@ -72,6 +72,17 @@
                           (list camera '("hand" (0 0 -66) (480.0 0.0 30.0) 62 32 24) '() '((gripper 60))))))
        '(ok ((gripped))))
 
+;; One image alone shows it.
+(check "where the range of the hand's mark is rough the arm says how far away it is"
+       (map (lambda (hand-grip spread)
+              (let* ((all (list camera (list "hand" '(0 0 -66) hand-grip 62 32 24) '() '((gripper 60))))
+                     (told (list (list "hand" 'seen (list 'range 800 spread))))
+                     (looked (look (tracked (list "hand" 'OK (at 181.05 119.5 800))) told all)))
+                (inexact->exact (round (cadr (caar (cadr looked)))))))
+            '((430.0 0.0 134.0) (430.0 0.0 134.0) ())
+            '(9.1 0.4 9.1))
+       '(430 530 530))
+
 (check "a reply that is none is an error in its place"
        (map car (cdr (look '((TRACK 2 ("a" FAIL))) '() (situation)))) '(wrong-count))
 (check "another reply is none of a look" (car (look '((GET 0 ())) '() (situation))) 'errors)

@@ -35,7 +35,8 @@
   (let* ((mark (first hand))
          (seen (filter-map
                 (match-lambda
-                  ((name x y range) (cons name (place camera x y range)))
+                  ((name x y range)
+                   (cons name (place camera x y (if (rough? name hand of) (range-by-arm camera hand) range))))
                   (_ #f))
                 tracked))
          (grip (grip-place hand (assoc-ref seen mark)))
@@ -61,13 +62,30 @@
            (list fact)
            (list fact (list 'unseen (string->symbol name))))))))
 
-;; (DEGREES), or () where none is told. Whoever tells looks may tell other parts, or what is none.
+;; (DEGREES), or () where none is told.
 (define (face-of name of)
-  (let* ((entry (find (lambda (each) (and (pair? each) (equal? (car each) name))) of))
-         (face (and entry (find (lambda (part) (and (pair? part) (eq? (car part) 'face))) (cdr entry)))))
-    (match face
-      (('face (? number? degrees)) (list degrees))
-      (_ '()))))
+  (match (part-of 'face name of)
+    (('face (? number? degrees)) (list degrees))
+    (_ '())))
+
+;; A range from one image alone is too rough to measure by. That of the hand's mark the arm knows better.
+(define most-spread-mm 5)
+
+(define (rough? name hand of)
+  (match (list hand (part-of 'range name of))
+    (((mark _ (_ . _) . _) ('range _ (? number? spread))) (and (equal? name mark) (> spread most-spread-mm)))
+    (_ #f)))
+
+(define (range-by-arm camera hand)
+  (match (list camera hand)
+    (((_ _ _ _ centre . _) (_ offset grip . _))
+     (let ((mark (map - grip offset)))
+       (sqrt (fold (lambda (a b sum) (+ sum (expt (- a b) 2))) 0 mark centre))))))
+
+;; Whoever tells looks may tell other parts, or what is none.
+(define (part-of kind name of)
+  (let ((entry (find (lambda (each) (and (pair? each) (equal? (car each) name))) of)))
+    (and entry (find (lambda (part) (and (pair? part) (eq? (car part) kind))) (cdr entry)))))
 
 (define (grip-place hand mark)
   (match hand

@@ -99,6 +99,38 @@ TEST(Sightings, AgeFromTheEndOfTheirExcuses) {
   EXPECT_TRUE(sightings.recent("circle", 11));
 }
 
+TEST(Sightings, RememberWhatAnotherCoversAsThereAndNotAsSeen) {
+  Sightings sightings;
+  sightings.look(1, circle_at(450));
+  for (int i = 0; i < Sightings::most_excused; ++i) {
+    sightings.look(2 + i, {});
+    sightings.cover("circle");
+    ASSERT_TRUE(sightings.remembered("circle", 10)) << i;
+  }
+  EXPECT_TRUE(sightings.covered("circle"));
+  EXPECT_FALSE(sightings.recent("circle", 10));
+  for (int i = 0; i < 10; ++i) {
+    sightings.look(1000 + i, {});
+    sightings.cover("circle");
+  }
+  EXPECT_FALSE(sightings.remembered("circle", 10)) << "not for ever";
+  sightings.look(2000, circle_at(450));
+  EXPECT_FALSE(sightings.covered("circle"));
+}
+
+TEST(Sightings, RememberAgainWhatIsFoundToBeCoveredSoonAfterItWasForgotten) {
+  Sightings sightings;
+  sightings.look(1, circle_at(450));
+  for (int i = 0; i < 20; ++i) sightings.look(2 + i, {});
+  EXPECT_FALSE(sightings.remembered("circle", 10));
+  sightings.cover("circle");
+  EXPECT_TRUE(sightings.remembered("circle", 10));
+  for (std::uint64_t i = 0; i < Sightings::most_patience; ++i) sightings.look(100, circle_at(450));
+  for (std::uint64_t i = 0; i <= Sightings::most_patience; ++i) sightings.look(200, {});
+  sightings.cover("circle");
+  EXPECT_FALSE(sightings.remembered("circle", 10)) << "it was unseen for too long";
+}
+
 TEST(Sightings, RememberWhatIsHardToSeeForLonger) {
   Sightings sightings;
   sightings.look(1, circle_at(450));

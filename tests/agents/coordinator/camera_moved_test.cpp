@@ -84,6 +84,22 @@ TEST_F(CameraMoved, WhatWasMeasuredOutlivesARestart) {
   EXPECT_EQ(cell.motions, moved) << "the camera's place is known";
 }
 
+TEST_F(CameraMoved, ADoubtOutlivesARestart) {
+  begin();
+  want("(goal (on circle triangle) (on triangle square))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK triangle square) running)", 60s));
+  bump();
+  ASSERT_TRUE(cell.run_until("(camera-pose ? ? ? ? ? ? doubtful ? ?)", 60s));
+  const std::string_view where_it_stood = "(camera-pose 1330.0 0.0 200.0 0.0 0.0 0.0 measured ? ?)";
+  const int believed_before = cell.times_told(where_it_stood);
+  cell.stop_coordinator();
+  cell.run_for(3s);
+  begin();
+  ASSERT_TRUE(cell.run_until(measured, 120s));
+  expect_found();
+  EXPECT_EQ(cell.times_told(where_it_stood), believed_before);
+}
+
 TEST_F(CameraMoved, AMotionThatEndsEarlyWhileItIsFoundOutIsMadeAgain) {
   cell.believed = {.pose = {}, .sure_mm = 20, .sure_deg = 2};
   bump();

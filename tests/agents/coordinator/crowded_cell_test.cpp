@@ -198,6 +198,35 @@ TEST(CrowdedCell, SetsTheSameCubeAsideAtTheFourthTryWhereTheFirstThreeMovedIt) {
   EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }
 
+// The circle falls before the square, and is wanted on it.
+TEST(CrowdedCell, GraspsWhatFellBeforeAnotherWithoutSettingItAside) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK circle square) running)", 60s));
+  cell.slip();
+  cell.cubes["circle"] = {530, 95, 30};
+  cell.covered = [&](const std::string& name) { return name == "square" && cell.cubes["circle"].x() > 500; };
+  ASSERT_TRUE(cell.run_until("(operation ? (PICK-UP circle) running)", 5s));
+  EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  EXPECT_TRUE(cell.facts("(event ? servo \"setting circle aside, to see what it hides\" ?)").empty());
+}
+
+// The circle hides the square, which the goal is about, and is set aside first.
+TEST(CrowdedCell, ReachesNoGoalThatDoesNotShow) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle) (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {530, 95, 30};
+  cell.covered = [&](const std::string& name) { return name == "square" && cell.cubes["circle"].x() > 500; };
+  cell.run_for(2s);
+  cell.request("coordinator", "(goal (on-table square))");
+  EXPECT_TRUE(cell.run_until("(event ? servo \"setting circle aside, to see what it hides\" ?)", 10s));
+  EXPECT_TRUE(cell.facts("(goal-state 2 reached ?)").empty());
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
 TEST(CrowdedCell, SearchesSoonForACubeThatFellOutOfSightAndWaitsNotUntilItLiesStill) {
   FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
   cell.start_coordinator();
@@ -208,7 +237,29 @@ TEST(CrowdedCell, SearchesSoonForACubeThatFellOutOfSightAndWaitsNotUntilItLiesSt
   cell.cubes["circle"] = {410, -40, 30};
   cell.hidden.insert("circle");
   ASSERT_TRUE(cell.run_until("(event ? difference ? ?)", 10s));
-  EXPECT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 7s));
+  EXPECT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 2s));
+}
+
+TEST(CrowdedCell, GraspsAgainAtOnceWhatSlipsWhileItIsSetAside) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.cubes["circle"] = {390, -40, 30};
+  cell.covered = [&cell](const std::string& name) {
+    return name == "circle" && cell.cubes["triangle"].z() < 60 && std::abs(cell.cubes["triangle"].y() + 40) < 50;
+  };
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  const std::string_view sets_aside = "(event ? servo \"setting triangle aside, to see what it hides\" ?)";
+  ASSERT_TRUE(cell.run_until(sets_aside, 30s));
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 6s)) << i;
+    cell.run_for(150ms);
+    cell.slip();
+  }
+  EXPECT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+  EXPECT_EQ(cell.times_told(sets_aside), 1);
 }
 
 // The circle is found, comes to lie where the images cut it off, and is wanted then.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 
 #include "agents/coordinator/plan/task_domain.hpp"
 #include "lisp/reader.hpp"
@@ -10,6 +10,7 @@
 #include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::coordinator {
 namespace {
@@ -49,6 +50,19 @@ TEST(BlocksDomain, SeesWhatIsHeldAndNotWhatTheOpenGripperStandsAround) {
   EXPECT_EQ(perceived(task, "((gripper 60.3) (grip 450 0 200) (seen a 452 2 198))"), facts("((holding a) (bare a))"));
   EXPECT_EQ(perceived(task, "((gripper 84.0) (grip 450 0 30) (seen a 452 2 31))"),
             facts("((on-table a) (bare a) (clear a) (arm-empty))"));
+}
+
+// As after eyes that had taken one for the other for a moment.
+TEST(BlocksDomain, HoldsNothingThatIsBelowWhatIsHeldHoweverSmallTheCubes) {
+  for (const double cube_mm : {42.0, 48.0, 60.0}) {
+    TaskDomain task = domain("blocks.scm");
+    task.use_cubes(cube_mm);
+    const std::string measured = fmt::format("((gripper {0}) (grip 450 0 {1}) (seen a 450 0 {1}) (seen b 450 0 {2}))",
+                                             cube_mm, 1.5 * cube_mm + 1, cube_mm / 2 + 2);
+    const Facts found = perceived(task, measured, "((holding b))");
+    EXPECT_TRUE(found.contains(d("(holding a)"))) << cube_mm;
+    EXPECT_FALSE(found.contains(d("(holding b)"))) << cube_mm;
+  }
 }
 
 TEST(BlocksDomain, SeesWhatLiesAskewLeanOnAllThatMayHoldItUp) {
@@ -185,8 +199,7 @@ TEST(SizesDomain, SeesTowersOfSizesAndWhatFitsOnWhat) {
 
 // The example of a variant as docs/write-a-domain.md shows it.
 std::string variant_on_the_page() {
-  std::ifstream in(source_dir() + "/docs/write-a-domain.md");
-  const std::string page(std::istreambuf_iterator<char>(in), {});
+  const std::string page = whole_file(source_dir() + "/docs/write-a-domain.md");
   const std::size_t begin = page.find("(domain tray");
   return begin == std::string::npos ? "" : page.substr(begin, page.find("```", begin) - begin);
 }
@@ -214,8 +227,7 @@ TEST(VariantOnThePage, IsShortAndPlannedWith) {
 
 // The blocks with one piece of their text replaced.
 Result<TaskDomain> blocks_with(const std::string& old, const std::string& now) {
-  std::ifstream in(source_dir() + "/domains/blocks.scm");
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  std::string text = whole_file(source_dir() + "/domains/blocks.scm");
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   text.replace(at, old.size(), now);

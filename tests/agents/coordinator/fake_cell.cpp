@@ -228,10 +228,10 @@ void FakeCell::let_go() {
   cubes[cube].z() = support + 30;
 }
 
-void FakeCell::slip() {
+void FakeCell::slip(double closes_to_mm) {
   let_go();
-  opening_mm = 0;
-  tell("(gripper robot 0.0)");
+  opening_mm = closes_to_mm;
+  tell(write(list("gripper"_sym, "robot"_sym, closes_to_mm)));
 }
 
 double FakeCell::close_gripper(double wanted_mm) {
@@ -260,7 +260,10 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   const Time ends = executor_.now() + motion_takes;
   const bool stopped = co_await stopped_.wait(ends);
   if (stopped) co_return fail("stopped", "the arm was stopped", stopped_by_);
-  if (!refusal.empty()) co_return fail(refusal, "the test has the robot refuse", operation);
+  if (!refusal.empty()) {
+    const Datum subject = refused_about.value_or(operation);
+    co_return fail(refusal, "the test has the robot refuse", subject);
+  }
   const bool positive = operation.size() > 1 && (operation[1].is_symbol("right") || operation[1].is_symbol("up"));
   const double amount = (positive ? 1 : -1) * operation[operation.size() - 1].number();
   const Eigen::Vector3d out = Eigen::Vector3d(grip.x(), grip.y(), 0).normalized();

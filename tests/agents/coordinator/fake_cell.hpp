@@ -54,7 +54,7 @@ class FakeCell {
   void run_for(Duration duration) { executor_.run_for(duration); }
   std::vector<Datum> facts(std::string_view pattern);
   // The held cube falls to the table or on another cube, and the fingers close behind it.
-  void slip();
+  void slip(double closes_to_mm = 0);
   // How often a fact that fits has been told, from the journal.
   int times_told(std::string_view pattern) const;
 
@@ -75,11 +75,12 @@ class FakeCell {
   double travel_mm = 300;                  // the height at which the coordinator travels, as it starts
   Eigen::Vector3d grip{370, 0, 410};       // the grip centre
   double opening_mm = 100;
-  std::string held;                // between the fingers
-  double lowest_mm = 0;            // what is in the way stops the arm on its way further down,
-  double jam_mm = 0;               // and the fingers there at this opening; everywhere, where nothing is in the way
-  std::optional<double> stuck_mm;  // what the gripper's sensor says, however far the fingers are open
-  std::string refusal;             // the symbol with which the robot refuses to move, such as halted
+  std::string held;                    // between the fingers
+  double lowest_mm = 0;                // what is in the way stops the arm on its way further down,
+  double jam_mm = 0;                   // and the fingers there at this opening; everywhere, where nothing is in the way
+  std::optional<double> stuck_mm;      // what the gripper's sensor says, however far the fingers are open
+  std::string refusal;                 // the symbol with which the robot refuses to move, such as halted
+  std::optional<Datum> refused_about;  // what that failure is about, in place of the operation
   int motions = 0;
   Duration motion_takes = 300ms;         // a motion that is stopped meanwhile moves nothing
   std::optional<Datum> also_stopped_by;  // a person's stop fact, together with the coordinator's own stop

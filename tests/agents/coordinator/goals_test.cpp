@@ -156,8 +156,54 @@ TEST_F(Goals, WhyNotOfWhatCanBeHadInSeveralWaysNamesWhatTheNearestLacks) {
                       "(on-table square); "),
             std::string::npos)
       << said;
-  EXPECT_NE(said.find("stage 2: a plan leads there: "), std::string::npos) << said;
+  EXPECT_NE(said.find("stage 2, after stage 1: a plan leads there: "), std::string::npos) << said;
   EXPECT_EQ(want("(why-not (on circle star))").substr(0, 6), "(fail ");
+}
+
+TEST_F(Goals, WhyNotPlansEachStageFromTheEndOfTheOneBefore) {
+  EXPECT_EQ(want("(why-not (then (on circle triangle) (on triangle circle) (clear triangle)))"),
+            "(ok \"stage 1: (on circle triangle) does not hold; what is seen: (bare circle) (bare triangle) "
+            "(clear circle) (clear triangle) (on-table circle) (on-table triangle)\" "
+            "\"stage 1: a plan leads there: (PICK-UP circle) (STACK circle triangle)\" "
+            "\"stage 2, after stage 1: (on triangle circle) does not hold; what holds then: (bare circle) "
+            "(clear circle) (on circle triangle) (on-table triangle)\" "
+            "\"stage 2, after stage 1: a plan leads there: (UNSTACK circle triangle) (PUT-DOWN circle) "
+            "(PICK-UP triangle) (STACK triangle circle)\" "
+            "\"stage 3, after stage 2: (clear triangle) holds\")");
+}
+
+TEST_F(Goals, WhyNotOfAStageAfterOneWithoutAPlanSaysThatItIsPlannedFromNow) {
+  const std::string said = want("(why-not (then (on circle circle) (on triangle circle)))");
+  EXPECT_NE(said.find("stage 1: no plan exists: (on circle circle) can never hold"), std::string::npos) << said;
+  EXPECT_NE(said.find("stage 2, from what is seen now: a plan leads there: (PICK-UP triangle)"), std::string::npos)
+      << said;
+  EXPECT_TRUE(
+      want("(why-not (then (on-table circle) (on circle square)))")
+          .starts_with(
+              "(ok \"stage 1: (on-table circle) holds\" \"stage 2: (on circle square) does not hold; what is seen: "));
+}
+
+TEST_F(Goals, WhyNotOfAQuantifierNamesWaysThatCanBeHad) {
+  const std::string some = want("(why-not (exists (<x> OBJECT) (on circle <x>)))");
+  EXPECT_NE(some.find("the nearest way to it lacks (on circle square); "), std::string::npos) << some;
+  EXPECT_NE(some.find("(STACK circle square)"), std::string::npos) << some;
+  const std::string both = want("(why-not (at-least 2 (<x> OBJECT) (on circle <x>)))");
+  EXPECT_NE(both.find("the nearest way to it lacks (on circle square) and (on circle triangle); "), std::string::npos)
+      << both;
+  EXPECT_NE(both.find("\"none of 3 ways has a plan; of one, (on circle square) and (on circle triangle) can never hold "
+                      "together from here\""),
+            std::string::npos)
+      << both;
+}
+
+TEST_F(Goals, MoreObjectsThanThereAreAreRefusedByTheirNumber) {
+  const std::string why = "no-plan \"the goal wants 9 of the type OBJECT, and there are only 3\"";
+  want("(goal (at-least 9 (<x> OBJECT) (on-table <x>)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 60s));
+  EXPECT_NE(write(cell.facts("(goal-state 1 refused ?)")[0]).find(why), std::string::npos)
+      << write(cell.facts("(goal-state 1 refused ?)")[0]);
+  const std::string said = want("(why-not (at-least 9 (<x> OBJECT) (on-table <x>)))");
+  EXPECT_NE(said.find("the goal wants 9 of the type OBJECT, and there are only 3"), std::string::npos) << said;
 }
 
 TEST_F(Goals, WhyNotLeavesThePlanInUseAlone) {
@@ -207,6 +253,51 @@ TEST_F(Goals, WhatIsKeptOutlivesTheCoordinator) {
   cell.start_coordinator();
   ASSERT_TRUE(cell.run_until("(on circle triangle)", 90s));
   EXPECT_TRUE(stands_on("circle", "triangle"));
+}
+
+TEST_F(Goals, ForAnObjectOfAKeptGoalThatIsMissingTheArmRestsAfterOneSearch) {
+  want("(goal (keep (on circle triangle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  cell.hidden = {"circle"};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (missing circle))", 300s));
+  const int motions = cell.motions;
+  // What is hard to see is not changed by anybody.
+  cell.hidden.insert("square");
+  cell.run_for(600s);
+  cell.hidden.erase("square");
+  cell.run_for(600s);
+  EXPECT_EQ(cell.motions, motions);
+  EXPECT_EQ(cell.facts("(goal-state 1 running (missing circle))").size(), 1U);
+  cell.cubes["circle"] = {450, -170, 30};
+  cell.hidden.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  EXPECT_TRUE(stands_on("circle", "triangle"));
+}
+
+TEST_F(Goals, WhatIsMissingOfAKeptGoalIsLookedForAgainOnceSomebodyMovedAnotherObject) {
+  want("(goal (keep (on circle triangle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  cell.hidden = {"circle"};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (missing circle))", 300s));
+  const int motions = cell.motions;
+  cell.run_for(30s);
+  cell.cubes["square"] += Eigen::Vector3d(0, 40, 0);
+  ASSERT_TRUE(cell.run_until("(event ? missing \"square was moved: what is missing is looked for again\" ?)", 10s));
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (missing circle))", 300s));
+  EXPECT_GT(cell.motions, motions);
+  const int again = cell.motions;
+  cell.run_for(600s);
+  EXPECT_EQ(cell.motions, again);
+}
+
+TEST_F(Goals, AnotherGoalIsTakenUpWhileAnObjectOfAKeptOneIsMissing) {
+  want("(goal (keep (on circle triangle)))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 kept ?)", 60s));
+  cell.hidden = {"circle"};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (missing circle))", 300s));
+  want("(goal (on square triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+  EXPECT_EQ(cell.facts("(goal-state 1 replaced ?)").size(), 1U);
 }
 
 TEST_F(Goals, AMissingObjectIsWaitedForAndAllThatAreMissingAreNamed) {

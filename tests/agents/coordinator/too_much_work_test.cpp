@@ -2,7 +2,6 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
 #include "blackboard/memory/memory_board.hpp"
@@ -10,6 +9,7 @@
 #include "lisp/reader.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::coordinator {
 namespace {
@@ -18,8 +18,7 @@ Datum datum_of(std::string_view text) { return read_one(text).value(); }
 
 // The blocks with a last rule that joins everything seen with everything seen, eight times.
 std::string wide_domain() {
-  std::ifstream in(source_dir() + "/domains/blocks.scm");
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  std::string text = whole_file(source_dir() + "/domains/blocks.scm");
   std::string rule = "(rule (wide)";
   for (int i = 0; i < 8; ++i) rule += " (seen ?q" + std::to_string(i) + " ? ? ?)";
   rule += " (< 1 0))\n";

@@ -47,5 +47,22 @@ TEST(Scene, PlacesWhatIsHeldBeforeTheTurnedFingersWhereTheGrippersMarkIsNotSeen)
   EXPECT_LT((*scene.grip_mm() - front).norm(), 0.1);
 }
 
+TEST(Scene, DoesNotExcuseWhatWasSeenBetweenTheFingersAsHiddenByThem) {
+  const CoordinatorOptions options;
+  const TaskDomain domain = TaskDomain::read(source_dir() + "/domains/blocks.scm").value();
+  Scene scene(options, domain);
+  scene.take_camera(CameraModel());
+  scene.take_pose(tool_pose({450, 100, 200}, 180, 0, 0));
+  scene.take_opening(domain.cube_mm());
+  const Eigen::Vector3d grip = *scene.grip_mm();
+  const forms::PerceivedLook shown{{{"circle", {grip.x(), grip.y(), grip.z()}, {}}}, {}, std::vector<Datum>()};
+  const forms::PerceivedLook nothing{{}, {}, std::vector<Datum>()};
+  scene.take_look(1, shown);
+  scene.take_look(2, nothing);
+  const std::vector<Datum> remembered = scene.situation().remembered;
+  ASSERT_EQ(remembered.size(), 1u);
+  EXPECT_EQ(remembered[0][3].integer(), 0) << "a look may excuse it";
+}
+
 }  // namespace
 }  // namespace pizarra::coordinator
