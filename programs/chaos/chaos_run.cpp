@@ -182,7 +182,7 @@ class Play {
 
   bool is_overdue() const {
     if (!quiet_) return false;
-    return cell_.time().now() > std::max(*quiet_, begun_) + patience;
+    return cell_.time().now() > std::max(*quiet_, begun_) + patience(story_.cell.cubes.size());
   }
 
   Task<bool> judge_reached(std::vector<Datum> goal) {
@@ -224,6 +224,7 @@ class Play {
     if (counts.lost_replies > 0) coverage.hit("cell reply-lost");
     if (counts.lost > 0) coverage.hit("cell frames-lost");
     if (story_.goals.size() > 1) coverage.hit("cell several-goals");
+    for (const std::string& special : special_about(story_.cell)) coverage.hit("cell " + special);
     if (result_.kind == RunResult::Kind::reached) coverage.hit("cell goal-reached");
     if (result_.kind == RunResult::Kind::refused) coverage.hit("cell goal-refused");
   }

@@ -7,6 +7,7 @@
 //
 // After the fault phase all is well and nobody interferes: within `patience` a goal has then ended, or the run hangs.
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,8 +20,11 @@
 namespace pizarra::chaos {
 
 // Taking a tower of four down and building another takes 8 operations of some 10 s each; each of them may fail once,
-// and what hides behind something is looked for.
-constexpr Duration patience = 180s;
+// and what hides behind something is looked for. Each cube beyond five has two operations more.
+constexpr Duration patience(std::size_t cubes) {
+  constexpr std::size_t usual_cubes = 5;
+  return 180s + 40s * static_cast<int>(std::max(cubes, usual_cubes) - usual_cubes);
+}
 
 struct RunResult {
   enum class Kind : std::uint8_t { reached, refused, failed };

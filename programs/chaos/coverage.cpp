@@ -9,38 +9,34 @@ namespace pizarra::chaos {
 
 namespace {
 
-constexpr const char* events[] = {"goal",
-                                  "plan",
-                                  "operation",
-                                  "difference",
-                                  "operation-fails",
-                                  "lays-down",
-                                  "makes-room",
-                                  "sets-aside",
-                                  "sweeps-border",
-                                  "pushes",
-                                  "surveys-camera",
-                                  "rescue-fails",
-                                  "resumes-goal",
-                                  "waits-for-robot",
-                                  "asks-eyes-again",
-                                  "cuts-motion-short",
-                                  "follows-object",
-                                  "waits-for-hand",
-                                  "held-up",
-                                  "plan-kept",
-                                  "plans-anew"};
-constexpr const char* board_points[] = {"board-lived-again", "reply-lost",    "frames-lost",
-                                        "agent-lived-again", "lease-lapsed",  "goal-reached",
-                                        "goal-refused",      "several-goals", "refused-out-of-reach"};
+constexpr const char* events[] = {
+    "agent",          "asks-eyes-again", "cuts-motion-short", "difference",     "follows-object", "goal",
+    "held-up",        "lays-down",       "makes-room",        "missing",        "operation",      "operation-fails",
+    "plan",           "plan-kept",       "plans-anew",        "pushes",         "rescue-fails",   "result",
+    "resumes-goal",   "servo",           "sets-aside",        "surveys-camera", "sweeps-border",  "waits-for-hand",
+    "waits-for-robot"};
+constexpr const char* board_points[] = {"board-lived-again",
+                                        "reply-lost",
+                                        "frames-lost",
+                                        "agent-lived-again",
+                                        "lease-lapsed",
+                                        "goal-reached",
+                                        "goal-refused",
+                                        "several-goals",
+                                        "refused-out-of-reach",
+                                        "many-cubes",
+                                        "tags",
+                                        "bodies",
+                                        "head"};
 // Facts of the drawn cell's domain that did not hold, and operations that somebody else did.
-constexpr const char* differences[] = {"on",      "on-table", "clear", "holding", "arm-empty",
-                                       "PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
+constexpr const char* differences[] = {"on",    "on-table", "clear",    "bare",  "holding", "arm-empty",
+                                       "leans", "PICK-UP",  "PUT-DOWN", "STACK", "UNSTACK", "FREE"};
 // Symbols that operations, rescues and hold-ups fail with.
-constexpr const char* failures[] = {"absent",      "disconnected",  "fault",          "gave-up",        "halted",
-                                    "joint-limit", "lost-sight",    "missed",         "missing-object", "no-plan",
-                                    "no-room",     "not-commander", "not-in-control", "not-present",    "stopped",
-                                    "stuck",       "timeout",       "unavailable",    "unreachable",    "unseen"};
+constexpr const char* failures[] = {
+    "absent",      "camera-doubtful", "camera-moved",   "disconnected",   "fault",          "gave-up",   "halted",
+    "joint-limit", "lost-sight",      "missed",         "missing-object", "no-convergence", "no-effect", "no-plan",
+    "no-room",     "not-commander",   "not-in-control", "not-present",    "singular",       "slipped",   "stopped",
+    "stuck",       "timeout",         "too-fast",       "unavailable",    "unreachable",    "unseen"};
 constexpr const char* stops[] = {"STOPPED_AT_RESTART", "MOVED_BY_ITSELF"};
 constexpr const char* operations[] = {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
 constexpr int servo_states = 5;

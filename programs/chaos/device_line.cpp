@@ -121,13 +121,13 @@ Task<Result<Message>> ask(WorldProcess& world, Datum request) {
 }
 
 // An answer of the world on its way back, by the number of its call.
-struct Answer {
+struct AnswerTo {
   std::weak_ptr<OpenCalls> calls;
   std::uint64_t number = 0;
   bool of_arm = false;
 };
 
-Task<void> deliver(WorldProcess& world, Answer answer, Result<Message> message, Duration way_back) {
+Task<void> deliver(WorldProcess& world, AnswerTo answer, Result<Message> message, Duration way_back) {
   co_await sleep(world.process, way_back);
   const bool lost = answer.of_arm && world.process.now() < world.faults.arm_away_until;
   const std::shared_ptr<OpenCalls> calls = answer.calls.lock();
@@ -138,7 +138,7 @@ Task<void> deliver(WorldProcess& world, Answer answer, Result<Message> message, 
 }
 
 // In the world's process.
-Task<void> serve(WorldProcess& world, std::string from, Datum request, Answer answer) {
+Task<void> serve(WorldProcess& world, std::string from, Datum request, AnswerTo answer) {
   co_await sleep(world.process, way);
   const bool lost = answer.of_arm && world.process.now() < world.faults.arm_away_until;
   if (lost) world.arm_lost_at = world.process.now();
@@ -160,7 +160,7 @@ Task<void> serve(WorldProcess& world, std::string from, Datum request, Answer an
 Task<Result<Message>> DeviceLine::call(Datum request, Duration timeout) {
   OpenCalls::Call call(*calls_);
   std::erase_if(world_.jobs, [](const Job& job) { return job.done(); });
-  const Answer answer{calls_, call.number(), is_arm(request)};
+  const AnswerTo answer{calls_, call.number(), is_arm(request)};
   world_.jobs.push_back(world_.process.spawn(serve(world_, name_, std::move(request), answer)));
   const Time deadline = process_.now() + timeout;
   std::optional<Result<Message>> come = co_await call.answer(deadline);

@@ -31,16 +31,27 @@ bool is_camera_guessed(const forms::CellDescription& cell) {
 }
 
 void guess_camera(forms::CellDescription& cell, Random random) {
-  if (is_camera_guessed(cell)) return;
+  const bool is_measured = cell.camera.sure_mm < off_mm || cell.camera.sure_deg < off_deg;
+  if (cell.camera.unknown || is_measured) return;
   const std::array<double, 3> off = any_way(off_mm, random);
   const std::array<double, 3> turned = any_way(off_deg, random);
   forms::CameraPose& pose = cell.camera.pose;
+  pose = cell.world_camera;
   for (std::size_t axis = 0; axis < off.size(); ++axis) pose.at_mm[axis] += off[axis];
   pose.pan_deg += turned[0];
   pose.tilt_deg += turned[1];
   pose.roll_deg += turned[2];
-  cell.camera.sure_mm = off_mm;
-  cell.camera.sure_deg = off_deg;
+}
+
+void draw_head(forms::CellDescription& cell, Random random) {
+  constexpr std::uint64_t one_in = 8;
+  const bool has_one = !cell.head.empty() || !cell.pan_tilt.kind.empty();
+  if (!has_one && random.below(one_in) == 0) cell.head = "ptu46-17.5";
+}
+
+void take_larger_images(forms::CellDescription& cell) {
+  constexpr forms::CellImageSize larger{640, 480};
+  if (cell.image.width_px < larger.width_px) cell.image = larger;
 }
 
 std::string describe_camera(const forms::CellDescription& cell) {

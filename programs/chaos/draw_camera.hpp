@@ -1,8 +1,9 @@
 #pragma once
 
-// Where the agents of a run take the camera to stand: a guess, such as a person makes with a rule. The cell is to find
-// out by itself, from the gripper's mark, where the camera stands.
+// What the cameras of a run stand on, and where the agents take them to stand: a guess, such as a person makes with a
+// rule. The cell is to find out by itself, from the gripper's mark, where the camera stands.
 //
+//   draw_head(cell, random.split("head"));
 //   guess_camera(cell, random.split("camera"));
 //   const std::string line = describe_camera(cell);      // where it stands, and where it is taken to stand
 
@@ -15,8 +16,12 @@ namespace pizarra::chaos {
 
 // Whether the agents take it to stand elsewhere than it does.
 bool is_camera_guessed(const forms::CellDescription& cell);
-// Off by 20 mm and by 2 degrees, each in a direction that is drawn. A cell whose own file has a guess keeps that.
+// Off by 20 mm and by 2 degrees, each in a direction that is drawn. A cell whose own file is surer keeps that.
 void guess_camera(forms::CellDescription& cell, Random random);
+// One cell in eight has its cameras on a pan-tilt unit. A cell whose own file has one keeps that.
+void draw_head(forms::CellDescription& cell, Random random);
+// Of 640x480, where the cell has smaller ones.
+void take_larger_images(forms::CellDescription& cell);
 std::string describe_camera(const forms::CellDescription& cell);
 
 }  // namespace pizarra::chaos

@@ -1,5 +1,6 @@
 #include "programs/chaos/draw_faults.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -189,6 +190,7 @@ Datum what(const std::string& kind, Draw& draw, Draw& own) {
   if (kind == "clock") return clock(draw);
   if (kind == "alarm") return list(word("alarm"), draw.seconds(0.3, 5));
   if (kind == "bump") return bump(draw);
+  assert(kind == "light" && "each class has faults that are drawn");
   return list(word("light"), draw.seconds(0.5, 1.5), draw.seconds(0.5, 6));
 }
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "drivers/simulation/world_config.hpp"
 #include "lisp/writer.hpp"
 #include "programs/chaos/draw_camera.hpp"
+#include "programs/chaos/draw_cubes.hpp"
 #include "programs/chaos/draw_faults.hpp"
+#include "programs/chaos/draw_marks.hpp"
 #include "programs/chaos/draw_scenery.hpp"
 #include "programs/story/random_story.hpp"
 
@@ -19,55 +20,12 @@ constexpr double longest_phase_s = 40;
 constexpr std::uint64_t one_class_in = 4;  // is in a run
 constexpr Duration clocks_apart = std::chrono::minutes(2);
 constexpr double clocks_drift = 2e-4;
-constexpr std::size_t fewest_cubes = 3;
-constexpr std::size_t most_cubes = 5;
-constexpr std::uint64_t one_more_in = 4;  // runs has a cube more
-constexpr double wide_row_mm = 245;       // to either side: a row for five
-constexpr double smallest_mm = 48;        // with more noise the marks of smaller cubes are not always learned
-
-// Another cube, with a mark that no other has.
-void add_cube(forms::CellDescription& cell, Random& random) {
-  std::vector<std::string> marks;
-  for (const std::string_view mark : simulation::mark_names()) {
-    const auto wears_it = [&](const forms::CubePlacement& cube) { return cube.mark == mark || cube.name == mark; };
-    if (std::ranges::none_of(cell.cubes, wears_it)) marks.emplace_back(mark);
-  }
-  const std::string& mark = marks[random.below(marks.size())];
-  forms::CubePlacement& cube = cell.cubes.emplace_back();
-  cube.name = mark;
-  cube.mark = mark;
-  cube.edge_mm = cell.cube_mm;
-  cell.row.y_low_mm = std::min(cell.row.y_low_mm, -wide_row_mm);
-  cell.row.y_high_mm = std::max(cell.row.y_high_mm, wide_row_mm);
-}
-
-// All cubes smaller, and the gripper opens less for them.
-void shrink_cubes(forms::CellDescription& cell, double by_mm) {
-  for (forms::CubePlacement& cube : cell.cubes) cube.edge_mm -= by_mm;
-  for (double* opening : {&cell.openings.narrow_mm, &cell.openings.normal_mm, &cell.openings.wide_mm}) {
-    *opening -= by_mm;
-  }
-  cell.cube_mm -= by_mm;
-}
-
-bool has_one_size(const forms::CellDescription& cell) {
-  return std::ranges::all_of(cell.cubes, [&](const forms::CubePlacement& c) { return c.edge_mm == cell.cube_mm; });
-}
 
 forms::CellDescription draw_cell(forms::CellDescription cell, Random& random) {
-  Random more = random.split("more cubes");
-  Random size = random.split("size");
-  if (cell.cubes.size() > fewest_cubes && random.below(3) == 0) {
-    cell.cubes.erase(cell.cubes.begin() + static_cast<std::ptrdiff_t>(random.below(cell.cubes.size())));
-  }
+  draw_cubes(cell, random);
   cell.noise.sensor_grey = random.uniform(1, 5);
   cell.noise.blur_px = random.uniform(0.5, 0.9);
   cell.noise.gradient = random.uniform(0.02, 0.2);
-  if (cell.cubes.size() < most_cubes && more.below(one_more_in) == 0) add_cube(cell, more);
-  if (has_one_size(cell) && cell.cube_mm > smallest_mm && size.below(2) == 0) {
-    const auto sizes = static_cast<std::uint64_t>(cell.cube_mm - smallest_mm) + 1;
-    shrink_cubes(cell, static_cast<double>(size.below(sizes)));
-  }
   return cell;
 }
 
@@ -109,9 +67,11 @@ ChaosStory draw_story(const forms::CellDescription& cell, std::uint64_t seed, co
   ChaosStory story;
   story.seed = seed;
   forms::CellDescription drawn = draw_cell(cell, of_cell);
+  draw_marks(drawn, random.split("marks"));
   draw_scenery(drawn, random.split("scenery"));
   const story::RandomStory first = story::random_story(drawn, random.split("story"));
   story.cell = first.cell;
+  draw_head(story.cell, random.split("head"));
   guess_camera(story.cell, random.split("camera"));
   story.goals.push_back(first.scenario.goal);
   for (std::uint64_t more = of_goals.below(5); more >= 3 && story.goals.size() < 3; --more) {
@@ -129,6 +89,15 @@ ChaosStory draw_story(const forms::CellDescription& cell, std::uint64_t seed, co
   return story;
 }
 
+std::vector<std::string> special_about(const forms::CellDescription& cell) {
+  std::vector<std::string> words;
+  if (has_many_cubes(cell)) words.emplace_back("many-cubes");
+  if (has_tagged_cubes(cell)) words.emplace_back("tags");
+  if (has_bodies(cell)) words.emplace_back("bodies");
+  if (!cell.head.empty()) words.emplace_back("head");
+  return words;
+}
+
 std::vector<std::string> describe(const ChaosStory& story) {
   std::vector<std::string> lines;
   std::string cubes;
@@ -137,6 +106,9 @@ std::vector<std::string> describe(const ChaosStory& story) {
   lines.push_back(fmt::format("cubes of {} mm: {}; noise: sensor {:.1f}, blur {:.2f}, gradient {:.2f}",
                               story.cell.cube_mm, cubes, noise.sensor_grey, noise.blur_px, noise.gradient));
   lines.push_back(describe_camera(story.cell));
+  if (!story.cell.head.empty()) lines.push_back("the cameras stand on a pan-tilt unit: " + story.cell.head);
+  lines.push_back(fmt::format("images of {}x{}", story.cell.image.width_px, story.cell.image.height_px));
+  for (std::string& line : describe_marks(story.cell)) lines.push_back(std::move(line));
   for (std::string& line : describe_scenery(story.cell)) lines.push_back(std::move(line));
   for (const std::vector<Datum>& goal : story.goals) lines.push_back("goal: " + facts_text(goal));
   std::string classes;

@@ -28,6 +28,9 @@ struct ChaosStory {
 // Of these classes alone; none named: of all. The cell passed story::check_random_cell().
 ChaosStory draw_story(const forms::CellDescription& cell, std::uint64_t seed, const std::vector<std::string>& only);
 
+// In which ways the cell is not a plain one, a word each: many-cubes, tags, bodies, head.
+std::vector<std::string> special_about(const forms::CellDescription& cell);
+
 // Every option drawn, a line each.
 std::vector<std::string> describe(const ChaosStory& story);
 

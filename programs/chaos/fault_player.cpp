@@ -1,7 +1,10 @@
 #include "programs/chaos/fault_player.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <initializer_list>
+#include <string_view>
 
 #include "lisp/writer.hpp"
 #include "programs/chaos/draw_camera.hpp"
@@ -23,6 +26,10 @@ Duration seconds(const Datum& s) { return seconds(s.number()); }
 
 std::string name_in(const Datum& what) { return std::string(what[1].text()); }
 std::uint64_t steps_in(const Datum& number) { return static_cast<std::uint64_t>(number.integer()); }
+
+bool is_one_of(const Datum& what, std::initializer_list<std::string_view> forms) {
+  return std::ranges::any_of(forms, [&](std::string_view form) { return what.is_form(form); });
+}
 
 Datum camera_pose_on(const memory::MemoryBoard* board) {
   const std::vector<Datum> poses = facts_of(board, "(camera-pose ? ? ? ? ? ? ? ? ?)");
@@ -135,9 +142,8 @@ void FaultPlayer::happen(const Fault& fault) {
   }
   if (what.is_form("borrow")) return acting_.push_back(cell_.time().spawn(borrow(what)));
   if (what.is_form("hand")) return acting_.push_back(cell_.time().spawn(move_hand(what)));
-  if (what.is_form("misplace")) {
-    acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "misplace"_sym, what[1]))));
-  }
+  assert(what.is_form("misplace") && "each fault that is drawn is played");
+  acting_.push_back(cell_.time().spawn(ask_world(list("fingers"_sym, "misplace"_sym, what[1]))));
 }
 
 void FaultPlayer::count(const std::string& kind, const InHand& during) {
@@ -149,6 +155,7 @@ void FaultPlayer::do_to_network(const Datum& what) {
   if (what.is_form("break")) return network.break_connections(name_in(what));
   if (what.is_form("stall")) return network.stall(name_in(what), seconds(what[2]));
   if (what.is_form("lose-reply")) return network.lose_next_reply(name_in(what));
+  assert(what.is_form("delay") && "each fault of the network is played");
   network.set_delay({.least = 50us, .most = seconds(what[1])});
   cell_.time().call_at(cell_.time().now() + seconds(what[2]),
                        [this] { cell_.network().set_delay({.least = 50us, .most = 400us}); });
@@ -157,6 +164,7 @@ void FaultPlayer::do_to_network(const Datum& what) {
 void FaultPlayer::do_to_disk(const Datum& what) {
   simulated::SimulatedDisk& disk = cell_.disk();
   const Duration length = seconds(what[what.size() - 1]);
+  assert(is_one_of(what, {"full", "fails", "slow"}) && "each fault of the disk is played");
   if (what.is_form("full")) disk.set_capacity(disk.used());
   if (what.is_form("fails")) disk.fail(true);
   if (what.is_form("slow")) disk.set_flush_time(seconds(what[1]));
@@ -170,6 +178,8 @@ void FaultPlayer::do_to_disk(const Datum& what) {
 void FaultPlayer::do_to_camera(const Datum& what) {
   DeviceFaults& faults = cell_.world().faults;
   const Time until = cell_.world().process.now() + seconds(what[what.size() - 1]);
+  assert(is_one_of(what, {"dropped", "frozen", "doubled", "late", "light", "hidden", "jumps"}) &&
+         "each fault of the camera is played");
   if (what.is_form("dropped")) faults.frames_dropped_until = until;
   if (what.is_form("frozen")) faults.frames_frozen_until = until;
   if (what.is_form("doubled")) faults.frames_doubled_until = until;
@@ -213,6 +223,7 @@ void FaultPlayer::do_to_arm(const Datum& what) {
   const Datum stop = list("arm"_sym, "stop"_sym);
   if (what.is_form("stops-short")) return acting_.push_back(cell_.time().spawn(ask_world(stop)));
   const Time until = cell_.world().process.now() + seconds(what[what.size() - 1]);
+  assert(is_one_of(what, {"away", "stuck", "acks-late", "acks-twice", "pendant"}) && "each fault of the arm is played");
   if (what.is_form("away")) faults.arm_away_until = until;
   if (what.is_form("stuck")) faults.sensor_stuck_until = until;
   if (what.is_form("acks-late")) {

@@ -135,7 +135,9 @@ Tally run_swarm(const SwarmOptions& options, std::FILE* out) {
   const story::SeedPool::End end = pool.run([&](std::uint64_t seed, const story::SeedPool::Answer& answer) {
     const Heard heard = heard_from(answer);
     count(tally, heard.result);
-    fmt::print(out, "seed {:6}  {}\n", seed, line_of(heard.result));
+    const std::vector<std::string> special = special_about(draw_story(options.cell, seed, options.only).cell);
+    const std::string of = special.empty() ? "" : fmt::format("  ({})", fmt::join(special, ", "));
+    fmt::print(out, "seed {:6}  {}{}\n", seed, line_of(heard.result), of);
     if (has_failed(heard.result)) {
       const std::string fewest = heard.fewest.empty() ? "none" : heard.fewest;
       const std::string faults = heard.shrunk ? " --faults " + fewest : "";

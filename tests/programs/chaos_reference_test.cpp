@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 
 #include "programs/chaos/reference.hpp"
 #include "tests/scratch.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra::chaos {
 namespace {
@@ -55,6 +57,16 @@ TEST(ChaosReference, OnlyWhatWasComeToOftenIsMissed) {
   Reference now = some_runs();
   now.coverage = {};
   EXPECT_EQ(worse_than(some_runs(), now), (std::vector<std::string>{"lost: event plan"}));
+}
+
+// Otherwise nothing would say that no run came to it any more, where the file counts it less than five times.
+TEST(ChaosReference, EveryPointThatTheShippedFileCountsIsNamed) {
+  const Result<Reference> shipped = read_reference(source_dir() + "/tests/programs/chaos-coverage.txt");
+  ASSERT_TRUE(shipped) << shipped.error().sentence;
+  ASSERT_GT(shipped->coverage.counts().size(), 100U);
+  for (const auto& [point, count] : shipped->coverage.counts()) {
+    EXPECT_NE(std::ranges::find(named_points(), point), named_points().end()) << point;
+  }
 }
 
 TEST(ChaosReference, AFileThatIsNoneIsToldWithItsLine) {

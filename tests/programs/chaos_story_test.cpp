@@ -5,35 +5,52 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 #include "agents/launcher/agent_factory.hpp"
+#include "programs/chaos/draw_cubes.hpp"
 #include "programs/chaos/draw_story.hpp"
 #include "tests/programs/four_cubes.hpp"
 
 namespace pizarra::chaos {
 namespace {
 
-TEST(ChaosStory, DrawsThreeToFiveCubesOfSeveralSizesWithMarksOfTheirOwn) {
-  std::set<std::size_t> counts;
-  std::set<double> sizes;
+TEST(ChaosStory, DrawsThreeToFiveCubesOfSeveralSizesWithMarksOfTheirOwnAndInSomeCellsSixToEight) {
+  std::map<bool, std::set<std::size_t>> counts;  // by whether they are many
+  std::map<bool, std::set<double>> sizes;
   std::set<std::string> marks;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const forms::CellDescription cell = draw_story(programs::four_cubes(), seed, {}).cell;
     EXPECT_TRUE(launcher::world_config(cell, seed)) << "seed " << seed;
-    counts.insert(cell.cubes.size());
-    sizes.insert(cell.cube_mm);
+    const bool many = has_many_cubes(cell);
+    counts[many].insert(cell.cubes.size());
+    sizes[many].insert(cell.cube_mm);
     std::set<std::string> own;
     for (const forms::CubePlacement& cube : cell.cubes) {
       EXPECT_EQ(cube.edge_mm, cell.cube_mm) << "seed " << seed;
       EXPECT_TRUE(own.insert(cube.mark).second) << "seed " << seed << ", " << cube.mark;
-      marks.insert(cube.mark);
+      if (simulation::mark_from_name(cube.mark)) marks.insert(cube.mark);
     }
   }
-  EXPECT_EQ(counts, (std::set<std::size_t>{3, 4, 5}));
-  EXPECT_EQ(*sizes.begin(), 48);
-  EXPECT_EQ(*sizes.rbegin(), 60);
+  EXPECT_EQ(counts[false], (std::set<std::size_t>{3, 4, 5}));
+  EXPECT_EQ(counts[true], (std::set<std::size_t>{6, 7, 8}));
+  EXPECT_EQ(*sizes[false].begin(), 48);
+  EXPECT_EQ(*sizes[false].rbegin(), 60);
+  EXPECT_EQ(*sizes[true].begin(), 42);
+  EXPECT_EQ(*sizes[true].rbegin(), 48);
   EXPECT_EQ(marks.size(), 12U);
+}
+
+// In the same part of their larger images.
+TEST(ChaosStory, SeesManyCubesFromFartherAwayInLargerImages) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const forms::CellDescription cell = draw_story(programs::four_cubes(), seed, {}).cell;
+    if (!has_many_cubes(cell)) continue;
+    EXPECT_EQ(cell.image.width_px, 640);
+    EXPECT_EQ(cell.world_camera.at_mm[0], programs::four_cubes().world_camera.at_mm[0] + 300);
+    EXPECT_GE(cell.row.y_high_mm - cell.row.y_low_mm, 620);
+  }
 }
 
 // Of 300 stories.
@@ -167,19 +184,52 @@ TEST(ChaosStory, TellsTheAgentsAGuessOfTheCameraThatIsOffBy20MillimetresAnd2Degr
     EXPECT_NEAR(std::hypot(panned, guess.tilt_deg - truth.tilt_deg, guess.roll_deg - truth.roll_deg), 2, 1e-9);
     EXPECT_EQ(cell.camera.sure_mm, 20);
     EXPECT_EQ(cell.camera.sure_deg, 2);
-    EXPECT_EQ(truth, programs::four_cubes().world_camera);
+    EXPECT_EQ(truth == programs::four_cubes().world_camera, !has_many_cubes(cell)) << "seed " << seed;
     directions.insert({off[0] > 0, off[1] > 0, off[2] > 0});
   }
   EXPECT_EQ(directions.size(), 8U);
 }
 
-TEST(ChaosStory, KeepsTheGuessThatACellsFileHas) {
-  forms::CellDescription guessed = programs::four_cubes();
-  guessed.camera.pose.at_mm[2] += 7;
-  EXPECT_EQ(draw_story(guessed, 1, {}).cell.camera.pose, guessed.camera.pose);
+TEST(ChaosStory, KeepsThePoseThatACellsFileIsSurerOf) {
+  forms::CellDescription measured = programs::four_cubes();
+  measured.camera.pose = measured.world_camera;
+  measured.camera.pose.at_mm[2] += 7;
+  measured.camera.sure_mm = 10;
+  EXPECT_EQ(draw_story(measured, 1, {}).cell.camera.pose, measured.camera.pose);
   forms::CellDescription unknown = programs::four_cubes();
   unknown.camera.unknown = true;
   EXPECT_TRUE(draw_story(unknown, 1, {}).cell.camera.unknown);
+}
+
+bool has_unit(const forms::CellDescription& cell) { return !cell.head.empty(); }
+
+TEST(ChaosStory, DrawsAPanTiltUnitUnderTheCamerasOfSomeCellsAndSaysSo) {
+  EXPECT_GT(cells_with(has_unit), 15);
+  EXPECT_LT(cells_with(has_unit), 75);
+  EXPECT_EQ(lines_that_begin("the cameras stand on a pan-tilt unit: ptu46-17.5"), cells_with(has_unit));
+  EXPECT_EQ(cells_with(has_unit), cells_with([](const auto& cell) {
+              return std::ranges::count(special_about(cell), "head") == 1 && launcher::world_config(cell, 1);
+            }));
+}
+
+TEST(ChaosStory, SomeUnitsThatAreDrawnAreTurnedByHand) {
+  std::set<std::string> drawn;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    for (const Fault& fault : draw_story(programs::four_cubes(), seed, {"bump"}).faults)
+      drawn.emplace(fault.what.head());
+  }
+  EXPECT_EQ(drawn, (std::set<std::string>{"bump", "nudge"}));
+}
+
+TEST(ChaosStory, KeepsThePanTiltUnitThatACellsFileHas) {
+  forms::CellDescription own = programs::four_cubes();
+  own.head = "ptu46-70";
+  forms::CellDescription real = programs::four_cubes();
+  real.pan_tilt.kind = "tcp";
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    EXPECT_EQ(draw_story(own, seed, {}).cell.head, "ptu46-70");
+    EXPECT_EQ(draw_story(real, seed, {}).cell.head, "");
+  }
 }
 
 TEST(ChaosStory, SaysWhereTheCameraStandsAndWhereTheAgentsTakeItToStand) {
