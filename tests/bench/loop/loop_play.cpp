@@ -9,6 +9,7 @@
 #include "lisp/writer.hpp"
 #include "programs/story/scenario_run.hpp"
 #include "tests/bench/loop/loop_watch.hpp"
+#include "tests/bench/loop/measured_camera.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::bench {
@@ -144,6 +145,7 @@ Played play_loop(const Disturbance& disturbance, std::uint64_t seed, bool open_l
   Played played;
   Result<forms::CellDescription> cell = forms::read_cell_file(source_dir() + "/examples/01-blocks/cell.scm");
   if (!cell) return {.end = describe(cell.error())};
+  cell->camera = measured_camera;
   Random random = Random(seed).split("loop");
   Start start = drawn_start(std::move(*cell), disturbance.cubes, random);
   start.cell.open_loop = open_loop;

@@ -15,8 +15,8 @@ namespace pizarra::bench {
 
 struct Disturbance {
   double slip_chance = 0;      // of each draw
-  int slip_draws = 3;          // a carry
-  double slip_within_s = 2.6;  // after the grasp: so long a carry takes
+  int slip_draws = 2;          // a carry
+  double slip_within_s = 1.7;  // after the grasp: so long a carry takes
   double misplace = 0;         // of the edge
   bool moved = false;          // each object, during its grasp
   double slide_mm_s = 0;       // each object, that fast

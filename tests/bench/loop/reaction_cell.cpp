@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/frame_clock.hpp"
 #include "lisp/reader.hpp"
+#include "tests/bench/loop/measured_camera.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::bench {
@@ -36,15 +38,18 @@ Duration seconds(double s) { return std::chrono::duration_cast<Duration>(std::ch
 
 std::string write_cell(const std::string& folder, int frames_per_s) {
   std::string path = folder + "/cell.scm";
+  const forms::BelievedCamera& camera = measured_camera;
   std::ofstream(path) << fmt::format(
       "(cell reaction\n"
-      "  (world (camera (at 1330 0 200) (rate {}))\n"
+      "  (world (camera (at 1315 -9 191) (pan 0.5) (tilt -0.7) (roll 1.8) (rate {}))\n"
       "         (cube circle (at 450 0))\n"
       "         (noise (sensor 3) (blur 0.7) (gradient 0.12)))\n"
+      "  (camera-pose (at {}) (pan {}) (tilt {}) (roll {}) (sure {} {}) (mark {}))\n"
       "  (arm crs-f3)\n"
       "  (domain \"{}/domains/blocks.scm\")\n"
       "  (host \"localhost\" (agents robot vision planner coordinator person)))\n",
-      frames_per_s, source_dir());
+      frames_per_s, fmt::join(camera.pose.at_mm, " "), camera.pose.pan_deg, camera.pose.tilt_deg, camera.pose.roll_deg,
+      camera.sure_mm, camera.sure_deg, fmt::join(camera.mark_mm, " "), source_dir());
   return path;
 }
 

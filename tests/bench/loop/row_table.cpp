@@ -13,7 +13,7 @@ const std::vector<Row>& row_table() {
   static const std::vector<Row> rows{
       {"p=0", {}, 99, {}, "open loop, IM, DoReMi, CaM: not told"},
       {"p=0.15", {.slip_chance = 0.15}, 99, 1.4, slips_seldom, 56.7},
-      {"p=0.3", {.slip_chance = 0.3, .slip_draws = 4}, 98, 1.7, slips_often, 21.7},
+      {"p=0.3", {.slip_chance = 0.3, .slip_draws = 3}, 98, 1.7, slips_often, 21.7},
       {"p=0.15-once", {.slip_chance = 0.15, .slip_draws = 1}, 99, 1.4, slips_seldom, 56.7},
       {"p=0.3-once", {.slip_chance = 0.3, .slip_draws = 1}, 98, 1.7, slips_often, 21.7},
       {"q=0.25", {.misplace = 0.25}, 98.3, {}, "open loop 90.0, IM 90.0, DoReMi 96.7, CaM 98.3", 90.0},
