@@ -33,10 +33,10 @@ constexpr const char* differences[] = {"on",    "on-table", "clear",    "bare", 
                                        "leans", "PICK-UP",  "PUT-DOWN", "STACK", "UNSTACK", "FREE"};
 // Symbols that operations, rescues and hold-ups fail with.
 constexpr const char* failures[] = {
-    "absent",      "camera-doubtful", "camera-moved",   "disconnected",   "fault",          "gave-up",   "halted",
-    "joint-limit", "lost-sight",      "missed",         "missing-object", "no-convergence", "no-effect", "no-plan",
-    "no-room",     "not-commander",   "not-in-control", "not-present",    "singular",       "slipped",   "stopped",
-    "stuck",       "timeout",         "too-fast",       "unavailable",    "unreachable",    "unseen"};
+    "absent",  "bad-reply",   "camera-doubtful", "camera-moved",   "disconnected",   "fault",          "gave-up",
+    "halted",  "joint-limit", "lost-sight",      "missed",         "missing-object", "no-convergence", "no-effect",
+    "no-plan", "no-room",     "not-commander",   "not-in-control", "not-present",    "singular",       "slipped",
+    "stopped", "stuck",       "timeout",         "too-fast",       "unavailable",    "unreachable",    "unseen"};
 constexpr const char* stops[] = {"STOPPED_AT_RESTART", "MOVED_BY_ITSELF"};
 constexpr const char* operations[] = {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"};
 constexpr int servo_states = 5;

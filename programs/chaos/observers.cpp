@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <utility>
 
 #include "programs/chaos/peek.hpp"
 
@@ -145,6 +146,17 @@ void Observers::look_at_board() {
   if (action != arm_action_ && is_reason) coverage_.hit("arm " + action);
   arm_action_ = action;
   look_at_presence();
+  look_at_plan();
+}
+
+// The planner has the board keep a plan before it tells of it. A plan that the disk has no space for is carried out all
+// the same.
+void Observers::look_at_plan() {
+  const simulated::SimulatedDisk& disk = cell_.disk();
+  disk_failed_ = disk_failed_ || disk.fails() || disk.free_bytes() < disk.plenty / 2;
+  const bool is_told_of = !facts_of(cell_.board(), "(planner planned ?)").empty();
+  const bool was_kept = std::exchange(plan_is_kept_, !is_told_of || !facts_of(cell_.board(), "(plan ? ?)").empty());
+  if (was_kept && !plan_is_kept_ && !disk_failed_) add_unsafe("the board does not keep the plan that the planner has");
 }
 
 void Observers::note_event(const Datum& event) {

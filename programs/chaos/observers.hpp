@@ -8,8 +8,9 @@
 //   observers.acknowledged(7);                  // the board said that it keeps (chaos-mark 7)
 //   observers.unsafe();                         // a sentence each
 //
-// Looked for here: something lost that was acknowledged as durable; a goal said to be reached that the world does not
-// show. Of motions: arm_observer.hpp. Of what is believed: belief_observer.hpp.
+// Looked for here: something lost that was acknowledged as durable; a plan that the planner tells of and the board does
+// not keep; a goal said to be reached that the world does not show. Of motions: arm_observer.hpp. Of what is believed:
+// belief_observer.hpp.
 
 #include <deque>
 #include <functional>
@@ -58,6 +59,7 @@ class Observers {
   void look_at_board();
   void note_event(const Datum& event);
   void look_at_presence();
+  void look_at_plan();
   void look_at_beliefs(double opening_mm);
   bool are_all_present() const;
 
@@ -75,6 +77,8 @@ class Observers {
   int board_lives_ = 1;
   PresentAgents present_;
   std::string arm_action_;
+  bool disk_failed_ = false;  // at some time of this run
+  bool plan_is_kept_ = true;
   std::vector<Datum> looks_;  // the newest
   Time looked_{};             // when it came
   ArmObserver arm_;

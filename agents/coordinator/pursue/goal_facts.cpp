@@ -13,11 +13,11 @@ constexpr Duration untold_pause = 1s;
 
 bool is_in_hand(const Datum& state) { return state.is_symbol("running") || state.is_symbol("kept"); }
 
-// As tell_progress() told it: (stage K) of the stage that is pursued, from 1.
+// As tell_progress() told it: (stage K ...), from 1, of the stage that is pursued.
 std::size_t stage_of(const std::vector<Fact>& states, std::int64_t number) {
   for (const Fact& state : states) {
     const Datum& detail = state.datum[3];
-    const bool told = state.datum[1].integer() == number && detail.is_form("stage") && detail.size() == 2;
+    const bool told = state.datum[1].integer() == number && detail.is_form("stage") && detail.size() >= 2;
     if (told && detail[1].is_integer() && detail[1].integer() > 0)
       return static_cast<std::size_t>(detail[1].integer() - 1);
   }

@@ -24,6 +24,14 @@ Datum told_missing(const std::vector<std::string>& names) {
   return Datum::list(std::move(detail));
 }
 
+// From its second stage on, the state of a running goal names the stage, so that a new life goes on with it.
+Datum told_in_stage(const Goal& goal, const Datum& detail) {
+  if (goal.stage == 0) return detail;
+  std::vector<Datum> told{"stage"_sym, to_datum(static_cast<std::int64_t>(goal.stage + 1))};
+  if (detail != Datum()) told.push_back(detail);
+  return Datum::list(std::move(told));
+}
+
 }  // namespace
 
 Task<void> GoalLoop::resume() {
@@ -54,15 +62,15 @@ Task<Result<void>> GoalLoop::pursue(Goal goal) {
 
 Task<Result<void>> GoalLoop::pursue_stages(Goal goal, Wish wish) {
   for (std::size_t i = goal.stage; i < wish.stages.size(); ++i) {
+    const Goal stage{goal.number, wish.stages[i], i};
     const bool is_later = i > goal.stage;
     if (is_later) {
       std::string sentence = fmt::format("stage {} of {} holds; the next:", i, wish.stages.size());
       for (const Datum& form : wish.stages[i]) sentence += ' ' + write(form);
       plan_.forget();
-      const Datum detail = list("stage"_sym, i + 1);
+      const Datum detail = told_in_stage(stage, Datum());
       co_await goal_.tell_progress(goal.number, "running", detail, "goal", sentence);
     }
-    const Goal stage{goal.number, wish.stages[i], i};
     const Result<void> done = co_await pursue_patiently(stage, wish.patience);
     if (!done) co_return done;
   }
@@ -75,17 +83,17 @@ Task<Result<void>> GoalLoop::pursue_patiently(Goal goal, Duration patience) {
     const bool waits = !done && done.error().symbol == "missing-object" && patience > Duration::zero();
     if (!waits) co_return done;
     const Failure& missing = done.error();
-    const Result<void> there = co_await await_missing(goal.number, missing, patience);
+    const Result<void> there = co_await await_missing(goal, missing, patience);
     if (!there) co_return there;
   }
 }
 
-Task<Result<void>> GoalLoop::await_missing(std::int64_t goal, Failure missing, Duration patience) {
+Task<Result<void>> GoalLoop::await_missing(Goal goal, Failure missing, Duration patience) {
   const std::vector<std::string> names = names_of_missing(missing);
   const double seconds = std::chrono::duration<double>(patience).count();
   const std::string sentence = fmt::format("{}: waiting {:g} s for it", missing.sentence, seconds);
-  const Datum told = told_missing(names);
-  co_await goal_.tell_progress(goal, "running", told, "missing", sentence);
+  const Datum told = told_in_stage(goal, told_missing(names));
+  co_await goal_.tell_progress(goal.number, "running", told, "missing", sentence);
   const Time deadline = context_.executor.now() + patience;
   for (const std::string& name : names) {
     while (!surroundings_.scene().sightings().recent(name, 2)) {
@@ -101,9 +109,9 @@ Task<Result<void>> GoalLoop::await_missing(std::int64_t goal, Failure missing, D
       if (!*found) co_await sleep(context_.executor, missing_pause);
     }
   }
-  const Datum nothing;
+  const Datum nothing = told_in_stage(goal, Datum());
   const std::string seen = missing_shows;
-  co_await goal_.tell_progress(goal, "running", nothing, "missing", seen);
+  co_await goal_.tell_progress(goal.number, "running", nothing, "missing", seen);
   co_return Result<void>();
 }
 

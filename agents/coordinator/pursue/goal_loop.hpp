@@ -37,7 +37,7 @@ class GoalLoop {
   Task<Result<void>> pursue_stages(Goal goal, Wish wish);
   // Waits for what is missing, as often as something is, as long as its patience lasts each time.
   Task<Result<void>> pursue_patiently(Goal goal, Duration patience);
-  Task<Result<void>> await_missing(std::int64_t goal, Failure missing, Duration patience);
+  Task<Result<void>> await_missing(Goal goal, Failure missing, Duration patience);
   Task<Result<void>> keep(Goal goal, Wish wish);
   // Until something changes that a kept goal which cannot be had may be tried again after. The failure that stands
   // told, so that it is told once.

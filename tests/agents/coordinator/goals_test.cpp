@@ -310,6 +310,21 @@ TEST_F(Goals, AMissingObjectIsWaitedForAndAllThatAreMissingAreNamed) {
   EXPECT_TRUE(stands_on("circle", "square"));
 }
 
+TEST_F(Goals, ANewLifeGoesOnWithTheStageWhoseObjectIsWaitedFor) {
+  want("(goal (then (on circle triangle) (on-table circle) (on square triangle)) (wait 600))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (stage 3))", 120s));
+  cell.hidden = {"square"};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 running (stage 3 (missing square)))", 120s));
+  cell.stop_coordinator();
+  cell.run_for(5s);
+  cell.start_coordinator();
+  cell.run_for(30s);
+  cell.hidden.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_TRUE(stands_on("square", "triangle"));
+  EXPECT_FALSE(stands_on("circle", "triangle"));
+}
+
 TEST_F(Goals, WaitingHasAnEnd) {
   cell.hidden = {"circle"};
   want("(goal (on circle square) (wait 10))");
