@@ -111,13 +111,14 @@ forms::LookSituation Scene::situation() const {
   return out;
 }
 
-CameraWatch::News Scene::take_look(std::int64_t frame, const forms::PerceivedLook& look) {
+CameraWatch::News Scene::take_look(std::int64_t frame, const forms::PerceivedLook& look, bool captured_at_rest) {
   sightings_.look(frame, look.seen, head_->pan_deg);
   for (const std::string& name : look.hidden) sightings_.excuse(name);
   note_held(look.seen);
   carry_held();
   note_covered(look.hidden);
-  if (!arm_rests()) return CameraWatch::News::nothing;
+  const bool shows_rest = tool_ && rests_ && (captured_at_rest || is_late_enough());
+  if (!shows_rest || !sightings_.recent(options_.gripper.mark, 1)) return CameraWatch::News::nothing;
   compare_pose();
   return watch_camera();
 }
@@ -166,16 +167,13 @@ SightLines Scene::sight_lines(double margin_mm) const {
           .margin_mm = margin_mm};
 }
 
-// As far as it says, and its mark is seen.
-bool Scene::arm_rests() const {
-  const bool long_enough = sightings_.looks() >= pose_look_ + looks_till_rest;
-  return tool_ && rests_ && long_enough && sightings_.recent(options_.gripper.mark, 1);
+bool Scene::is_late_enough() const {
+  return sightings_.looks() >= pose_look_ + looks_till_rest &&
+         sightings_.still_looks(options_.gripper.mark) >= looks_till_rest;
 }
 
 // The look was placed by the view that is taken back here.
 CameraWatch::News Scene::watch_camera() {
-  const bool still = sightings_.still_looks(options_.gripper.mark) >= looks_till_rest;
-  if (!still) return CameraWatch::News::nothing;
   const Eigen::Vector3d& placed = sightings_.find(options_.gripper.mark)->place_mm;
   const CameraWatch::News news = camera_.take({*tool_, *head_, seen_mark(*view_, placed)}, *model_);
   using News = CameraWatch::News;
@@ -186,10 +184,6 @@ CameraWatch::News Scene::watch_camera() {
     compared_.reset();
   }
   return news;
-}
-
-void Scene::compare_at_rest() {
-  if (tool_ && view_ && rests_ && sightings_.recent(options_.gripper.mark, 1)) compare_pose();
 }
 
 void Scene::compare_pose() {

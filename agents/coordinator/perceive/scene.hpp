@@ -97,11 +97,9 @@ class Scene {
   bool places_next_look();
   // The situation in which the next look is understood. There is a view.
   forms::LookSituation situation() const;
-  // What it tells of where the camera stands.
-  CameraWatch::News take_look(std::int64_t frame, const forms::PerceivedLook& look);
-  // The newest look was captured while the arm rested where it says that it is: where both place the gripper may be
-  // compared at once. Else an arm whose mark one place shows, and the next does not, goes to and fro between them.
-  void compare_at_rest();
+  // What it tells of where the camera stands. Where a look is known to have been captured while the arm rested where it
+  // says that it is, the places that both give for the gripper are compared at once; else only after two looks of rest.
+  CameraWatch::News take_look(std::int64_t frame, const forms::PerceivedLook& look, bool captured_at_rest);
 
  private:
   // Where a face looks that is turned so far to the right of facing the camera; of length 1.
@@ -111,7 +109,8 @@ class Scene {
   void turn_view();
   Eigen::Vector3d held_front_by_arm_mm() const;
   std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
-  bool arm_rests() const;
+  // After looks that may show the arm moving.
+  bool is_late_enough() const;
   bool fingers_hold() const;
   void note_held(std::span<const forms::SeenObject> seen);
   void carry_held();

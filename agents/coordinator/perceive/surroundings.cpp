@@ -81,8 +81,7 @@ Task<void> Surroundings::take_look(Change change) {
     co_await tell_failure(perceived.error());
     co_return;
   }
-  const CameraWatch::News news = scene_.take_look(frame, *perceived);
-  if (captured_at_rest()) scene_.compare_at_rest();
+  const CameraWatch::News news = scene_.take_look(frame, *perceived, captured_at_rest());
   Beliefs::Change changed;
   // Without a place nothing is believed of what is seen.
   const bool placed = !scene_.camera().unknown();

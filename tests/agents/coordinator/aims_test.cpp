@@ -26,11 +26,11 @@ TEST(Aims, FollowWhatIsHeldWhereItWasSeenInTheFingersOnceItIsHidden) {
   const Eigen::Vector3d triangle(480, 120, 30);
   const Datum goal = list("on-top"_sym, "circle"_sym, "triangle"_sym);
   Aims aims(options, domain, scene);
-  scene.take_look(1, look_at({{"circle", seen}, {"triangle", triangle}}));
+  scene.take_look(1, look_at({{"circle", seen}, {"triangle", triangle}}), false);
   EXPECT_LT((aims.at(goal)->followed_mm - seen).norm(), 1e-9);
   const Eigen::Vector3d step(0, 6, 0);
   scene.take_pose(tool_pose({450, 106, 200}, 180, 0, 0));
-  scene.take_look(2, look_at({{"triangle", triangle}}));
+  scene.take_look(2, look_at({{"triangle", triangle}}), false);
   EXPECT_LT((aims.at(goal)->followed_mm - seen - step).norm(), 1e-9);
   aims.reset();
   EXPECT_LT((aims.at(goal)->followed_mm - *scene.grip_mm()).norm(), 1e-9) << "another operation holds something else";
@@ -45,12 +45,11 @@ class KnockedCamera : public testing::Test {
   // The tool rests there, and its mark is seen so far off from where the arm says.
   void see_tool_at(double x_mm, const Eigen::Vector3d& off_mm) {
     move_tool_to(x_mm);
-    scene.take_look(++frame, look_at({{options.gripper.mark, by_arm() - scene.mark_to_front_mm() + off_mm}}));
-    scene.compare_at_rest();
+    scene.take_look(++frame, look_at({{options.gripper.mark, by_arm() - scene.mark_to_front_mm() + off_mm}}), true);
   }
   Eigen::Vector3d grip_out_of_sight_at(double x_mm) {
     move_tool_to(x_mm);
-    scene.take_look(++frame, look_at({}));
+    scene.take_look(++frame, look_at({}), false);
     return *scene.grip_mm();
   }
   void move_tool_to(double x_mm) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "agents/coordinator/geometry/camera_pose.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/coordinator/fake_cell.hpp"
 
@@ -26,9 +27,16 @@ class CameraMoved : public testing::Test {
   void expect_found() {
     const std::vector<Datum> poses = cell.facts(measured);
     ASSERT_EQ(poses.size(), 1U) << write(Datum::list(cell.facts("(camera-pose ? ? ? ? ? ? ? ? ?)")));
-    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(poses[0][axis + 1].number(), cell.camera.at_mm[axis], 10);
-    EXPECT_NEAR(poses[0][4].number(), cell.camera.pan_deg, 0.4);
-    EXPECT_NEAR(poses[0][5].number(), cell.camera.tilt_deg, 0.4);
+    const Datum& told = poses[0];
+    const forms::CameraPose found{.at_mm = {told[1].number(), told[2].number(), told[3].number()},
+                                  .pan_deg = told[4].number(),
+                                  .tilt_deg = told[5].number(),
+                                  .roll_deg = told[6].number()};
+    for (const double y_mm : {-150.0, 150.0}) {
+      for (const double z_mm : {30.0, 150.0}) {
+        EXPECT_LT(apart_mm(found, cell.camera, {450, y_mm, z_mm}), 5) << write(told) << " at " << y_mm << ' ' << z_mm;
+      }
+    }
   }
 
   FakeCell cell{"blocks.scm", {{"circle", {450, -150, 30}}, {"triangle", {455, -50, 30}}, {"square", {445, 50, 30}}}};

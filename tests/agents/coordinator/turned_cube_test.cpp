@@ -57,8 +57,8 @@ TEST(Scene, DoesNotExcuseWhatWasSeenBetweenTheFingersAsHiddenByThem) {
   const Eigen::Vector3d grip = *scene.grip_mm();
   const forms::PerceivedLook shown{{{"circle", {grip.x(), grip.y(), grip.z()}, {}}}, {}, std::vector<Datum>()};
   const forms::PerceivedLook nothing{{}, {}, std::vector<Datum>()};
-  scene.take_look(1, shown);
-  scene.take_look(2, nothing);
+  scene.take_look(1, shown, false);
+  scene.take_look(2, nothing, false);
   const std::vector<Datum> remembered = scene.situation().remembered;
   ASSERT_EQ(remembered.size(), 1u);
   EXPECT_EQ(remembered[0][3].integer(), 0) << "a look may excuse it";
