@@ -30,7 +30,7 @@ struct GripperGeometry {
   double mark_above_grip_mm = 66;
   double mark_before_grip_mm = 30;  // towards the camera
   static constexpr double finger_mm = 8;
-  // The lowest that the grip centre may go for the fingertips to clear the table.
+  // The lowest that the grip centre may go, above what a cube stands on, for the fingertips to clear that.
   static constexpr double finger_below_mm = 22;
   forms::GripperOpenings openings;
   GripperOutline outline;
@@ -53,6 +53,7 @@ struct CoordinatorOptions {
   static constexpr int grace_looks = 10;  // unseen for as long, an object's facts go
   static constexpr Duration settle = 2s;  // the goal must hold for as long before it counts as reached,
   static constexpr int settle_looks = 5;  // and in so many looks: while none come, nobody sees whether it does
+  static constexpr Duration effects_patience = 3s;   // how long an operation's effects may take to show
   static constexpr Duration missing_patience = 6s;   // how long a needed object is looked for
   static constexpr Duration absence_patience = 20s;  // how long an agent that died is waited for
 };

@@ -92,7 +92,8 @@ Result<Aim> Aims::at(const Datum& target) {
     const Eigen::Vector3d to_mark = -scene_.mark_to_front_mm();
     const std::string name(target.text());
     Eigen::Vector3d front = *object + scene_.face_to_fingers_mm(name) - scene_.set_back_mm(name);
-    front.z() = std::max(front.z(), options_.gripper.finger_below_mm);
+    const double stands_on_mm = std::max(0.0, object->z() - domain_.edge_mm(name) / 2);
+    front.z() = std::max(front.z(), stands_on_mm + options_.gripper.finger_below_mm);
     return Aim{*grip + to_mark, front + to_mark, grip->z(), scene_.foot_mm()};
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);

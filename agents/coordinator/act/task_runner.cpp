@@ -11,7 +11,6 @@ namespace pizarra::coordinator {
 
 namespace {
 
-constexpr Duration effects_patience = 3s;
 // How near a held object's mark is to where it should be.
 constexpr double held_mm = 25;
 constexpr int held_looks = 12;
@@ -186,7 +185,7 @@ Task<Result<void>> TaskRunner::check_held(std::string object) {
 }
 
 Task<Result<void>> TaskRunner::await_effects(GroundOperation operation) {
-  const Time deadline = context_.executor.now() + effects_patience;
+  const Time deadline = context_.executor.now() + CoordinatorOptions::effects_patience;
   while (true) {
     const Facts& beliefs = surroundings_.beliefs();
     bool effective = true;

@@ -36,6 +36,22 @@ TEST(Aims, FollowWhatIsHeldWhereItWasSeenInTheFingersOnceItIsHidden) {
   EXPECT_LT((aims.at(goal)->followed_mm - *scene.grip_mm()).norm(), 1e-9) << "another operation holds something else";
 }
 
+// Else the fingertips close on the cube below, which is wider, and lift both.
+TEST(Aims, GripASmallCubeSoHighThatTheFingertipsClearTheCubeBelow) {
+  const CoordinatorOptions options;
+  TaskDomain domain = TaskDomain::read(source_dir() + "/domains/sizes.scm").value();
+  domain.use_cubes(60, {{"circle", 40}, {"square", 60}});
+  Scene scene(options, domain);
+  scene.take_camera(CameraModel());
+  scene.take_pose(tool_pose({450, 100, 200}, 180, 0, 0));
+  Aims aims(options, domain, scene);
+  scene.take_look(1, look_at({{"circle", {470, 100, 80}}, {"square", {480, 100, 30}}}), false);
+  const Aim aim = aims.at("circle"_sym).value();
+  const double grip_mm = aim.grip_height_mm + aim.wanted_mm.z() - aim.followed_mm.z();
+  EXPECT_GE(grip_mm, 60 + GripperGeometry::finger_below_mm);
+  EXPECT_LT(grip_mm, 60 + GripperGeometry::finger_below_mm + 5);
+}
+
 class KnockedCamera : public testing::Test {
  protected:
   KnockedCamera() {
