@@ -125,7 +125,7 @@ Task<Result<void>> GoalLoop::keep(Goal goal, Wish wish) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     if (!done) {
       holds = false;
-      const Failure why = done.error();
+      const Failure& why = done.error();
       const Failure before = told;
       told = co_await keep_in_mind(goal.number, why, before);
       continue;

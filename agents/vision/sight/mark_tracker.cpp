@@ -17,6 +17,8 @@ namespace {
 
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
+// How far another mark moves from one image to the next, at most, that is none of what is lost just then.
+constexpr double another_rests_px = 3;
 // How much of the confidence is left after every tenth of a second in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
@@ -38,6 +40,17 @@ void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>
     });
     if (found != marks.end()) place = found->centre;
   }
+}
+
+// Keeps those that rest, or go as the camera does. What falls or is pushed beside an object that is lost may be that
+// object, or what covers it.
+void drop_moved(std::vector<SeenMark>& marks, const std::vector<SeenMark>& now, cv::Point2d motion, double most_px) {
+  std::erase_if(marks, [&](const SeenMark& mark) {
+    return std::ranges::none_of(now, [&](const SeenMark& seen) {
+      const cv::Point2d moved = seen.centre - mark.centre;
+      return std::min(cv::norm(moved), cv::norm(moved - motion)) < most_px;
+    });
+  });
 }
 
 double disparity_px(const SeenMark& left, const SeenMark& right) { return left.centre.x - right.centre.x; }
@@ -152,17 +165,18 @@ void MarkTracker::note_others(Track& track, const LearnedObject& object, const s
   if (track.others.size() > most_twins) track.others.erase(track.others.begin(), track.others.end() - most_twins);
 }
 
-void MarkTracker::note_others_before(Track& track, const LearnedObject& object) {
+void MarkTracker::note_others_before(Track& track, const LearnedObject& object, StereoSight* now) {
   const auto paced = paced_.find(track.name);
   const bool is_paced = paced != paced_.end() && !paced->second.left.empty();
   const cv::Mat& before = is_paced ? paced->second.left : last_left_;
   if (object.tag() != nullptr) return note_others(track, object, find_tags(before, *object.tag()));
-  if (is_paced) {
-    ImageSegmentation segmentation(before, noise_of(before), track.left->focal_px);
-    return note_others(track, object, segmentation.marks());
-  }
-  if (!last_segmentation_) last_segmentation_.emplace(last_left_, noise_of(last_left_), track.left->focal_px);
-  note_others(track, object, last_segmentation_->marks());
+  std::optional<ImageSegmentation> of_paced;
+  std::optional<ImageSegmentation>& segmentation = is_paced ? of_paced : last_segmentation_;
+  if (!segmentation) segmentation.emplace(before, noise_of(before), track.left->focal_px);
+  std::vector<SeenMark> marks = segmentation->marks();
+  const cv::Point2d motion = track.expected(captured_) - track.left->centre;
+  if (now != nullptr) drop_moved(marks, now->left_segmentation().marks(), motion, px_in(now->left(), another_rests_px));
+  note_others(track, object, marks);
 }
 
 std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, const LearnedObject& object) {
@@ -265,9 +279,9 @@ void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair&& now) c
   track.missed = false;
 }
 
-void MarkTracker::note_loss(Track& track, const LearnedObject& object) {
+void MarkTracker::note_loss(Track& track, const LearnedObject& object, StereoSight* now) {
   if (!track.left || track.missed) return;
-  note_others_before(track, object);
+  note_others_before(track, object, now);
   if (!track.before) track.before = std::make_shared<const Track>(track);
 }
 
@@ -276,7 +290,7 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   if (last_left_.empty()) return out;
   for (Track& track : tracks_) {
     const LearnedObject* object = objects_.find(track.name);
-    if (object != nullptr) note_loss(track, *object);
+    if (object != nullptr) note_loss(track, *object, nullptr);
     out.push_back(miss(track, now));
     const auto paced = paced_.find(track.name);
     if (paced != paced_.end()) paced->second.told = out.back();
@@ -295,7 +309,7 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
   if (now && !sight.holds(now->left)) now.reset();
   Wholeness::Look look{.whole = false};
   if (now) look = look_at(*now);
-  if (!look.whole) note_loss(track, object);
+  if (!look.whole) note_loss(track, object, &sight);
   if (!now) {
     now = search(sight, track, object);
     if (now) look = look_at(*now);

@@ -119,8 +119,8 @@ class MarkTracker {
   std::optional<SeenPair> search(StereoSight& sight, Track& track, const LearnedObject& object);
   // Which of the marks are like what was just seen, and another.
   void note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const;
-  // Of those in the image in which it was seen last.
-  void note_others_before(Track& track, const LearnedObject& object);
+  // Of those in the image in which it was seen last; where there is a frame since, of those that this shows there too.
+  void note_others_before(Track& track, const LearnedObject& object, StereoSight* now);
   // Looks at it, or tells what was told last.
   TrackSighting look_in_turn(ConfinedSights& sights, Track& track);
   TrackSighting update(StereoSight& sight, Track& track);
@@ -137,8 +137,8 @@ class MarkTracker {
   void measure(StereoSight& sight, Track& track, const LearnedObject& object, const SeenWhole& seen, double in_whole,
                TrackSighting& out) const;
   TrackSighting miss(Track& track, Time now) const;
-  // It was seen before, and is not now.
-  void note_loss(Track& track, const LearnedObject& object);
+  // It was seen before, and is not now. Null: there is no frame.
+  void note_loss(Track& track, const LearnedObject& object, StereoSight* now);
   // Goes back to the mark where it was lost, where it is hidden no more: the one followed elsewhere was another.
   void come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
   // Counts the others like it that are in view, where it may have been one of them from the first.

@@ -188,6 +188,22 @@ TEST_F(Tracker, StaysWithTheFaceThatItFollowedWhereACubeFallsOver) {
   for (int frame = 0; frame < 3; ++frame) expect_at(see()[0], front.place);
 }
 
+// One frame shows what falls beside it as if it were another one; it comes to lie there.
+TEST_F(Tracker, FindsWhatCameToLieWhereSomethingLikeItWasSeenToFall) {
+  track("triangle");
+  SceneFace own{.mark = "triangle", .place = {0, 0, 850}};
+  scene.faces = {own};
+  for (int frame = 0; frame < 3; ++frame) expect_at(see()[0], own.place);
+  scene.faces = {own, {.mark = "triangle", .place = {-22, 34, 850}, .pitch_deg = -50}};
+  expect_at(see()[0], own.place);
+  scene.faces = {{.mark = "triangle", .place = {-20, 48, 850}, .pitch_deg = -58}};
+  see();
+  own.place = {-18, 50, 850};
+  scene.faces = {own};
+  for (int frame = 0; frame < 2 * bridged_frames; ++frame) see();
+  expect_at(see()[0], own.place);
+}
+
 TEST_F(Tracker, IsNotTakenInByAnotherCubeInTheSamePlace) {
   track("circle");
   see();
