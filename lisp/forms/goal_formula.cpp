@@ -245,7 +245,7 @@ std::optional<TooFewObjects> too_few_objects(const std::vector<Datum>& goal, con
   for (const Datum& form : goal) {
     if (form.is_form("and") || form.is_form("or")) {
       const auto parts = form.items().subspan(1);
-      const std::optional<TooFewObjects> within = too_few_objects({parts.begin(), parts.end()}, objects);
+      std::optional<TooFewObjects> within = too_few_objects({parts.begin(), parts.end()}, objects);
       if (within) return within;
     }
     const bool counts = form.is_form("at-least") || form.is_form("exists");
