@@ -41,21 +41,23 @@ void StageWatch::begin(std::int64_t goal, const std::vector<Datum>& forms) {
       runtime::follow(context_, later, [this](Change change) { return take(std::move(change)); }));
 }
 
-// (goal-state N running (stage K)): the stage before K holds; stages are counted from 1.
+// (goal-state N running (stage K)): the stage before K holds; stages are counted from 1. It is told again once an object
+// that stage K waited for shows, when the stage before need not hold any more.
 Task<void> StageWatch::take(Change change) {
   for (const Answer& answer : change.added) {
     const Datum number = answer.facts.front().datum[3][1];
     const bool follows_one = number.is_integer() && number.integer() > 1;
     if (!follows_one) continue;
     const auto stage = static_cast<std::size_t>(number.integer() - 2);
-    if (stage < shown_.size()) co_await judge(stage);
+    const bool is_news = stage < shown_.size() && !shown_[stage];
+    if (is_news) co_await judge(stage);
   }
 }
 
 Task<void> StageWatch::judge(std::size_t stage) {
   const Result<bool> shows = co_await witness_.shows(stages_[stage]);
   const bool shown = shows && *shows;
-  shown_[stage] = shown && shown_[stage].value_or(true);
+  shown_[stage] = shown;
   const std::string why = shows ? "" : "; " + describe(shows.error());
   const std::string verdict = shown ? "the world shows " : "the world does not show ";
   narrator_.say(context_.executor.now(), "judge",

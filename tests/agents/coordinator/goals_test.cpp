@@ -261,7 +261,7 @@ TEST_F(Goals, ForAnObjectOfAKeptGoalThatIsMissingTheArmRestsAfterOneSearch) {
   cell.hidden = {"circle"};
   ASSERT_TRUE(cell.run_until("(goal-state 1 running (missing circle))", 300s));
   const int motions = cell.motions;
-  // What is hard to see is not changed by anybody.
+  // Nobody has moved an object that is hard to see.
   cell.hidden.insert("square");
   cell.run_for(600s);
   cell.hidden.erase("square");
