@@ -1,6 +1,6 @@
 #pragma once
 
-// What the cameras of a run stand on, and where the agents take them to stand: a guess, such as a person makes with a
+// Draws a head under the cameras of a run, and the agents' guess of where these stand, as a person makes one with a
 // rule. The cell is to find out by itself, from the gripper's mark, where the camera stands.
 //
 //   draw_head(cell, random.split("head"));

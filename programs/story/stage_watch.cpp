@@ -41,8 +41,8 @@ void StageWatch::begin(std::int64_t goal, const std::vector<Datum>& forms) {
       runtime::follow(context_, later, [this](Change change) { return take(std::move(change)); }));
 }
 
-// (goal-state N running (stage K)): the stage before K holds; stages are counted from 1. It is told again once an object
-// that stage K waited for shows, when the stage before need not hold any more.
+// (goal-state N running (stage K)): the stage before K holds; stages are counted from 1. It is told again once an
+// object that stage K waited for shows, when the stage before need not hold any more.
 Task<void> StageWatch::take(Change change) {
   for (const Answer& answer : change.added) {
     const Datum number = answer.facts.front().datum[3][1];

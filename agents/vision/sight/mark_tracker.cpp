@@ -42,7 +42,8 @@ void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>
   }
 }
 
-// Keeps those that rest, or go as the camera does. One that falls beside a lost object may be that object, or its cover.
+// Keeps those that rest, or go as the camera does. One that falls beside a lost object may be that object, or its
+// cover.
 void drop_moved(std::vector<SeenMark>& marks, const std::vector<SeenMark>& now, cv::Point2d motion, double most_px) {
   std::erase_if(marks, [&](const SeenMark& mark) {
     return std::ranges::none_of(now, [&](const SeenMark& seen) {

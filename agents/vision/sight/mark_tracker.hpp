@@ -14,8 +14,8 @@
 // while they are in view.
 //
 // An object may be looked for in an area only, and at a rate of its own (search_limits.hpp). Outside the area it is not
-// seen. In a frame in which its turn is not due it stands as it was told last. Who knows for one frame where an object
-// can be at all, such as a mark of a body in sight, says so before that frame.
+// seen. In a frame in which its turn is not due it stands as it was told last. A caller that knows where an
+// object can be in one frame, as a mark of a body in sight, says so before that frame.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
