@@ -1,15 +1,11 @@
 // A board that cannot know whether another one leads by now: it says so to who asks, tells how things stood, and does
 // nothing else.
 
-#include "blackboard/client/remote_board.hpp"
 #include "blackboard/wire/gated_transport.hpp"
 #include "tests/blackboard/server_fixture.hpp"
-#include "tests/run_task.hpp"
 
 namespace pizarra {
 namespace {
-
-using client::RemoteBoard;
 
 class InDoubtTest : public ServerTest {
  protected:
@@ -22,9 +18,6 @@ class InDoubtTest : public ServerTest {
     EXPECT_TRUE(board.transact("test", Transaction().tell(read("(note 1 a)"))).has_value());
   }
   ~InDoubtTest() override { server.reset(); }
-  std::unique_ptr<RemoteBoard> remote(Duration timeout) {
-    return RemoteBoard::connect(executor, server->addresses().front(), "alice", timeout).value();
-  }
   std::size_t notes() { return board.ask(query("(note ?n ?text)"))->answers.size(); }
 
   static constexpr Duration age = 700ms;
@@ -70,65 +63,6 @@ TEST_F(InDoubtTest, ItTellsHowThingsStoodAndHowOldThatIsWhateverTheSession) {
   EXPECT_TRUE(value[1].is_symbol("yes"));
   EXPECT_EQ(value[3][0][4], read("(note 1 a)"));
   EXPECT_EQ(said[2][2][1], "undeclared-relation"_sym);
-}
-
-TEST_F(InDoubtTest, AClientWaitsForAQuorumAndLearnsThatNothingWasDone) {
-  const auto alice = remote(3s);
-  ASSERT_TRUE(run(executor, alice->tell(read("(note 2 b)"))).has_value());
-  EXPECT_EQ(run(executor, alice->recall(query("(note ?n ?text)")))->age, Duration::zero());
-  leads = false;
-  const Result<RemoteBoard::Recalled> recalled = run(executor, alice->recall(query("(note ?n ?text)")));
-  ASSERT_TRUE(recalled.has_value()) << describe(recalled.error());
-  EXPECT_EQ(recalled->age, age);
-  EXPECT_EQ(recalled->answers.answers.size(), 2u);
-  const Result<Revision> sent = run(executor, alice->tell(read("(note 3 c)")));
-  ASSERT_FALSE(sent.has_value());
-  EXPECT_EQ(sent.error().symbol, "unavailable");
-  EXPECT_TRUE(sent.error().sentence.contains("not known")) << sent.error().sentence;
-  EXPECT_FALSE(alice->connected());
-  EXPECT_GT(alice->silence(), 2s) << "what is said in doubt is no sign of life";
-  EXPECT_EQ(run(executor, alice->recall(query("(note ?n ?text)")))->age, age) << "without a session too";
-  const Result<Revision> waited = run(executor, alice->tell(read("(note 3 c)")));
-  ASSERT_FALSE(waited.has_value());
-  EXPECT_TRUE(waited.error().sentence.contains("not done")) << waited.error().sentence;
-  leads = true;
-  EXPECT_TRUE(run(executor, alice->tell(read("(note 4 d)"))).has_value());
-  EXPECT_FALSE(alice->in_doubt_since());
-  EXPECT_EQ(notes(), 3u);
-}
-
-// Else a jog would be held again whose owner let go, or died, meanwhile.
-TEST_F(InDoubtTest, LeasesLapseAtTheirTimeAndTheirOwnersLearnIt) {
-  const auto alice = remote(10s);
-  const LeaseId lease = run(executor, alice->lease(300ms)).value();
-  ASSERT_TRUE(run(executor, alice->transact(Transaction().tell(read("(note 2 held)"), {}, lease))).has_value());
-  const auto recalled = [&] { return run(executor, alice->recall(query("(note ?n ?text)")))->answers.answers.size(); };
-  leads = false;
-  EXPECT_EQ(recalled(), 2u);
-  for (int looks = 0; looks < 200 && recalled() == 2; ++looks) pass(executor, 50ms);
-  EXPECT_EQ(recalled(), 1u);
-  leads = true;
-  const Result<void> renewed = run(executor, alice->renew(lease));
-  ASSERT_FALSE(renewed.has_value());
-  EXPECT_EQ(renewed.error().symbol, "unknown-lease");
-  EXPECT_EQ(notes(), 1u);
-}
-
-TEST_F(InDoubtTest, AClientThatDoesNotWaitIsRefusedAtOnce) {
-  const auto alice = remote(10s);
-  alice->refuse_without_quorum();
-  leads = false;
-  const Time begun = executor.now();
-  const Result<Revision> told = run(executor, alice->tell(read("(note 2 b)")));
-  ASSERT_FALSE(told.has_value());
-  EXPECT_EQ(told.error().symbol, "unavailable");
-  EXPECT_FALSE(run(executor, alice->ask(query("(note ?n ?text)"))).has_value());
-  EXPECT_LT(executor.now() - begun, 5s);
-  EXPECT_TRUE(run(executor, alice->recall(query("(note ?n ?text)"))).has_value());
-  leads = true;
-  while (!alice->connected()) pass(executor, 10ms);
-  EXPECT_TRUE(run(executor, alice->tell(read("(note 2 b)"))).has_value());
-  EXPECT_EQ(notes(), 2u);
 }
 
 }  // namespace
