@@ -289,6 +289,15 @@ Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, stor
   return result;
 }
 
+RunResult play_quietly(const ChaosStory& story, const PlayOptions& options) {
+  story::Narrator narrator(stdout, story::Narrator::Style::silent);
+  const Result<RunResult> played = play(story, options, narrator);
+  if (played) return *played;
+  RunResult failed;
+  failed.why = describe(played.error());
+  return failed;
+}
+
 std::string line_of(const RunResult& result) {
   constexpr const char* words[] = {"reached", "refused", "FAILED"};
   std::string line = fmt::format("{:<7}  {:6.1f} s  {:5.1f}x", words[static_cast<int>(result.kind)], result.cell_s,

@@ -8,6 +8,7 @@
 // After the fault phase all is well and nobody interferes: within `patience` a goal has then ended, or the run hangs.
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,6 +36,8 @@ struct RunResult {
   double cell_s = 0;
   double cpu_s = 0;
   Coverage coverage;
+
+  bool has_failed() const { return kind == Kind::failed; }
 };
 
 struct PlayOptions {
@@ -45,6 +48,10 @@ struct PlayOptions {
 
 // Failures: those of the cell's domain, and of writing the film.
 Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, story::Narrator& narrator);
+// The same without a word. What fails to be played is a run that failed.
+RunResult play_quietly(const ChaosStory& story, const PlayOptions& options);
+// Of this machine's time, however loaded it is. The cell's own time bounds each run.
+constexpr std::chrono::seconds longest_run(600);
 
 // "reached", "refused", "failed"; for people.
 std::string line_of(const RunResult& result);

@@ -62,6 +62,7 @@ Observers::Observers(ChaosCell& cell, const story::Judge& judge, Tell tell, std:
       judge_(judge),
       tell_(std::move(tell)),
       is_quiet_(std::move(is_quiet)),
+      kept_(cell, [this](std::string sentence) { add_unsafe(std::move(sentence)); }),
       arm_(cell, [this](std::string sentence) { add_unsafe(std::move(sentence)); }),
       beliefs_(camera_mm(cell), judge, [this](std::string sentence) { add_unsafe(std::move(sentence)); }) {}
 
@@ -132,7 +133,7 @@ void Observers::look_at_board() {
   if (cell_.board_lives() != board_lives_) {
     board_lives_ = cell_.board_lives();
     coverage_.hit("cell board-lived-again");
-    check_marks();
+    kept_.check_marks();
   }
   std::vector<Datum> events = facts_of(board, "(event ? ? ? ?)");
   std::ranges::sort(events, {}, [](const Datum& event) { return event[1].integer(); });
@@ -146,17 +147,7 @@ void Observers::look_at_board() {
   if (action != arm_action_ && is_reason) coverage_.hit("arm " + action);
   arm_action_ = action;
   look_at_presence();
-  look_at_plan();
-}
-
-// The planner has the board keep a plan before it tells of it. A plan that the disk has no space for is carried out all
-// the same.
-void Observers::look_at_plan() {
-  const simulated::SimulatedDisk& disk = cell_.disk();
-  disk_failed_ = disk_failed_ || disk.fails() || disk.free_bytes() < disk.plenty / 2;
-  const bool is_told_of = !facts_of(cell_.board(), "(planner planned ?)").empty();
-  const bool was_kept = std::exchange(plan_is_kept_, !is_told_of || !facts_of(cell_.board(), "(plan ? ?)").empty());
-  if (was_kept && !plan_is_kept_ && !disk_failed_) add_unsafe("the board does not keep the plan that the planner has");
+  kept_.look();
 }
 
 void Observers::note_event(const Datum& event) {
@@ -185,13 +176,6 @@ void Observers::look_at_presence() {
     const Change change = present_.look(kind, life, fact_id_of(cell_.board(), pattern));
     if (change == Change::came && life > 1) coverage_.hit("cell agent-lived-again");
     if (change == Change::went && was_present && cell_.runs(kind)) coverage_.hit("cell lease-lapsed");
-  }
-}
-
-void Observers::check_marks() {
-  for (const std::int64_t mark : marks_) {
-    if (!facts_of(cell_.board(), list("chaos-mark"_sym, mark)).empty()) continue;
-    add_unsafe(fmt::format("the board lost mark {}, which it had said it keeps", mark));
   }
 }
 

@@ -8,13 +8,11 @@
 //   observers.acknowledged(7);                  // the board said that it keeps (chaos-mark 7)
 //   observers.unsafe();                         // a sentence each
 //
-// Looked for here: something lost that was acknowledged as durable; a plan that the planner tells of and the board does
-// not keep; a goal said to be reached that the world does not show. Of motions: arm_observer.hpp. Of what is believed:
-// belief_observer.hpp.
+// Looked for here: a goal said to be reached that the world does not show. Of motions: arm_observer.hpp. Of what is
+// believed: belief_observer.hpp. Of what the board must keep: kept_observer.hpp.
 
 #include <deque>
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +20,7 @@
 #include "programs/chaos/belief_observer.hpp"
 #include "programs/chaos/chaos_cell.hpp"
 #include "programs/chaos/coverage.hpp"
+#include "programs/chaos/kept_observer.hpp"
 #include "programs/chaos/present_agents.hpp"
 #include "programs/chaos/world_news.hpp"
 #include "programs/story/judge.hpp"
@@ -38,11 +37,11 @@ class Observers {
   Observers& operator=(const Observers&) = delete;
 
   void begin();
-  void acknowledged(std::int64_t mark) { marks_.insert(mark); }
+  void acknowledged(std::int64_t mark) { kept_.acknowledged(mark); }
   // Whether the world showed these facts at some time lately.
   bool showed_lately(const std::vector<Datum>& goal) const;
   // Compares the facts on the board with those that were acknowledged.
-  void check_marks();
+  void check_marks() const { kept_.check_marks(); }
   void add_unsafe(std::string sentence);
   const std::vector<std::string>& unsafe() const { return unsafe_; }
   const Coverage& coverage() const { return coverage_; }
@@ -59,7 +58,6 @@ class Observers {
   void look_at_board();
   void note_event(const Datum& event);
   void look_at_presence();
-  void look_at_plan();
   void look_at_beliefs(double opening_mm);
   bool are_all_present() const;
 
@@ -69,7 +67,6 @@ class Observers {
   const std::function<bool()> is_quiet_;
   Coverage coverage_;
   std::vector<std::string> unsafe_;
-  std::set<std::int64_t> marks_;
   std::deque<Moment> lately_;
   story::WorldState newest_;
   WorldNews world_news_;
@@ -77,10 +74,9 @@ class Observers {
   int board_lives_ = 1;
   PresentAgents present_;
   std::string arm_action_;
-  bool disk_failed_ = false;  // at some time of this run
-  bool plan_is_kept_ = true;
   std::vector<Datum> looks_;  // the newest
   Time looked_{};             // when it came
+  KeptObserver kept_;
   ArmObserver arm_;
   BeliefObserver beliefs_;
   Job looking_;

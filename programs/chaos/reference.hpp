@@ -8,7 +8,7 @@
 //
 // A line each: "runs 200", "first-seed 1", "failed 3", "unsafe 0", "hung 0", and then "POINT COUNT".
 
-#include "programs/chaos/swarm.hpp"
+#include "programs/chaos/tally.hpp"
 
 namespace pizarra::chaos {
 

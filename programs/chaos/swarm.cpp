@@ -2,17 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <numeric>
 
+#include "programs/chaos/shrink.hpp"
 #include "programs/story/seed_pool.hpp"
 
 namespace pizarra::chaos {
 
 namespace {
-
-constexpr int most_shrinking_runs = 40;
-// Of this machine's time, however loaded it is. The cell's own time bounds each run.
-constexpr std::chrono::seconds longest_run(600);
 
 struct Outcome {
   RunResult result;
@@ -20,17 +16,6 @@ struct Outcome {
   std::size_t faults = 0;
   bool shrunk = false;
 };
-
-bool has_failed(const RunResult& result) { return result.kind == RunResult::Kind::failed; }
-
-RunResult play_quietly(const ChaosStory& story, const PlayOptions& options) {
-  story::Narrator narrator(stdout, story::Narrator::Style::silent);
-  const Result<RunResult> played = play(story, options, narrator);
-  if (played) return *played;
-  RunResult failed;
-  failed.why = describe(played.error());
-  return failed;
-}
 
 // As a worker says it: a line of numbers, the reason, the faults that fail, the coverage.
 std::string word_of(const Outcome& outcome) {
@@ -76,51 +61,14 @@ Heard heard_from(const story::SeedPool::Answer& answer) {
   return heard;
 }
 
-void count(Tally& tally, const RunResult& result) {
-  ++tally.runs;
-  if (result.kind == RunResult::Kind::reached) ++tally.reached;
-  if (result.kind == RunResult::Kind::refused) ++tally.refused;
-  if (has_failed(result)) ++tally.failed;
-  if (!result.unsafe.empty()) ++tally.unsafe;
-  if (result.hung) ++tally.hung;
-  tally.cell_s += result.cell_s;
-  tally.cpu_s += result.cpu_s;
-  tally.coverage.add(result.coverage);
-}
-
 }  // namespace
-
-std::vector<std::size_t> shrink(const ChaosStory& story, const std::string& plant) {
-  std::vector<std::size_t> fewest(story.faults.size());
-  std::iota(fewest.begin(), fewest.end(), 0);
-  int runs = 0;
-  for (std::size_t part = (fewest.size() + 1) / 2; part > 0;) {
-    bool smaller = false;
-    for (std::size_t from = 0; from < fewest.size() && runs < most_shrinking_runs;) {
-      std::vector<std::size_t> without = fewest;
-      const std::size_t to = std::min(from + part, without.size());
-      without.erase(without.begin() + static_cast<std::ptrdiff_t>(from),
-                    without.begin() + static_cast<std::ptrdiff_t>(to));
-      ++runs;
-      if (has_failed(play_quietly(story, {.faults = without, .plant = plant}))) {
-        fewest = without;
-        smaller = true;
-      } else {
-        from += part;
-      }
-    }
-    if (!smaller || part > 1) part = part == 1 ? 0 : (part + 1) / 2;
-    if (runs >= most_shrinking_runs) break;
-  }
-  return fewest;
-}
 
 Tally run_swarm(const SwarmOptions& options, std::FILE* out) {
   const auto work = [&](std::uint64_t seed) {
     const ChaosStory story = draw_story(options.cell, seed, options.only);
     Outcome outcome{
         .result = play_quietly(story, {.plant = options.plant}), .fewest = {}, .faults = story.faults.size()};
-    if (options.shrink && has_failed(outcome.result)) {
+    if (options.shrink && outcome.result.has_failed()) {
       outcome.fewest = shrink(story, options.plant);
       outcome.shrunk = true;
     }
@@ -134,47 +82,20 @@ Tally run_swarm(const SwarmOptions& options, std::FILE* out) {
                        work);
   const story::SeedPool::End end = pool.run([&](std::uint64_t seed, const story::SeedPool::Answer& answer) {
     const Heard heard = heard_from(answer);
-    count(tally, heard.result);
+    tally.count(heard.result);
     const std::vector<std::string> special = special_about(draw_story(options.cell, seed, options.only).cell);
     const std::string of = special.empty() ? "" : fmt::format("  ({})", fmt::join(special, ", "));
     fmt::print(out, "seed {:6}  {}{}\n", seed, line_of(heard.result), of);
-    if (has_failed(heard.result)) {
+    if (heard.result.has_failed()) {
       const std::string fewest = heard.fewest.empty() ? "none" : heard.fewest;
       const std::string faults = heard.shrunk ? " --faults " + fewest : "";
       fmt::print(out, "             ./pizarra chaos --replay {}{}{}\n", seed, options.replay_with, faults);
     }
     std::fflush(out);
-    return !options.stop_at_failure || !has_failed(heard.result);
+    return !options.stop_at_failure || !heard.result.has_failed();
   });
   tally.whole = end == story::SeedPool::End::heard;
   return tally;
 }
-
-PlantSearch find_plant(const SwarmOptions& options) {
-  const auto work = [&](std::uint64_t seed) -> std::string {
-    const ChaosStory story = draw_story(options.cell, seed, options.only);
-    const bool fails = has_failed(play_quietly(story, {.plant = options.plant}));
-    return fails && !has_failed(play_quietly(story, {})) ? "found" : "not";
-  };
-  PlantSearch search;
-  story::SeedPool pool(
-      {.first = options.first_seed, .seeds = options.runs, .jobs = options.jobs, .longest = 2 * longest_run}, work);
-  const story::SeedPool::End end = pool.run([&](std::uint64_t seed, const story::SeedPool::Answer& answer) {
-    // A plant that brings a whole run down is found too.
-    const bool is_found = answer.text == "found" || !answer.trouble.empty();
-    if (is_found) search.found_by = seed - options.first_seed + 1;
-    return !is_found;
-  });
-  search.whole = end == story::SeedPool::End::heard;
-  return search;
-}
-
-std::string last_line(const Tally& tally) {
-  return fmt::format("chaos runs {} reached {} refused {} failed {} unsafe {} hung {} unreached {}", tally.runs,
-                     tally.reached, tally.refused, tally.failed, tally.unsafe, tally.hung,
-                     tally.coverage.unreached().size());
-}
-
-bool passes(const Tally& tally) { return tally.unsafe == 0 && 100 * tally.failed <= tally.runs; }
 
 }  // namespace pizarra::chaos

@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 #include <optional>
 
+#include "programs/chaos/plant_search.hpp"
 #include "programs/chaos/plants.hpp"
 #include "programs/chaos/reference.hpp"
+#include "programs/chaos/swarm.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/story/output_file.hpp"
