@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "agents/coordinator/pursue/wish.hpp"
+#include "agents/coordinator/pursue/staged_goal.hpp"
 #include "agents/planner/judge/breadth_first.hpp"
 
 namespace pizarra::story {
@@ -40,9 +40,9 @@ std::vector<Datum> folded(const std::vector<Datum>& facts) {
 std::vector<Datum> wanted_in_the_end(const std::vector<Datum>& goal) {
   std::vector<Datum> normal;
   for (const Datum& form : goal) normal.push_back(forms::without_variables(form));
-  const coordinator::Wish wish = coordinator::wish_of(normal);
-  if (wish.stages.empty()) return {};
-  return wish.stages.back();
+  const coordinator::StagedGoal staged = coordinator::staged_goal_of(normal);
+  if (staged.stages.empty()) return {};
+  return staged.stages.back();
 }
 
 Datum named_small(const Datum& form) {

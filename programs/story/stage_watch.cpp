@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "agents/coordinator/pursue/wish.hpp"
+#include "agents/coordinator/pursue/staged_goal.hpp"
 #include "agents/runtime/follow.hpp"
 #include "lisp/writer.hpp"
 
@@ -25,7 +25,7 @@ std::string number_of(const Stages& stages, std::size_t stage) {
 }  // namespace
 
 std::string words_of_the_end(const std::vector<Datum>& goal) {
-  const Stages stages = coordinator::wish_of(goal).stages;
+  const Stages stages = coordinator::staged_goal_of(goal).stages;
   if (stages.empty()) return {};
   const std::string words = words_of(stages.back());
   return stages.size() == 1 ? words : number_of(stages, stages.size() - 1) + ": " + words;
@@ -33,7 +33,7 @@ std::string words_of_the_end(const std::vector<Datum>& goal) {
 
 void StageWatch::begin(std::int64_t goal, const std::vector<Datum>& forms) {
   job_ = Job();
-  stages_ = coordinator::wish_of(forms).stages;
+  stages_ = coordinator::staged_goal_of(forms).stages;
   shown_.assign(stages_.empty() ? 0 : stages_.size() - 1, std::nullopt);
   if (shown_.empty()) return;
   const Datum later = list("goal-state"_sym, goal, "running"_sym, list("stage"_sym, "?"_sym));

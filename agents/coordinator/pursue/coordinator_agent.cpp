@@ -66,7 +66,7 @@ struct Life {
   TaskRunner runner;
   Rescues rescues;
   CameraSurvey survey;
-  GoalFacts goal;
+  GoalInHand goal;
   PlanInHand plan;
   Differences differences;
   HeadSearch head_search;

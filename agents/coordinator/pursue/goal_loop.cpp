@@ -51,27 +51,27 @@ Task<void> GoalLoop::run() {
 }
 
 Task<Result<void>> GoalLoop::pursue(Goal goal) {
-  const Wish wish = wish_of(goal.facts);
-  if (wish.keeps) {
-    const Result<void> ended = co_await keep(goal, wish);
+  const StagedGoal staged = staged_goal_of(goal.facts);
+  if (staged.keeps) {
+    const Result<void> ended = co_await keep(goal, staged);
     co_return ended;
   }
-  const Result<void> outcome = co_await pursue_stages(goal, wish);
+  const Result<void> outcome = co_await pursue_stages(goal, staged);
   co_return outcome;
 }
 
-Task<Result<void>> GoalLoop::pursue_stages(Goal goal, Wish wish) {
-  for (std::size_t i = goal.stage; i < wish.stages.size(); ++i) {
-    const Goal stage{goal.number, wish.stages[i], i};
+Task<Result<void>> GoalLoop::pursue_stages(Goal goal, StagedGoal staged) {
+  for (std::size_t i = goal.stage; i < staged.stages.size(); ++i) {
+    const Goal stage{goal.number, staged.stages[i], i};
     const bool is_later = i > goal.stage;
     if (is_later) {
-      std::string sentence = fmt::format("stage {} of {} holds; the next:", i, wish.stages.size());
-      for (const Datum& form : wish.stages[i]) sentence += ' ' + write(form);
+      std::string sentence = fmt::format("stage {} of {} holds; the next:", i, staged.stages.size());
+      for (const Datum& form : staged.stages[i]) sentence += ' ' + write(form);
       plan_.forget();
       const Datum detail = told_in_stage(stage, Datum());
       co_await goal_.tell_progress(goal.number, "running", detail, "goal", sentence);
     }
-    const Result<void> done = co_await pursue_patiently(stage, wish.patience);
+    const Result<void> done = co_await pursue_patiently(stage, staged.patience);
     if (!done) co_return done;
   }
   co_return Result<void>();
@@ -116,12 +116,12 @@ Task<Result<void>> GoalLoop::await_missing(Goal goal, Failure missing, Duration 
 }
 
 // It ends only when another goal, or none, is wanted.
-Task<Result<void>> GoalLoop::keep(Goal goal, Wish wish) {
+Task<Result<void>> GoalLoop::keep(Goal goal, StagedGoal staged) {
   const Datum nothing;
   Failure told;
   bool holds = false;
   while (true) {
-    const Result<void> done = co_await pursue_stages(goal, wish);
+    const Result<void> done = co_await pursue_stages(goal, staged);
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     if (!done) {
       holds = false;
@@ -137,7 +137,7 @@ Task<Result<void>> GoalLoop::keep(Goal goal, Wish wish) {
     while (holds && !vigil_.interrupted()) {
       co_await sleep(context_.executor, watch_pause);
       const std::vector<Datum> lost =
-          forms::unmet_parts(wish.stages.front(), surroundings_.beliefs(), planning_.objects());
+          forms::unmet_parts(staged.stages.front(), surroundings_.beliefs(), planning_.objects());
       if (lost.empty()) continue;
       holds = false;
       co_await differences_.tell(lost, "the goal that is kept");

@@ -8,14 +8,14 @@
 //   Job job = executor.spawn(loop.run());
 
 #include "agents/coordinator/pursue/pursuit.hpp"
-#include "agents/coordinator/pursue/wish.hpp"
+#include "agents/coordinator/pursue/staged_goal.hpp"
 
 namespace pizarra::coordinator {
 
 class GoalLoop {
  public:
   GoalLoop(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Eyes& eyes,
-           Planning& planning, PlanInHand& plan, Differences& differences, GoalFacts& goal, Pursuit& pursuit,
+           Planning& planning, PlanInHand& plan, Differences& differences, GoalInHand& goal, Pursuit& pursuit,
            Vigil& vigil)
       : context_(context),
         options_(options),
@@ -34,11 +34,11 @@ class GoalLoop {
  private:
   // All of its stages, and for ever where it is to be kept.
   Task<Result<void>> pursue(Goal goal);
-  Task<Result<void>> pursue_stages(Goal goal, Wish wish);
+  Task<Result<void>> pursue_stages(Goal goal, StagedGoal staged);
   // Waits for what is missing, as often as something is, as long as its patience lasts each time.
   Task<Result<void>> pursue_patiently(Goal goal, Duration patience);
   Task<Result<void>> await_missing(Goal goal, Failure missing, Duration patience);
-  Task<Result<void>> keep(Goal goal, Wish wish);
+  Task<Result<void>> keep(Goal goal, StagedGoal staged);
   // Until something changes that a kept goal which cannot be had may be tried again after. The failure that stands
   // told, so that it is told once.
   Task<Failure> keep_in_mind(std::int64_t goal, Failure why, Failure told);
@@ -54,7 +54,7 @@ class GoalLoop {
   Planning& planning_;
   PlanInHand& plan_;
   Differences& differences_;
-  GoalFacts& goal_;
+  GoalInHand& goal_;
   Pursuit& pursuit_;
   Vigil& vigil_;
 };

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "agents/coordinator/act/rescues.hpp"
-#include "agents/coordinator/pursue/goal_facts.hpp"
+#include "agents/coordinator/pursue/goal_in_hand.hpp"
 #include "agents/coordinator/pursue/head_search.hpp"
 #include "agents/coordinator/pursue/plan_in_hand.hpp"
 

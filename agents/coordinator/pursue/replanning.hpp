@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/coordinator/pursue/goal_facts.hpp"
+#include "agents/coordinator/pursue/goal_in_hand.hpp"
 #include "agents/coordinator/pursue/object_search.hpp"
 
 namespace pizarra::coordinator {

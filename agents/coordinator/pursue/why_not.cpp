@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/perceive/missing_objects.hpp"
-#include "agents/coordinator/pursue/wish.hpp"
+#include "agents/coordinator/pursue/staged_goal.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
@@ -59,7 +59,7 @@ std::optional<std::vector<Datum>> nearest_of(const std::vector<forms::GoalLitera
 Task<Result<std::vector<std::string>>> WhyNot::tell(std::vector<Datum> goal) {
   const Result<void> looked = co_await look();
   if (!looked) co_return fail(looked);
-  const std::vector<std::vector<Datum>> stages = wish_of(goal).stages;
+  const std::vector<std::vector<Datum>> stages = staged_goal_of(goal).stages;
   Outset outset{surroundings_.beliefs(), Outset::Kind::seen};
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < stages.size(); ++i) {

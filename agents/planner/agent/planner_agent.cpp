@@ -4,10 +4,10 @@
 #include <mutex>
 #include <optional>
 
-#include "agents/planner/agent/goal_plan.hpp"
 #include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/agent/replanner.hpp"
 #include "agents/planner/agent/running_plan.hpp"
+#include "agents/planner/agent/shortest_way.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/away.hpp"
 #include "blackboard/time/turns.hpp"
@@ -51,7 +51,7 @@ struct Search {
   std::shared_ptr<SharedReplanner> shared;
   Budget budget;
   std::atomic<bool> abandoned = false;
-  Result<GoalPlan> result = GoalPlan{};
+  Result<ShortestWay> result = ShortestWay{};
 };
 
 std::shared_ptr<Search> search_for(std::vector<PlanningOperator> operators, PlanningFacts facts, Budget budget,
@@ -68,7 +68,7 @@ std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search
   return [search = std::move(search)](const std::function<bool()>& cancelled) {
     const auto stopped = [&] { return search->abandoned || cancelled(); };
     const std::lock_guard<std::mutex> mine(search->shared->in_use);
-    search->result = plan_goal(search->shared->replanner, search->task, search->goals, search->budget, stopped);
+    search->result = plan_shortest_way(search->shared->replanner, search->task, search->goals, search->budget, stopped);
   };
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/objects/mark_choice.hpp"
 #include "lisp/numbers.hpp"
 
 namespace pizarra::vision {

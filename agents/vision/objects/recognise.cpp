@@ -2,114 +2,71 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "agents/vision/objects/shape_doubt.hpp"
 
 namespace pizarra::vision {
 namespace {
 
-// Of the squared cosines of two faces of one cube, with what their measuring adds.
-constexpr double most_facing = 1.2;
-// How much print_contrast() differs between two prints of one ink on one ground: a standard deviation; and how often a
-// lamp's reflection makes one as faint as may be. Measured of 5,100 photographed marks: nine in ten lay within 0.25 of
-// the others, but for those in a reflection.
-constexpr double print_spread = 0.25;
-constexpr double reflected_share = 0.02;
-
-// How likely a fainter print is the same one, 1 where it is no fainter.
-double share_by_print(const SeenMark& mark, const SeenMark& found) {
-  const double fainter = std::max(0.0, print_contrast(found) - print_contrast(mark)) / print_spread;
-  return std::lerp(std::exp(-fainter * fainter / 2), 1.0, reflected_share);
+// The square root of an error is a distance: who is as far from the object as the second and the mark together, and
+// whoever comes after it, is no nearer to the mark than the second.
+void find_second(const SeenMark& mark, const MarkMatch& match, const LearnedObjects& objects,
+                 const LearnedObject& object, Likeness& out) {
+  for (const LearnedObject::Rival& rival : object.rivals[match.blur]) {
+    const double distance = std::max(0.0, std::sqrt(rival.error) - std::sqrt(match.shape_error));
+    if (distance * distance >= out.second_error) return;
+    const LearnedObject& other = objects.all()[rival.index];
+    if (distance * distance + roundness_error(mark, other) >= out.second_error) continue;
+    const double error = recognition_error(mark, other);
+    if (error >= out.second_error) continue;
+    out.second = &other;
+    out.second_error = error;
+  }
 }
 
 }  // namespace
 
-bool may_be_one_cube(const SeenMark& a, const SeenMark& b, double front_slimness) {
-  if (cv::norm(a.centre - b.centre) >= neighbour_heights * std::max(a.height_px, b.height_px)) return false;
-  if (front_slimness < least_round) return true;
-  const auto facing = [&](const SeenMark& mark) { return std::min(1.0, mark.slimness / front_slimness); };
-  return facing(a) * facing(a) + facing(b) * facing(b) < most_facing;
+double recognition_error(const SeenMark& mark, const LearnedObject& object) { return match_of(mark, object).error; }
+
+std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedObject& object) {
+  const MarkMatch match = match_of_another_size(mark, object);
+  if (match.error > recognition_threshold || shape_doubt(mark, match).doubt > 1) return std::nullopt;
+  return scale_of(mark, *match.sample);
 }
 
-double front_slimness(const LearnedObject& object) {
-  double least = 1;
-  for (const LearnedSample& sample : object.samples) {
-    if (!sample.tag) least = std::min(least, sample.slimness);
-  }
-  return least;
+bool Likeness::is_ambiguous() const { return second != nullptr && margin() < least_margin; }
+
+double Likeness::confidence() const {
+  const double ahead_of_second = second == nullptr ? 0 : std::exp(-margin() / error_scale);
+  const double ahead_of_unlike = std::exp(-(recognition_threshold - error) / error_scale);
+  const double ahead_of_unlearned = std::exp(-(1 - unlearned) / doubt_scale);
+  return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned + twins);
 }
 
-const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                            const LearnedObject& object, std::optional<cv::Point2d> seen_last) {
-  struct Candidate {
-    const SeenMark* mark;
-    double error;
-  };
-  std::vector<Candidate> recognised;
-  for (const SeenMark& mark : marks) {
-    const std::optional<Likeness> likely = recognise(mark, objects, object);
-    if (likely) recognised.push_back({&mark, likely->error});
-  }
-  if (recognised.empty()) return nullptr;
-  const Candidate likest = *std::ranges::min_element(recognised, {}, &Candidate::error);
-  std::erase_if(recognised, [&](const Candidate& other) { return other.error - likest.error >= least_margin; });
-  if (seen_last) {
-    const auto away = [&](const Candidate& candidate) { return cv::norm(candidate.mark->centre - *seen_last); };
-    return std::ranges::min_element(recognised, {}, away)->mark;
-  }
-  const double reach_px = neighbour_heights * likest.mark->height_px;
-  const SeenMark* best = likest.mark;
-  for (const Candidate& other : recognised) {
-    const bool near = cv::norm(other.mark->centre - likest.mark->centre) < reach_px;
-    if (near && other.mark->area_px > best->area_px) best = other.mark;
-  }
-  return best;
-}
-
-std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                                     const LearnedObject& object, const SeenMark& found) {
-  std::vector<cv::Point2d> out;
-  for (const SeenMark& mark : marks) {
-    if (!found.box.contains(mark.centre) && is_recognised(mark, objects, object)) out.push_back(mark.centre);
-  }
+Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  const MarkMatch match = match_of(mark, object);
+  const ShapeDoubt shape = shape_doubt(mark, match);
+  Likeness out{.error = match.error, .doubt = shape.doubt, .unlearned = shape.unlearned, .turn = match.turn};
+  find_second(mark, match, objects, object, out);
   return out;
 }
 
-double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& objects, const LearnedObject& object,
-                const SeenMark& found) {
-  const double error = recognition_error(found, object);
-  const double front = front_slimness(object);
-  double out = 0;
-  for (const SeenMark& mark : marks) {
-    if (found.box.contains(mark.centre) || may_be_one_cube(found, mark, front)) continue;
-    const std::optional<Likeness> likely = recognise(mark, objects, object);
-    if (likely) out += share_by_print(mark, found) * std::exp(-std::max(0.0, likely->error - error) / error_scale);
-  }
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object,
+                                  std::optional<int> last_turn) {
+  const MarkMatch match = match_of(mark, object, last_turn);
+  Likeness out{.error = match.error, .turn = match.turn};
+  if (out.error > recognition_threshold) return std::nullopt;
+  const ShapeDoubt shape = shape_doubt(mark, match);
+  out.doubt = shape.doubt;
+  out.unlearned = shape.unlearned;
+  if (out.doubt > 1) return std::nullopt;
+  find_second(mark, match, objects, object, out);
+  if (out.is_ambiguous()) return std::nullopt;
   return out;
 }
 
-bool are_partners(const SeenMark& left, const SeenMark& right) {
-  const double scale = right.height_px / left.height_px;
-  const double area = right.area_px / left.area_px;
-  return left.tone == right.tone && std::abs(left.centre.y - right.centre.y) < 1.0 &&
-         left.centre.x > right.centre.x + 1 && scale > 0.9 && scale < 1.1 && area > 0.75 && area < 1.33 &&
-         signature_error(left.signature, right.signature) < recognition_threshold;
-}
-
-const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
-                             std::optional<double> disparity_px) {
-  const SeenMark* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const SeenMark& mark : right) {
-    if (!are_partners(left, mark)) continue;
-    const double disparity = left.centre.x - mark.centre.x;
-    const double error =
-        disparity_px ? std::abs(disparity - *disparity_px) : signature_error(left.signature, mark.signature);
-    if (error < least) {
-      least = error;
-      best = &mark;
-    }
-  }
-  return best;
+bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  return recognise(mark, objects, object).has_value();
 }
 
 }  // namespace pizarra::vision

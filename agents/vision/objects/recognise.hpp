@@ -1,48 +1,55 @@
 #pragma once
 
-// Which of the marks in an image an object is: the choice among those that are recognised as it (likeness.hpp), and
-// which mark of the right image is the same. The second and third stage of the thesis' find; the first, candidates over
-// the image, is ImageSegmentation.
+// Finds the learned object that a seen mark is: it matches with no more doubt than noise makes, and clearly better than
+// every other.
 //
-//   const SeenMark* found = find_object(segmentation.marks(), objects, *objects.find("circle"));
-//   const SeenMark* partner = find_partner(*found, right_segmentation.marks(), {});
+//   const Likeness likely = likeness(mark, objects, *objects.find("circle"));
+//   if (recognise(mark, objects, circle)) likely.confidence();
 
-#include "agents/vision/objects/likeness.hpp"
+#include "agents/vision/objects/mark_match.hpp"
 
 namespace pizarra::vision {
 
-// Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
-inline constexpr double neighbour_heights = 8;
+double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
-// Whether the two may be on two faces of one cube, which are near each other and both seen aslant: by the cosines of
-// the angles from which they are seen, whose squares no cube's two faces bring above 1. Where the slimness that
-// they have from the front hides from where they are seen, nearness alone counts.
-bool may_be_one_cube(const SeenMark& a, const SeenMark& b, double front_slimness);
-// The least of its samples; 1 of a tag.
-double front_slimness(const LearnedObject& object);
+// Of a mark that would be the object but for its size: how many times as high it is as the sample it is most like.
+std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedObject& object);
 
-// The mark that is the object: of those that are as like it as the likest the one nearest to where it was seen last.
-// Where that is not given, the likest; but of those within one cube's width, which may be two faces of the cube, the
-// largest. Null: none.
-const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                            const LearnedObject& object, std::optional<cv::Point2d> seen_last = {});
+// How much a mark is like an object, and the learned object that it is most like otherwise.
+struct Likeness {
+  double error = 0;
+  // How much the mark's picture, outline and the grey of its middle differ from those of the likest sample. 1 is what
+  // noise, blur and a turned face may make of them; a mark above that is something unlearned.
+  double doubt = 0;
+  // The same as a part of what it may be without being as much as other shapes differ by: no less than the doubt, and
+  // more in noise that would hide these.
+  double unlearned = 0;
+  int turn = 0;                                 // of that sample, of TurnedSignatures::turns
+  const LearnedObject* second = nullptr;        // null: the mark could be no other
+  double second_error = recognition_threshold;  // of that one
+  double twins = 0;                             // others in view that might as well be the object: twins_of()
+  // By how much the object is ahead, of the second or of what is none.
+  double margin() const { return second_error - error; }
+  // Whether it is neither for certain.
+  bool is_ambiguous() const;
+  // From 0 to 1: the object's share against the second, against what is unlike everything learned, against what is
+  // like it but unlearned, and against its twins. The first two count e times less for every hundredth of error that
+  // they are farther away, the third for every sixth that `unlearned` is below 1. One half: it might as well be
+  // another thing.
+  double confidence() const;
+};
+inline constexpr double least_margin = 0.005;
+// So much error makes something e times less likely.
+inline constexpr double error_scale = 0.01;
+// And so much doubt, 1 being as much as may be.
+inline constexpr double doubt_scale = 1.0 / 6;
 
-// Where else marks are recognised as the object: another one, another face of its cube, or something like it.
-std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                                     const LearnedObject& object, const SeenMark& found);
+Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
-// How many of these there are. Each counts e times less for every hundredth of error that it is less like the object.
-// It counts less where its print is fainter than that of the one that was found. Another face of the same cube does
-// not count.
-double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& objects, const LearnedObject& object,
-                const SeenMark& found);
-
-// The partner of a left mark in the right image: same tone, line, size and shape, to the left of it and nearest to the
-// expected disparity where one is given. Null: none.
-const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
-                             std::optional<double> disparity_px);
-
-// Whether the two can be views of one mark.
-bool are_partners(const SeenMark& left, const SeenMark& right);
+// The likeness of a mark that is this object rather than nothing or any other learned one.
+// Sooner where `last_turn` tells about how it is turned.
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object,
+                                  std::optional<int> last_turn = {});
+bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
 }  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "agents/vision/objects/likeness.hpp"
+#include "agents/vision/objects/recognise.hpp"
 
 namespace pizarra::vision {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/objects/mark_choice.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 

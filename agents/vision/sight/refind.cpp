@@ -5,7 +5,7 @@
 #include <complex>
 #include <opencv2/imgproc.hpp>
 
-#include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/objects/mark_choice.hpp"
 
 namespace pizarra::vision {
 namespace {

@@ -14,7 +14,7 @@
 #include "agents/vision/marks/edge_chains.hpp"
 #include "agents/vision/marks/segmentation.hpp"
 #include "agents/vision/marks/tag_detection.hpp"
-#include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/objects/mark_choice.hpp"
 #include "agents/vision/sight/plane_view.hpp"
 #include "agents/vision/sight/stereo.hpp"
 

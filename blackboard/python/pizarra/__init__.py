@@ -8,10 +8,11 @@ One module is one idea:
     board, aio                      the board, for one thing after another and for asyncio
     watch, aio_watch                changes and images, as they come
     presence, contract, agent       an agent: who is there, what it offers, and the loop around it
-    patterns                        how agents meet: QUERY, SEND, pull, EVENT, WIRING
+    agent_patterns                  how agents meet: QUERY, SEND, pull, EVENT, WIRING
     replica, stream                 facts that are held here; images
     look                            what a detector of one's own tells
-    session, requests, leases, feed, link, addresses, keys, calls, flow, service, loop      what these stand on
+    session, session_requests, board_calls, watch_feed, leases, link, addresses, keys, flow, service, loop
+                                    what these stand on
 
 It needs Debian's python3-zmq; images as arrays need python3-numpy.
 """
@@ -25,6 +26,7 @@ except ImportError as missing:
                       f"{sys.executable} -m pip install pyzmq") from missing
 
 from pizarra.agent import Agent
+from pizarra.agent_patterns import Holder
 from pizarra.aio import AsyncBoard
 from pizarra.aio_watch import AsyncStream, AsyncWatch
 from pizarra.answers import Answer, Answers, Change, Fact, Recalled
@@ -32,10 +34,9 @@ from pizarra.board import Board
 from pizarra.contract import Contract
 from pizarra.datum import Datum, Symbol
 from pizarra.failure import Failure
-from pizarra.patterns import Holder
 from pizarra.presence import Presence
 from pizarra.reader import read, read_all
-from pizarra.requests import Request
+from pizarra.session_requests import Request
 from pizarra.steps import absent, present, retract, settle, tell, unchanged
 from pizarra.stream import Frame
 from pizarra.watch import Stream, Watch

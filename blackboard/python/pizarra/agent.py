@@ -28,12 +28,12 @@ import signal
 import sys
 from typing import Any, Awaitable, Callable, Dict, Iterable, List, Optional, Tuple, TypeVar, Union
 
+from pizarra.agent_patterns import are_declared
 from pizarra.aio import AsyncBoard
 from pizarra.answers import Change, Fact
 from pizarra.contract import Contract, Operation
 from pizarra.datum import Symbol
 from pizarra.failure import AWAY, Failure
-from pizarra.patterns import are_declared
 from pizarra.presence import Presence
 from pizarra.service import Service
 

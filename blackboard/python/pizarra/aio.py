@@ -16,18 +16,18 @@ import os
 import time
 from typing import Any, Iterable, List, Optional, TypeVar, Union
 
-from pizarra import calls, patterns
+from pizarra import agent_patterns, board_calls
+from pizarra.agent_patterns import Holder
 from pizarra.aio_watch import AsyncStream, AsyncWatch
 from pizarra.answers import Answer, Answers, Fact, Recalled, query_of
-from pizarra.calls import Call
+from pizarra.board_calls import Call
 from pizarra.failure import Failure
 from pizarra.flow import Flow, Keep, Pause, Step, Until
 from pizarra.loop import Readable, wait
-from pizarra.patterns import Holder
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
-from pizarra.requests import Request
 from pizarra.session import Session
+from pizarra.session_requests import Request
 from pizarra.steps import tell
 
 T = TypeVar("T")
@@ -88,41 +88,41 @@ class AsyncBoard:
     # ---- facts
 
     async def declare(self, *relations: Any) -> None:
-        await self._call(calls.declare(relations))
+        await self._call(board_calls.declare(relations))
 
     async def transact(self, steps: Iterable[Any], preconditions: Iterable[Any] = ()) -> int:
         """The revision it happened at."""
-        return await self._call(calls.transact(steps, preconditions))
+        return await self._call(board_calls.transact(steps, preconditions))
 
     async def tell(self, fact: Any, lease: int = 0, because: Iterable[int] = ()) -> int:
         return await self.transact([tell(fact, lease, because)])
 
     async def retract(self, pattern: Any) -> int:
-        return await self._call(patterns.retraction(pattern))
+        return await self._call(agent_patterns.retraction(pattern))
 
     async def ask(self, query: Any) -> Answers:
-        return await self._call(calls.ask(query))
+        return await self._call(board_calls.ask(query))
 
     async def recall(self, query: Any) -> Recalled:
         """As ask(), and also from a board that may have been replaced: it says how old its answers may be."""
-        return await self._call(calls.recall(query))
+        return await self._call(board_calls.recall(query))
 
     async def take(self, pattern: Any, lease: int = 0) -> Optional[Fact]:
         """One fact that fits, which nobody else has then; it is put back when the lease ends before it was settled."""
-        return await self._call(calls.take(pattern, lease))
+        return await self._call(board_calls.take(pattern, lease))
 
     async def lease(self, seconds: float) -> int:
-        return await self._call(calls.lease(seconds))
+        return await self._call(board_calls.lease(seconds))
 
     async def renew(self, lease: int) -> None:
-        await self._call(calls.renew(lease))
+        await self._call(board_calls.renew(lease))
 
     def keep(self, lease: int, every: float = 0.5) -> None:
         """Renews it so often from now on, until the board ends; `every` 0: no longer."""
         self.session.leases.keep(lease, every)
 
     async def release(self, lease: int) -> None:
-        await self._call(calls.release(lease))
+        await self._call(board_calls.release(lease))
 
     def watch(self, query: Any) -> AsyncWatch:
         """A refusal is raised where its changes are awaited, or by `async with`."""
@@ -156,31 +156,31 @@ class AsyncBoard:
                 if change.added:
                     return change.added[0]
 
-    # ---- other agents (patterns.py)
+    # ---- other agents (agent_patterns.py)
 
     async def request(self, agent: str, operation: Any, timeout: float = 10.0) -> List[Any]:
         """QUERY: what the agent answers, without the `ok`."""
-        return await self.run(patterns.request(self.teller, agent, operation, timeout))
+        return await self.run(agent_patterns.request(self.teller, agent, operation, timeout))
 
     async def send(self, agent: str, operation: Any, lease: int = 0) -> None:
         """SEND: nobody waits for what the agent answers."""
-        await self.run(patterns.send(self.teller, agent, operation, lease))
+        await self.run(agent_patterns.send(self.teller, agent, operation, lease))
 
     async def pull(self, pattern: Any) -> Optional[Fact]:
         """The newest fact that fits."""
-        return await self.run(patterns.pull(pattern))
+        return await self.run(agent_patterns.pull(pattern))
 
     async def event(self, pattern: Any, timeout: float, lease: int = 0) -> Fact:
         """EVENT: one fact that fits is taken, now or when it comes."""
-        return await self.run(patterns.event(pattern, timeout, lease))
+        return await self.run(agent_patterns.event(pattern, timeout, lease))
 
     async def holder(self, client: str, role: str) -> Holder:
         """WIRING: who plays the role for the client at this moment."""
-        return await self.run(patterns.holder(client, role))
+        return await self.run(agent_patterns.holder(client, role))
 
     async def server(self, role: str) -> str:
         """WIRING: the agent that plays the role for this client."""
-        return await self.run(patterns.server(self.teller, role))
+        return await self.run(agent_patterns.server(self.teller, role))
 
     async def run(self, work: Union[Call[T], Flow[T]]) -> T:
         """A call, or a flow (flow.py)."""

@@ -11,9 +11,9 @@ import asyncio
 from typing import TYPE_CHECKING, Any, AsyncIterator, Optional
 
 from pizarra.answers import Change
-from pizarra.feed import WatchFeed
 from pizarra.loop import Readable, wait
 from pizarra.stream import Frame, StreamFeed
+from pizarra.watch_feed import WatchFeed
 
 if TYPE_CHECKING:
     from pizarra.aio import AsyncBoard

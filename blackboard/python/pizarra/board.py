@@ -16,16 +16,16 @@ import os
 import time
 from typing import Any, Callable, Iterable, List, Optional, TypeVar, Union
 
-from pizarra import calls, patterns
+from pizarra import agent_patterns, board_calls
+from pizarra.agent_patterns import Holder
 from pizarra.answers import Answer, Answers, Fact, Recalled, query_of
-from pizarra.calls import Call
+from pizarra.board_calls import Call
 from pizarra.failure import Failure
 from pizarra.flow import Flow, Keep, Pause, Step, Until
-from pizarra.patterns import Holder
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
-from pizarra.requests import Request
 from pizarra.session import Session
+from pizarra.session_requests import Request
 from pizarra.steps import tell
 from pizarra.watch import Stream, Watch
 
@@ -52,43 +52,43 @@ class Board:
     # ---- facts
 
     def declare(self, *relations: Any) -> None:
-        self._call(calls.declare(relations))
+        self._call(board_calls.declare(relations))
 
     def transact(self, steps: Iterable[Any], preconditions: Iterable[Any] = ()) -> int:
         """The revision it happened at."""
-        return self._call(calls.transact(steps, preconditions))
+        return self._call(board_calls.transact(steps, preconditions))
 
     def tell(self, fact: Any, lease: int = 0, because: Iterable[int] = ()) -> int:
         return self.transact([tell(fact, lease, because)])
 
     def retract(self, pattern: Any) -> int:
-        return self._call(patterns.retraction(pattern))
+        return self._call(agent_patterns.retraction(pattern))
 
     def ask(self, query: Any) -> Answers:
-        answers = self._call(calls.ask(query))
+        answers = self._call(board_calls.ask(query))
         self.revision = answers.revision
         return answers
 
     def recall(self, query: Any) -> Recalled:
         """As ask(), and also from a board that may have been replaced: it says how old its answers may be."""
-        return self._call(calls.recall(query))
+        return self._call(board_calls.recall(query))
 
     def take(self, pattern: Any, lease: int = 0) -> Optional[Fact]:
         """One fact that fits, which nobody else has then; it is put back when the lease ends before it was settled."""
-        return self._call(calls.take(pattern, lease))
+        return self._call(board_calls.take(pattern, lease))
 
     def lease(self, seconds: float) -> int:
-        return self._call(calls.lease(seconds))
+        return self._call(board_calls.lease(seconds))
 
     def renew(self, lease: int) -> None:
-        self._call(calls.renew(lease))
+        self._call(board_calls.renew(lease))
 
     def keep(self, lease: int, every: float = 0.5) -> None:
         """Renews it so often from now on, whenever a call lets the board be spoken with; `every` 0: no longer."""
         self.session.leases.keep(lease, every)
 
     def release(self, lease: int) -> None:
-        self._call(calls.release(lease))
+        self._call(board_calls.release(lease))
 
     def watch(self, query: Any) -> Watch:
         watch = Watch(self, query_of(query))
@@ -125,31 +125,31 @@ class Board:
                 if change.added:
                     return change.added[0]
 
-    # ---- other agents (patterns.py)
+    # ---- other agents (agent_patterns.py)
 
     def request(self, agent: str, operation: Any, timeout: float = 10.0) -> List[Any]:
         """QUERY: what the agent answers, without the `ok`."""
-        return self.run(patterns.request(self.teller, agent, operation, timeout))
+        return self.run(agent_patterns.request(self.teller, agent, operation, timeout))
 
     def send(self, agent: str, operation: Any, lease: int = 0) -> None:
         """SEND: nobody waits for what the agent answers."""
-        self.run(patterns.send(self.teller, agent, operation, lease))
+        self.run(agent_patterns.send(self.teller, agent, operation, lease))
 
     def pull(self, pattern: Any) -> Optional[Fact]:
         """The newest fact that fits."""
-        return self.run(patterns.pull(pattern))
+        return self.run(agent_patterns.pull(pattern))
 
     def event(self, pattern: Any, timeout: float, lease: int = 0) -> Fact:
         """EVENT: one fact that fits is taken, now or when it comes."""
-        return self.run(patterns.event(pattern, timeout, lease))
+        return self.run(agent_patterns.event(pattern, timeout, lease))
 
     def holder(self, client: str, role: str) -> Holder:
         """WIRING: who plays the role for the client at this moment."""
-        return self.run(patterns.holder(client, role))
+        return self.run(agent_patterns.holder(client, role))
 
     def server(self, role: str) -> str:
         """WIRING: the agent that plays the role for this client."""
-        return self.run(patterns.server(self.teller, role))
+        return self.run(agent_patterns.server(self.teller, role))
 
     def run(self, work: Union[Call[T], Flow[T]]) -> T:
         """A call, or a flow (flow.py)."""

@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import Any, Generator, NamedTuple, TypeVar, Union
 
 from pizarra.answers import Answer
-from pizarra.calls import Call
+from pizarra.board_calls import Call
 
 T = TypeVar("T")
 

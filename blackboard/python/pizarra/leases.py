@@ -10,7 +10,7 @@ import time
 from typing import Callable, Dict, NamedTuple, Optional
 
 from pizarra.failure import Failure
-from pizarra.requests import Request
+from pizarra.session_requests import Request
 
 
 class _Kept(NamedTuple):

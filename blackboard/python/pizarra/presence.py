@@ -18,7 +18,7 @@ import socket
 import time
 from typing import Any, Callable, List, Optional
 
-from pizarra import calls
+from pizarra import board_calls
 from pizarra.contract import Contract
 from pizarra.datum import Symbol
 from pizarra.failure import AWAY, Failure
@@ -50,7 +50,7 @@ class Presence:
         self._may_bind = bool(contract.offers)
 
     def come(self) -> Flow[None]:
-        yield from _until_reached(calls.declare(self.contract.relations), self.RETRY)
+        yield from _until_reached(board_calls.declare(self.contract.relations), self.RETRY)
         while not (yield from self._announce()):
             yield Pause(self.RETRY)
 
@@ -60,7 +60,7 @@ class Presence:
             return False
         try:
             # It changes nothing unless somebody retracted it: who lives is present.
-            yield from do(calls.transact(self._facts(self.lease)))
+            yield from do(board_calls.transact(self._facts(self.lease)))
             yield from self._bind()
         except Failure as failure:
             if failure.symbol == "unknown-lease":
@@ -74,7 +74,7 @@ class Presence:
         """The name is free at once."""
         yield Keep(self.lease, 0)
         try:
-            yield from do(calls.release(self.lease))
+            yield from do(board_calls.release(self.lease))
         except Failure as failure:
             if failure.symbol not in ("unknown-lease", *AWAY):
                 raise
@@ -83,13 +83,13 @@ class Presence:
         """One try to stand on the board under the agent's name; false where another one has it, or none answers."""
         lease = 0
         try:
-            lease = yield from do(calls.lease(self.LEASE))
+            lease = yield from do(board_calls.lease(self.LEASE))
             vacant = absent([Symbol("agent"), Symbol(self.name), Symbol("?"), Symbol("?")])
-            yield from do(calls.transact(self._facts(lease), [vacant]))
+            yield from do(board_calls.transact(self._facts(lease), [vacant]))
         except Failure as failure:
             self.is_taken = failure.symbol == "precondition-failed"
             if self.is_taken:
-                yield from do(calls.release(lease))
+                yield from do(board_calls.release(lease))
             elif failure.symbol not in (*AWAY, "unknown-lease"):
                 raise
             return False
@@ -110,7 +110,7 @@ class Presence:
             return
         cell, name, kind = Symbol("cell"), Symbol(self.name), Symbol(self.contract.kind)
         context = Symbol(self.context)
-        binding = calls.transact([tell([Symbol("context"), [], cell]), tell([Symbol("context"), [cell], context]),
+        binding = board_calls.transact([tell([Symbol("context"), [], cell]), tell([Symbol("context"), [cell], context]),
                                   tell([Symbol("bound"), [cell, context], name, kind, name], self.lease)])
         try:
             try:
@@ -118,7 +118,7 @@ class Presence:
             except Failure as failure:
                 if failure.symbol != "undeclared-relation":
                     raise
-                yield from do(calls.declare(NAMING_RELATIONS))
+                yield from do(board_calls.declare(NAMING_RELATIONS))
                 yield from do(binding)
         except Failure as failure:
             self._may_bind = failure.symbol != "not-permitted"
@@ -130,7 +130,7 @@ def _pass_with_time(failure: Failure, *others: str) -> None:
         raise failure
 
 
-def _until_reached(call: calls.Call[None], pause: float) -> Flow[None]:
+def _until_reached(call: board_calls.Call[None], pause: float) -> Flow[None]:
     while True:
         try:
             return (yield from do(call))

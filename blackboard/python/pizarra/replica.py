@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional
 from pizarra.answers import Answers, Fact, relations_of
 from pizarra.datum import Symbol, is_variable
 from pizarra.evaluate import Conjunction
-from pizarra.feed import Feed
 from pizarra.relation import Relation
+from pizarra.watch_feed import Feed
 from pizarra.writer import write
 
 if TYPE_CHECKING:

@@ -24,12 +24,12 @@ import zmq
 from pizarra.addresses import Addresses
 from pizarra.datum import Symbol
 from pizarra.failure import Failure, failure_from
-from pizarra.feed import Feed
 from pizarra.keys import read_keys
 from pizarra.leases import Leases
 from pizarra.link import Link
 from pizarra.reader import read_all
-from pizarra.requests import Request, Requests
+from pizarra.session_requests import Request, Requests
+from pizarra.watch_feed import Feed
 from pizarra.writer import check_teller, write
 
 

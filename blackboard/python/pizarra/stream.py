@@ -17,12 +17,12 @@ import zmq
 
 from pizarra.datum import Symbol
 from pizarra.failure import Failure
-from pizarra.feed import WatchFeed
 from pizarra.keys import Keys
 from pizarra.link import connect
-from pizarra.requests import Request
 from pizarra.ring import RingGuest
 from pizarra.session import Session
+from pizarra.session_requests import Request
+from pizarra.watch_feed import WatchFeed
 
 if TYPE_CHECKING:
     from numpy import uint8

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 from pizarra.answers import Change
 from pizarra.failure import Failure
-from pizarra.feed import WatchFeed
 from pizarra.stream import Frame, StreamFeed
+from pizarra.watch_feed import WatchFeed
 
 if TYPE_CHECKING:
     from pizarra.board import Board

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/line/octets.hpp"
 
 namespace pizarra::arm {

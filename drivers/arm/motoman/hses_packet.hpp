@@ -54,7 +54,7 @@ inline constexpr std::uint32_t percent = 0;      // speed classes: 0.01 % ...
 inline constexpr std::uint32_t millimetres = 1;  // ... and 0.1 mm/s
 inline constexpr std::uint32_t base_frame = 16;
 
-// Added status: why a request was refused, besides what motoman_codes.hpp has.
+// Added status: why a request was refused, besides what refusal_codes.hpp has.
 inline constexpr std::uint16_t undefined_command = 0xa000;
 inline constexpr std::uint16_t wrong_instance = 0xa001;
 inline constexpr std::uint16_t wrong_attribute = 0xa002;

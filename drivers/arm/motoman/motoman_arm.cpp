@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "drivers/arm/held.hpp"
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/arm/move_check.hpp"
 
 namespace pizarra::arm {

@@ -7,7 +7,7 @@
 // asked. Questions and switches are repeated until they are answered; a move is sent ONCE, so that it is the arm's part
 // to look whether it was begun.
 //
-// Failures: no-answer, disconnected, bad-reply; refused, whose subject is the controller's code (motoman_codes.hpp).
+// Failures: no-answer, disconnected, bad-reply; refused, whose subject is the controller's code (refusal_codes.hpp).
 //
 //   const Result<MotomanStatus> status = co_await link.status();
 
@@ -21,6 +21,8 @@
 namespace pizarra::arm {
 
 inline constexpr std::size_t motoman_axes = 8;
+// Poses and openings go over the wire in micrometres.
+inline constexpr double um_per_mm = 1000;
 using MotomanPulses = std::array<std::int32_t, motoman_axes>;
 
 struct MotomanStatus {

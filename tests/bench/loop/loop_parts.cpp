@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "agents/planner/agent/goal_plan.hpp"
 #include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/agent/running_plan.hpp"
+#include "agents/planner/agent/shortest_way.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "drivers/simulation/face_mark.hpp"
 #include "lisp/forms/domain.hpp"
@@ -136,12 +136,12 @@ std::optional<double> look_seconds(int objects) {
 PlanSeconds plan_seconds(int objects, int tower) {
   const planner::PlanningTask task = cubes_on_the_table(objects);
   const std::vector<Datum> goals = tower_goal(tower);
-  std::optional<planner::GoalPlan> found;
+  std::optional<planner::ShortestWay> found;
   PlanSeconds out;
   out.plan = median_seconds(plans, [&] {
     planner::Replanner replanner;
-    const Result<planner::GoalPlan> plan =
-        planner::plan_goal(replanner, task, goals, planner::Budget{}, [] { return false; });
+    const Result<planner::ShortestWay> plan =
+        planner::plan_shortest_way(replanner, task, goals, planner::Budget{}, [] { return false; });
     if (!plan) throw std::runtime_error(describe(plan.error()));
     found = *plan;
   });

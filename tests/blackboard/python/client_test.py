@@ -15,7 +15,7 @@ import zmq
 import a_board
 from a_board import NOTE, BoardTest
 from pizarra import Board, Failure, Symbol, read, tell, write
-from pizarra.requests import Requests
+from pizarra.session_requests import Requests
 
 
 def nested(depth):

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/line/frames.hpp"
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/switched_wire.hpp"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "drivers/arm/motoman/host_command.hpp"
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 
 namespace pizarra::simulation {
 

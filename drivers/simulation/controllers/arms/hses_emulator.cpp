@@ -1,6 +1,6 @@
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/arms/hses_codes.hpp"
 #include "drivers/simulation/controllers/arms/hses_moves.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "blackboard/time/clock.hpp"
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/arms/hses_codes.hpp"
 #include "lisp/result.hpp"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/line/octets.hpp"
 #include "drivers/simulation/controllers/arms/hses_codes.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drivers/arm/angles.hpp"
-#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/arm/motoman/refusal_codes.hpp"
 #include "drivers/simulation/controllers/arms/straight_way.hpp"
 
 namespace pizarra::simulation {

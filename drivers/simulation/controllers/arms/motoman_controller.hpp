@@ -56,7 +56,7 @@ class MotomanController {
   std::uint32_t cycle_ = 3;
 };
 
-// The code for it that all servers have in common (motoman_codes.hpp); of what is out of range each has its own.
+// The code for it that all servers have in common (refusal_codes.hpp); of what is out of range each has its own.
 std::uint16_t motoman_code(Refusal refusal);
 
 }  // namespace pizarra::simulation

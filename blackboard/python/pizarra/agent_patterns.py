@@ -14,9 +14,9 @@ import time
 import uuid
 from typing import Any, List, NamedTuple, Optional
 
-from pizarra import calls
+from pizarra import board_calls
 from pizarra.answers import Fact, query_of, relations_of
-from pizarra.calls import Call
+from pizarra.board_calls import Call
 from pizarra.contract import RUNTIME_RELATIONS
 from pizarra.datum import Symbol
 from pizarra.failure import AWAY, Failure, failure_from
@@ -39,7 +39,7 @@ class Holder(NamedTuple):
 
 
 def retraction(pattern: Any) -> Call[int]:
-    return calls.transact([retract(pattern)])
+    return board_calls.transact([retract(pattern)])
 
 
 def request(teller: str, agent: str, operation: Any, timeout: float) -> Flow[List[Any]]:
@@ -57,7 +57,7 @@ def request(teller: str, agent: str, operation: Any, timeout: float) -> Flow[Lis
             lease = lease or (yield from _tell(fact))
             reply = yield from _reply_to(number, min(LOOK, deadline - time.monotonic()))
             if reply is None:
-                yield from do(calls.renew(lease))
+                yield from do(board_calls.renew(lease))
         except Failure as failure:
             if failure.symbol not in (*AWAY, "unknown-lease"):
                 raise
@@ -70,14 +70,14 @@ def request(teller: str, agent: str, operation: Any, timeout: float) -> Flow[Lis
 
 
 def _tell(fact: List[Any]) -> Flow[int]:
-    lease = yield from do(calls.lease(4 * LOOK))
-    told = calls.transact([tell(fact, lease)])
+    lease = yield from do(board_calls.lease(4 * LOOK))
+    told = board_calls.transact([tell(fact, lease)])
     try:
         yield from do(told)
     except Failure as failure:
         if failure.symbol != "undeclared-relation":
             raise
-        yield from do(calls.declare(RUNTIME_RELATIONS))
+        yield from do(board_calls.declare(RUNTIME_RELATIONS))
         yield from do(told)
     return lease
 
@@ -95,10 +95,10 @@ def _reply_to(number: Symbol, seconds: float) -> Flow[Optional[Any]]:
 def _withdraw(number: Symbol, lease: int) -> Flow[None]:
     every = Symbol("?")
     try:
-        yield from do(calls.transact([retract([Symbol("request"), number, every, every]),
+        yield from do(board_calls.transact([retract([Symbol("request"), number, every, every]),
                                       retract([Symbol("reply"), number, every])]))
         if lease:
-            yield from do(calls.release(lease))
+            yield from do(board_calls.release(lease))
     except Failure as failure:
         # A lease that the board has forgotten, or that is away with it, goes by itself.
         if failure.symbol not in (*AWAY, "unknown-lease", "undeclared-relation"):
@@ -109,7 +109,7 @@ def _late(agent: str, operation: Any, timeout: float) -> Flow[Failure]:
     """What to fail with when nothing was answered."""
     sentence = f"{agent} did not answer in {timeout:.1f} s"
     try:
-        if not (yield from do(calls.ask([Symbol("agent"), Symbol(agent), Symbol("?"), Symbol("?")]))):
+        if not (yield from do(board_calls.ask([Symbol("agent"), Symbol(agent), Symbol("?"), Symbol("?")]))):
             sentence += ": no agent of that name is there"
     except Failure as failure:
         if failure.symbol == "unreachable":
@@ -128,18 +128,18 @@ def _values(reply: Any, agent: str) -> List[Any]:
 def send(teller: str, agent: str, operation: Any, lease: int) -> Flow[None]:
     """The agent does it when it comes to it, its successor if it dies. What has not been taken goes with the lease."""
     number = Symbol(f"{teller}-{uuid.uuid4().hex}")
-    told = calls.transact([tell([Symbol("request"), number, Symbol(agent), datum_of(operation)], lease)])
+    told = board_calls.transact([tell([Symbol("request"), number, Symbol(agent), datum_of(operation)], lease)])
     try:
         yield from do(told)
     except Failure as failure:
         if failure.symbol != "undeclared-relation":
             raise
-        yield from do(calls.declare(RUNTIME_RELATIONS))
+        yield from do(board_calls.declare(RUNTIME_RELATIONS))
         yield from do(told)
 
 
 def pull(pattern: Any) -> Flow[Optional[Fact]]:
-    answers = yield from do(calls.ask(pattern))
+    answers = yield from do(board_calls.ask(pattern))
     facts = [answer.facts[0] for answer in answers]
     return max(facts, key=lambda fact: (fact.revision, fact.id)) if facts else None
 
@@ -147,7 +147,7 @@ def pull(pattern: Any) -> Flow[Optional[Fact]]:
 def event(pattern: Any, timeout: float, lease: int) -> Flow[Fact]:
     deadline = time.monotonic() + timeout
     while True:
-        fact = yield from do(calls.take(pattern, lease))
+        fact = yield from do(board_calls.take(pattern, lease))
         if fact is not None:
             return fact
         # Another client may take it first.
@@ -155,7 +155,7 @@ def event(pattern: Any, timeout: float, lease: int) -> Flow[Fact]:
 
 
 def holder(client: str, role: str) -> Flow[Holder]:
-    answers = yield from do(calls.ask([Symbol("holder"), Symbol(client), Symbol(role), Symbol("?server"),
+    answers = yield from do(board_calls.ask([Symbol("holder"), Symbol(client), Symbol(role), Symbol("?server"),
                                        Symbol("?state")]))
     if not answers:
         raise Failure("absent", f"{client} has nobody for {role}, or is not there", Symbol(role))
@@ -184,7 +184,7 @@ def server(client: str, role: str) -> Flow[str]:
 def _names(pattern: Any) -> Flow[List[str]]:
     """What ?name is in the facts that fit; none where nobody has declared them."""
     try:
-        answers = yield from do(calls.ask(pattern))
+        answers = yield from do(board_calls.ask(pattern))
     except Failure as failure:
         if failure.symbol != "undeclared-relation":
             raise
@@ -197,7 +197,7 @@ def are_declared(query: Any) -> Flow[bool]:
     every = [Symbol("?")] * 6
     try:
         for relation in relations_of(query_of(query)):
-            if not (yield from do(calls.ask([Symbol("relation-stats"), Symbol(relation), *every]))):
+            if not (yield from do(board_calls.ask([Symbol("relation-stats"), Symbol(relation), *every]))):
                 return False
     except Failure as failure:
         if failure.symbol in AWAY:

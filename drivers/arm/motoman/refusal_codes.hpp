@@ -9,13 +9,6 @@
 
 #include <cstdint>
 
-namespace pizarra::arm {
-
-// Poses and openings go over the wire in micrometres.
-inline constexpr double um_per_mm = 1000;
-
-}  // namespace pizarra::arm
-
 namespace pizarra::arm::motoman {
 
 inline constexpr std::uint16_t operating = 0x2010;

@@ -2,13 +2,13 @@
 
 // The goal that is wanted, as durable facts: given, replaced, cancelled, ended, and taken up again after a restart.
 //
-//   GoalFacts goal(context, story, vigil);
+//   GoalInHand goal(context, story, vigil);
 //   co_await goal.resume();                                  // what stands on the board
 //   Result<std::int64_t> number = co_await goal.submit(facts);
 //   const Goal wanted = co_await goal.next();                // as soon as anything is wanted
 //   co_await goal.finish(wanted, outcome);                   // unless another one is wanted by then
 //
-// A wish changes on the board first: a goal that the board refuses, as one whose disk is full does, changes
+// A goal changes on the board first: one that the board refuses, as it does when its disk is full, changes
 // nothing here.
 
 #include <optional>
@@ -26,12 +26,12 @@ namespace pizarra::coordinator {
 struct Goal {
   std::int64_t number;
   std::vector<Datum> facts;  // as it stands on the board; while a stage is pursued, what that wants
-  std::size_t stage = 0;     // of its wish, to begin with
+  std::size_t stage = 0;     // of its stages, to begin with
 };
 
-class GoalFacts {
+class GoalInHand {
  public:
-  GoalFacts(runtime::AgentContext& context, Story& story, Vigil& vigil)
+  GoalInHand(runtime::AgentContext& context, Story& story, Vigil& vigil)
       : context_(context), story_(story), vigil_(vigil), turns_(context.executor), wanted_(context.executor) {}
 
   // Takes up the goal that stands on the board, before anything else.

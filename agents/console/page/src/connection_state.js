@@ -18,7 +18,7 @@ const said = {
 const commanding = ['want', 'eyes', 'drive', 'head'];
 
 /** @param {Permission} permission */
-export function showLine(permission) {
+export function showConnectionState(permission) {
   const chip = find('state');
   /** @param {State} state @param {string} why */
   return (state, why = '') => {

@@ -1,4 +1,4 @@
-#include "agents/coordinator/pursue/goal_facts.hpp"
+#include "agents/coordinator/pursue/goal_in_hand.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ std::size_t stage_of(const std::vector<Fact>& states, std::int64_t number) {
 
 }  // namespace
 
-Task<void> GoalFacts::resume() {
+Task<void> GoalInHand::resume() {
   const Datum any = "?"_sym;
   const std::vector<Fact> goals = co_await facts_now(context_.board, context_.executor, list("goal"_sym, any, any));
   std::vector<Fact> states =
@@ -47,7 +47,7 @@ Task<void> GoalFacts::resume() {
   co_await story_.tell("agent", sentence, to_datum(goal->number));
 }
 
-Task<Result<std::int64_t>> GoalFacts::submit(std::vector<Datum> facts) {
+Task<Result<std::int64_t>> GoalInHand::submit(std::vector<Datum> facts) {
   const Turns::Turn turn = co_await turns_.take();
   const Goal goal{last_number_ + 1, std::move(facts)};
   const Datum told_goal = list("goal"_sym, goal.number, Datum::list(goal.facts));
@@ -65,7 +65,7 @@ Task<Result<std::int64_t>> GoalFacts::submit(std::vector<Datum> facts) {
   co_return goal.number;
 }
 
-Task<Result<void>> GoalFacts::cancel() {
+Task<Result<void>> GoalInHand::cancel() {
   const Turns::Turn turn = co_await turns_.take();
   if (!current_) co_return fail("no-goal", "there is no goal in hand");
   const Result<Revision> told = co_await tell_outcome(current_->number, "cancelled", Datum());
@@ -75,13 +75,13 @@ Task<Result<void>> GoalFacts::cancel() {
   co_return Result<void>();
 }
 
-Task<Goal> GoalFacts::next() {
+Task<Goal> GoalInHand::next() {
   while (!current_) co_await wanted_.wait();
   co_return *current_;
 }
 
-Task<void> GoalFacts::tell_progress(std::int64_t goal, std::string_view state, Datum detail, std::string_view kind,
-                                    std::string sentence) {
+Task<void> GoalInHand::tell_progress(std::int64_t goal, std::string_view state, Datum detail, std::string_view kind,
+                                     std::string sentence) {
   const Turns::Turn turn = co_await turns_.take();
   if (!is_wanted(goal)) co_return;
   Transaction transaction;
@@ -90,7 +90,7 @@ Task<void> GoalFacts::tell_progress(std::int64_t goal, std::string_view state, D
   co_await commit(context_.board, context_.executor, std::move(transaction));
 }
 
-Task<void> GoalFacts::finish(Goal goal, Result<void> outcome) {
+Task<void> GoalInHand::finish(Goal goal, Result<void> outcome) {
   bool ended = co_await end(goal, outcome);
   while (!ended) {
     co_await sleep(context_.executor, untold_pause);
@@ -98,7 +98,7 @@ Task<void> GoalFacts::finish(Goal goal, Result<void> outcome) {
   }
 }
 
-Task<bool> GoalFacts::end(Goal goal, Result<void> outcome) {
+Task<bool> GoalInHand::end(Goal goal, Result<void> outcome) {
   const Turns::Turn turn = co_await turns_.take();
   if (!is_wanted(goal.number)) co_return true;
   const std::string_view state = outcome ? "reached" : "refused";
@@ -110,7 +110,7 @@ Task<bool> GoalFacts::end(Goal goal, Result<void> outcome) {
   co_return true;
 }
 
-Task<Result<Revision>> GoalFacts::tell_outcome(std::int64_t number, std::string_view state, Datum detail) {
+Task<Result<Revision>> GoalInHand::tell_outcome(std::int64_t number, std::string_view state, Datum detail) {
   const Datum told = list("goal-state"_sym, number, Datum::symbol(state), detail);
   Transaction transaction;
   transaction.tell(told);

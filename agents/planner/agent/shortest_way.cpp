@@ -1,4 +1,4 @@
-#include "agents/planner/agent/goal_plan.hpp"
+#include "agents/planner/agent/shortest_way.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -70,17 +70,17 @@ Failure of_all(Failure failure, std::size_t ways) {
 
 }  // namespace
 
-Result<GoalPlan> plan_goal(Replanner& replanner, PlanningTask task, const std::vector<Datum>& goals,
-                           const Budget& budget, const std::function<bool()>& cancelled) {
+Result<ShortestWay> plan_shortest_way(Replanner& replanner, PlanningTask task, const std::vector<Datum>& goals,
+                                      const Budget& budget, const std::function<bool()>& cancelled) {
   Result<std::vector<forms::GoalLiterals>> ways = forms::goal_alternatives(goals, objects_of(task));
   if (!ways) return fail(ways);
   if (ways->empty()) return std::unexpected(without_a_way(goals, objects_of(task)));
   put_nearest_first(*ways, task.initials);
-  std::optional<GoalPlan> best;
+  std::optional<ShortestWay> best;
   std::optional<Failure> why_none;
   for (const forms::GoalLiterals& way : *ways) {
     // Of no objects, everything is so.
-    if (way.empty()) return GoalPlan{{.steps = {}, .engine = "kept"}, way};
+    if (way.empty()) return ShortestWay{{.steps = {}, .engine = "kept"}, way};
     Result<ReadyPlan> plan = replanner.plan(with_goals(task, way), budget, cancelled);
     if (!plan) {
       const bool ends = !is_proof(plan.error()) && plan.error().symbol != "gave-up";
@@ -89,7 +89,7 @@ Result<GoalPlan> plan_goal(Replanner& replanner, PlanningTask task, const std::v
       continue;
     }
     const bool shorter = !best || operations_in(plan->steps) < operations_in(best->plan.steps);
-    if (shorter) best = GoalPlan{std::move(*plan), way};
+    if (shorter) best = ShortestWay{std::move(*plan), way};
     if (operations_in(best->plan.steps) == 0) break;
   }
   if (best) return std::move(*best);
