@@ -40,20 +40,18 @@ struct Equations {
   double misfit = 0;
 };
 
-// How a point of the plane goes with each number of the form.
-Eigen::Matrix<double, 2, 3> by_form(const Vector2d& p) {
-  Eigen::Matrix<double, 2, 3> out;
-  out << p.x(), p.x(), p.y(), p.y(), -p.y(), p.x();
-  return out;
+// Where a point of the plane is by its form, mm, along the plane's axes.
+Vector2d formed(const Vector2d& p, const Vector3d& form) {
+  return {p.x() * (form.x() + form.y()) + p.y() * form.z(), p.y() * (form.x() - form.y()) + p.x() * form.z()};
 }
 
 Vector3d turned(const PlanePoint& point, const PlaneGuess& pose) {
-  return pose.turn.leftCols<2>() * (by_form(point.plane) * pose.form);
+  return pose.turn.leftCols<2>() * formed(point.plane, pose.form);
 }
 
 // From the camera that sees it.
-Vector3d in_space(const PlanePoint& point, const PlaneGuess& pose) {
-  return turned(point, pose) + pose.place - point.beside_mm * Vector3d::UnitX();
+Vector3d in_space(const PlanePoint& point, const PlaneGuess& pose, const Vector3d& turned) {
+  return turned + pose.place - point.beside_mm * Vector3d::UnitX();
 }
 
 // How far a point is off, px, and how it goes with each number.
@@ -64,14 +62,21 @@ struct PointError {
 
 // Nothing where it lies behind the camera.
 std::optional<PointError> error_of(const PlanePoint& point, const PlaneGuess& pose) {
-  const Vector3d at = in_space(point, pose);
+  const Vector3d arm = turned(point, pose);
+  const Vector3d at = in_space(point, pose, arm);
   if (!(at.z() > 0)) return std::nullopt;
   const Vector2d slope = at.head<2>() / at.z();
   const Vector3d by_place = Vector3d(point.normal.x(), point.normal.y(), -point.normal.dot(slope)) / at.z();
   const Vector2d in_plane = pose.turn.leftCols<2>().transpose() * by_place;
+  const Vector2d& p = point.plane;
   PointError out;
   out.off = point.normal.dot(point.seen - slope) - point.pulled * pose.pull_px;
-  out.by << by_place, turned(point, pose).cross(by_place), by_form(point.plane).transpose() * in_plane, point.pulled;
+  out.by.head<3>() = by_place;
+  out.by.segment<3>(3) = arm.cross(by_place);
+  out.by[6] = p.dot(in_plane);
+  out.by[7] = p.x() * in_plane.x() - p.y() * in_plane.y();
+  out.by[8] = p.y() * in_plane.x() + p.x() * in_plane.y();
+  out.by[9] = point.pulled;
   return out;
 }
 
@@ -94,12 +99,12 @@ std::optional<Equations> equations_of(std::span<const PlanePoint> points, const 
   for (const PlanePoint& point : points) {
     const std::optional<PointError> error = error_of(point, pose);
     if (!error) return std::nullopt;
-    for (int row = 0; row < numbers; ++row) {
-      for (int column = 0; column <= row; ++column) {
-        out.normal(row, column) += errors.weight * error->by[row] * error->by[column];
-      }
+    const Numbers weighted = errors.weight * error->by;
+    // The lower triangle, column by column.
+    for (int column = 0; column < numbers; ++column) {
+      for (int row = column; row < numbers; ++row) out.normal(row, column) += weighted[row] * error->by[column];
     }
-    out.right += errors.weight * error->off * error->by;
+    out.right += error->off * weighted;
     out.misfit += errors.weight * error->off * error->off / 2;
   }
   out.normal.triangularView<Eigen::StrictlyUpper>() = out.normal.transpose();
@@ -189,7 +194,7 @@ std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::sp
 }
 
 double off_px(const PlanePoint& point, const PlaneGuess& pose) {
-  const Vector3d at = in_space(point, pose);
+  const Vector3d at = in_space(point, pose, turned(point, pose));
   return point.normal.dot(point.seen - at.head<2>() / at.z()) - point.pulled * pose.pull_px;
 }
 

@@ -8,29 +8,49 @@ namespace pizarra::simulation {
 
 namespace {
 
-struct Mask {
-  int width;
-  int height;
-  std::vector<int> ids;
+// Which mark each pixel shows, and how many pixels show each.
+class Mask {
+ public:
+  Mask(int width, int height)
+      : width_(width),
+        ids_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+        shows_marks_(static_cast<std::size_t>(height)) {}
+
+  // 0 is no mark. A row without marks stays as it is then.
+  bool changes(int y, int id) const {
+    return y >= 0 && y < static_cast<int>(shows_marks_.size()) &&
+           (id != 0 || shows_marks_[static_cast<std::size_t>(y)]);
+  }
   void fill(int y, Span span, int id) {
-    if (y < 0 || y >= height) return;
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    for (int x = std::max(0, span.first); x <= std::min(width - 1, span.last); ++x) {
-      ids[row + static_cast<std::size_t>(x)] = id;
+    if (!changes(y, id)) return;
+    const auto row = static_cast<std::size_t>(y);
+    shows_marks_[row] = true;
+    const auto begin = ids_.begin() + static_cast<std::ptrdiff_t>(row) * width_;
+    int* const painted = &count(id);
+    for (int x = std::max(0, span.first); x <= std::min(width_ - 1, span.last); ++x) {
+      int& shown = begin[x];
+      --pixels_[static_cast<std::size_t>(shown)];
+      ++*painted;
+      shown = id;
     }
   }
-};
-
-// How many pixels each number has, from 0 to the highest that there is.
-std::vector<int> pixels_by_id(const Mask& mask) {
-  std::vector<int> pixels(1);
-  for (const int id : mask.ids) {
+  int pixels(int id) const {
     const auto index = static_cast<std::size_t>(id);
-    if (index >= pixels.size()) pixels.resize(index + 1);
-    ++pixels[index];
+    return index < pixels_.size() ? pixels_[index] : 0;
   }
-  return pixels;
-}
+
+ private:
+  int& count(int id) {
+    const auto index = static_cast<std::size_t>(id);
+    if (index >= pixels_.size()) pixels_.resize(index + 1);
+    return pixels_[index];
+  }
+
+  const int width_;
+  std::vector<int> ids_;
+  std::vector<bool> shows_marks_;  // each row
+  std::vector<int> pixels_ = {0};  // by id
+};
 
 struct Rows {
   int top;
@@ -40,9 +60,10 @@ struct Rows {
 // Calls back with every row's spans of a decal, without overlaps.
 template <class Use>
 void for_spans(const SeenDecal& decal, Rows rows, Use use) {
+  std::vector<Span> spans;
   for (int y = rows.top; y < rows.bottom; ++y) {
     int done = -1'000'000;
-    std::vector<Span> spans;
+    spans.clear();
     for (const Outline& part : decal.parts) {
       const Span span = part.span(y, 0);
       if (!span.empty()) spans.push_back(span);
@@ -75,17 +96,18 @@ int cut_off(const Eye& eye, const Outline& face, Rows rows) {
 std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solids) {
   std::vector<SeenSolid> seen;
   for (const Solid& solid : solids) seen.push_back(see(eye, solid));
-  Mask mask{eye.width, eye.height, std::vector<int>(static_cast<std::size_t>(eye.width * eye.height))};
+  Mask mask(eye.width, eye.height);
   for (const std::size_t index : paint_order(eye, solids, seen)) {
     const Rows rows{seen[index].rect.top, seen[index].rect.bottom};
-    for (int y = rows.top; y < rows.bottom; ++y) mask.fill(y, seen[index].silhouette.span(y, 0), 0);
+    for (int y = rows.top; y < rows.bottom; ++y) {
+      if (mask.changes(y, 0)) mask.fill(y, seen[index].silhouette.span(y, 0), 0);
+    }
     for (const SeenFace& face : seen[index].faces) {
       for (const SeenDecal& decal : face.decals) {
         for_spans(decal, rows, [&](int y, Span span) { mask.fill(y, span, decal.id); });
       }
     }
   }
-  const std::vector<int> pixels = pixels_by_id(mask);
   std::vector<MarkView> marks;
   for (const SeenSolid& solid : seen) {
     const Rect whole = rect_around(solid.corners);
@@ -102,8 +124,7 @@ std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solid
         if (mark.all_pixels == 0) continue;
         mark.centre_px /= mark.all_pixels;
         mark.all_pixels += cut_off(eye, face.outline, rows);
-        const auto id = static_cast<std::size_t>(decal.id);
-        mark.pixels = id < pixels.size() ? pixels[id] : 0;
+        mark.pixels = mask.pixels(decal.id);
         marks.push_back(mark);
       }
     }
