@@ -14,6 +14,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "agents/launcher/process_log.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -164,7 +165,7 @@ Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::stri
     return fail("already-running", fmt::format("the cell {} runs on {} already{}", cell, host, under));
   }
   clean(path);
-  remove_those(path, [](const auto& file) { return file.extension() == ".log"; });
+  remove_those(path, is_process_log);
   return RunDirectory(path, std::move(lock));
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// Where a running cell keeps its sockets, logs and state, so that `ps`, `down` and the words that talk to a board find
-// it: $XDG_RUNTIME_DIR/pizarra/CELL@HOST, or /tmp/pizarra-UID/CELL@HOST. It is the user's alone (mode 0700).
+// Where a running cell keeps its sockets, logs (process_log.hpp) and state, so that `ps`, `down` and the words that
+// talk to a board find it: $XDG_RUNTIME_DIR/pizarra/CELL@HOST, or /tmp/pizarra-UID/CELL@HOST. It is the user's alone
+// (mode 0700).
 //
 //   Result<RunDirectory> run = RunDirectory::make("blocks", "localhost");
 //   run->save(state);

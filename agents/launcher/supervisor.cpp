@@ -5,12 +5,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "agents/launcher/process_log.hpp"
 
 namespace pizarra::launcher {
 
@@ -81,18 +82,15 @@ void Supervisor::tell(Child& child, std::string sentence) {
 }
 
 Result<void> Supervisor::spawn(Child& child) {
-  const int log = open(child.program.log_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  if (log < 0) {
-    const std::string why = fmt::format("cannot write {}: {}", child.program.log_file, std::strerror(errno));
-    return fail("cannot-start", why);
-  }
+  const Result<int> log = open_process_log(child.program.log_file);
+  if (!log) return fail(log);
   std::vector<char*> arguments;
   for (std::string& word : child.program.command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) become(arguments.front(), arguments.data(), log, child.program.niceness, parent);
-  close(log);
+  if (pid == 0) become(arguments.front(), arguments.data(), *log, child.program.niceness, parent);
+  close(*log);
   if (pid < 0)
     return fail("cannot-start", fmt::format("cannot start {}: {}", child.program.name, std::strerror(errno)));
   child.pid = pid;

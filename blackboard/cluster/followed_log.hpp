@@ -85,8 +85,4 @@ class FollowedLog {
   LogWeight weight_;
 };
 
-// Writes a snapshot of all that the log has by now and deletes the entries before it. Any board may do so at any time.
-// Answers how many bytes it has; 0 where there was nothing to do, or another board was faster.
-Result<std::size_t> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce);
-
 }  // namespace pizarra::cluster

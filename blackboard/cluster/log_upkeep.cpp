@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "blackboard/cluster/followed_log.hpp"
+#include "blackboard/cluster/take_snapshot.hpp"
 
 namespace pizarra::cluster {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "drivers/camera/image_pace.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
 
 namespace pizarra::camera {
@@ -27,24 +28,6 @@ cv::Mat with_channels(const cv::Mat& image, int channels) {
   return out;
 }
 
-// When the next image is due. Recordings are waited for; of a camera that is faster than it was asked to be, images are
-// let go.
-class Pace {
- public:
-  Pace(double rate_hz, Time now) : next_(now) {
-    if (rate_hz > 0) period_ = Duration(static_cast<std::int64_t>(1e6 / rate_hz));
-  }
-  Duration until_due(Time now) const { return next_ - now; }
-  // A camera's own rate is never quite what it is said to be.
-  bool is_due(Time now) const { return next_ - now < period_ / 4; }
-  // Who is late begins anew.
-  void taken(Time now) { next_ = std::max(next_ + period_, now); }
-
- private:
-  Duration period_{};
-  Time next_;
-};
-
 class Reading {
  public:
   Reading(const CameraReading& reading, FrameDesk& desk)
@@ -56,7 +39,7 @@ class Reading {
 
   Failure run() {
     Result<void> going = reader_.open();
-    Pace pace(reader_.recorded_hz() > 0 ? reader_.recorded_hz() : setup_.rate_hz, now_());
+    ImagePace pace(reader_.recorded_hz() > 0 ? reader_.recorded_hz() : setup_.rate_hz, now_());
     while (going && !desk_.closing(now_())) {
       if (reader_.recorded_hz() > 0) desk_.wait(pace.until_due(now_()));
       going = reader_.grab();

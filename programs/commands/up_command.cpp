@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <unistd.h>
 
 #include "agents/launcher/agent_factory.hpp"
+#include "agents/launcher/process_log.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/supervisor.hpp"
 #include "blackboard/client/keyed_board.hpp"
@@ -37,15 +37,6 @@ const std::vector<int> hopeless_agent{exit_usage};
 const std::vector<int> hopeless_among_boards{2, 4};
 // Etcd ends with any, also where its disk was full.
 const std::vector<int> hopeless_log;
-
-std::string last_line_of(const std::string& file) {
-  std::ifstream in(file);
-  std::string last;
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) last = line;
-  }
-  return last;
-}
 
 class Up {
  public:
@@ -93,7 +84,7 @@ const std::vector<int>& Up::final_statuses_of(const std::string& name) const {
 }
 
 Result<void> Up::start(host::HostProcess process) {
-  const std::string log = directory_.file(process.name + ".log");
+  const std::string log = directory_.file(launcher::process_log_name(process.name));
   return supervisor_.start({process.name, std::move(process.command), log, final_statuses_of(process.name),
                             process.niceness, !serves_other_hosts(process.name)});
 }
@@ -130,7 +121,7 @@ void Up::on_process(const launcher::ProcessEvent& event) {
   save_state();
   const bool has_failed = event.given_up || (event.ended && serves_other_hosts(event.name));
   if (!has_failed) return;
-  const std::string last_words = last_line_of(directory_.file(event.name + ".log"));
+  const std::string last_words = launcher::last_line_of_log(directory_.file(launcher::process_log_name(event.name)));
   if (event.name != "board" || serves_other_hosts(event.name)) {
     const std::string why = event.name == "log" ? cluster::etcd_json::news_from(last_words) : last_words;
     return narrator_.say(executor_.now(), "failure", event.name + ": " + why);

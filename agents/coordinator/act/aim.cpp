@@ -105,7 +105,7 @@ Result<Aim> Aims::at(const Datum& target) {
   } else if (target.is_form("free-spot")) {
     wanted = free_spot_for(target);
   } else if (target.is_form("at-place") && target.size() == 3) {
-    const Datum* spot = domain_.spot(target[2].text());
+    const Datum* spot = domain_.named_place(target[2].text());
     if (!spot) return fail("unknown-place", "perception has no (spot PLACE X Y) for this place", target[2]);
     wanted = spots_.on_table((*spot)[2].number(), (*spot)[3].number(), held_edge_mm(held));
   }

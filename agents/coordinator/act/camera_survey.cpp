@@ -180,7 +180,7 @@ Task<Result<bool>> CameraSurvey::look_from(Eigen::Vector3d grip_mm) {
   way.push_back(over);
   way.push_back(grip_mm);
   for (const Eigen::Vector3d& place : way) {
-    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (interruption_.raised()) co_return interruption_.failure();
     const Result<void> moved = co_await arm_.move_to(place);
     const bool elsewhere = !moved && is_of_the_place(moved.error());
     if (elsewhere) co_return false;

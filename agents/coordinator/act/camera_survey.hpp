@@ -17,7 +17,7 @@ class CameraSurvey {
  public:
   // All outlive it.
   CameraSurvey(const CoordinatorOptions& options, const TaskDomain& domain, Surroundings& surroundings, Story& story,
-               Arm& arm, Eyes& eyes, ServoLoop& servo, TaskRunner& runner, const Vigil& vigil)
+               Arm& arm, Eyes& eyes, ServoLoop& servo, TaskRunner& runner, const Interruption& interruption)
       : options_(options),
         domain_(domain),
         surroundings_(surroundings),
@@ -26,7 +26,7 @@ class CameraSurvey {
         eyes_(eyes),
         servo_(servo),
         runner_(runner),
-        vigil_(vigil) {}
+        interruption_(interruption) {}
 
   Task<Result<void>> run();
 
@@ -53,7 +53,7 @@ class CameraSurvey {
   Eyes& eyes_;
   ServoLoop& servo_;
   TaskRunner& runner_;
-  const Vigil& vigil_;
+  const Interruption& interruption_;
 };
 
 }  // namespace pizarra::coordinator

@@ -70,7 +70,7 @@ Task<Result<void>> Pushes::push_over(std::string object) {
   if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
   const double cube = domain_.cube_mm();
   const Eigen::Vector3d centre = surroundings_.scene().centre_mm(object, *seen);
-  vigil_.commit();
+  conditions_.commit();
   const std::optional<Push> inwards = sweep_inwards(object);
   if (inwards) co_return co_await sweep(*inwards);
   const Push push = push_over_from(elbow_room(), centre);
@@ -157,9 +157,9 @@ Task<Result<void>> Pushes::lift_at(Push push, double height_mm) {
   const Eigen::Vector3d above(push.from_mm.x(), push.from_mm.y(), options_.travel_height_mm);
   const Eigen::Vector3d around(push.from_mm.x(), push.from_mm.y(), height_mm);
   Result<void> done = co_await arm_.face(push.face_deg);
-  if (done) done = may_move(surroundings_, vigil_);
+  if (done) done = may_move(surroundings_, conditions_);
   if (done) done = co_await arm_.move_to(above);
-  if (done) done = may_move(surroundings_, vigil_);
+  if (done) done = may_move(surroundings_, conditions_);
   if (done) done = co_await arm_.move_to(around);
   if (!done) co_return done;
   const Result<double> closed = co_await arm_.grip(0);
@@ -181,7 +181,7 @@ Task<Result<void>> Pushes::push_along(Push push, double height_mm) {
   // An operator may have set a speed that is lower still.
   const double usual_percent = co_await arm_.speed_percent();
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
-    done = may_move(surroundings_, vigil_);
+    done = may_move(surroundings_, conditions_);
     if (!done) break;
     const bool pushes = i == 2;
     const Datum speed = list("speed"_sym, pushes ? std::min(careful_percent, usual_percent) : usual_percent);

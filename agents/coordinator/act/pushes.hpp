@@ -3,7 +3,7 @@
 // Objects pushed with the closed fingers: out of a row, where a neighbour stands too close for the fingers, or over, so
 // that they lie otherwise; or from beside the images to where they show.
 //
-//   Pushes pushes(options, domain, surroundings, story, arm, vigil);
+//   Pushes pushes(options, domain, surroundings, story, arm, conditions);
 //   Result<void> done = co_await pushes.make_room("circle");       // nothing where there is room
 //
 // Failures: interrupted, difference, camera-doubtful (see may_move in servo_loop.hpp), lost-sight, and the robot's own.
@@ -14,15 +14,20 @@
 #include "agents/coordinator/act/arm.hpp"
 #include "agents/coordinator/geometry/elbow_room.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/plan/standing_conditions.hpp"
 
 namespace pizarra::coordinator {
 
 class Pushes {
  public:
   Pushes(const CoordinatorOptions& options, const TaskDomain& domain, const Surroundings& surroundings, Story& story,
-         Arm& arm, Vigil& vigil)
-      : options_(options), domain_(domain), surroundings_(surroundings), story_(story), arm_(arm), vigil_(vigil) {}
+         Arm& arm, StandingConditions& conditions)
+      : options_(options),
+        domain_(domain),
+        surroundings_(surroundings),
+        story_(story),
+        arm_(arm),
+        conditions_(conditions) {}
 
   Task<Result<void>> make_room(std::string object);
   // A cube at the side of the images is swept instead, to where all of it shows.
@@ -52,7 +57,7 @@ class Pushes {
   const Surroundings& surroundings_;
   Story& story_;
   Arm& arm_;
-  Vigil& vigil_;
+  StandingConditions& conditions_;
 };
 
 }  // namespace pizarra::coordinator

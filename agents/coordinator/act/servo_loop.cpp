@@ -30,11 +30,11 @@ double tenths(double value) { return std::round(value * 10) / 10; }
 
 }  // namespace
 
-Result<void> may_move(const Surroundings& surroundings, const Vigil& vigil) {
+Result<void> may_move(const Surroundings& surroundings, const StandingConditions& conditions) {
   if (!surroundings.scene().camera().known()) {
     return fail("camera-doubtful", "the camera may have been moved: where things are is not known well enough");
   }
-  return vigil.check(surroundings.beliefs());
+  return conditions.check(surroundings.beliefs());
 }
 
 Task<Result<Revision>> ServoLoop::tell(int state, const Datum& target, ServoPixels errors) {
@@ -120,7 +120,7 @@ Task<Result<void>> ServoLoop::run(Datum target, bool descend) {
   int unseen = 0;
   ServoCommand before{0, ServoCommand::Motion::done, 0};
   for (int i = 0; i < most_motions; ++i) {
-    const Result<void> fine = may_move(surroundings_, vigil_);
+    const Result<void> fine = may_move(surroundings_, conditions_);
     if (!fine) co_return fine;
     const bool is_shown = i == 0 && surroundings_.shows_rest();
     Result<void> looked;

@@ -3,7 +3,7 @@
 // The visual servo: look, decide, move, until the end effector is where a target wants it (states 1 to 4 of the
 // thesis).
 //
-//   ServoLoop servo(context, options, service, surroundings, story, arm, eyes, vigil, aims, carried);
+//   ServoLoop servo(context, options, service, surroundings, story, arm, eyes, conditions, aims, carried);
 //   Result<void> there = co_await servo.run(target, false);      // true: goes down to it
 //
 // Failures: interrupted, difference, camera-doubtful (see may_move), lost-sight, no-convergence, those of the aim
@@ -13,18 +13,19 @@
 #include "agents/coordinator/act/arm.hpp"
 #include "agents/coordinator/act/carried.hpp"
 #include "agents/coordinator/perceive/eyes.hpp"
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/plan/standing_conditions.hpp"
 
 namespace pizarra::coordinator {
 
-// Before every motion of a task. Failures: those of Vigil::check(); camera-doubtful: it may have been moved.
-Result<void> may_move(const Surroundings& surroundings, const Vigil& vigil);
+// Before every motion of a task. Failures: those of StandingConditions::check(); camera-doubtful: it may have been
+// moved.
+Result<void> may_move(const Surroundings& surroundings, const StandingConditions& conditions);
 
 class ServoLoop {
  public:
   ServoLoop(runtime::AgentContext& context, const CoordinatorOptions& options, const runtime::Service& service,
-            Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, const Vigil& vigil, Aims& aims,
-            Carried& carried)
+            Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, const StandingConditions& conditions,
+            Aims& aims, Carried& carried)
       : context_(context),
         options_(options),
         service_(service),
@@ -32,7 +33,7 @@ class ServoLoop {
         story_(story),
         arm_(arm),
         eyes_(eyes),
-        vigil_(vigil),
+        conditions_(conditions),
         aims_(aims),
         carried_(carried) {}
 
@@ -56,7 +57,7 @@ class ServoLoop {
   Story& story_;
   Arm& arm_;
   Eyes& eyes_;
-  const Vigil& vigil_;
+  const StandingConditions& conditions_;
   Aims& aims_;
   Carried& carried_;
 };

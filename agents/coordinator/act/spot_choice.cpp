@@ -69,7 +69,7 @@ bool SpotChoice::is_off_places(const Eigen::Vector2d& spot) const {
     const Eigen::Vector2d apart = spot - Eigen::Vector2d((*place)[2].number(), (*place)[3].number());
     return apart.lpNorm<Eigen::Infinity>() < domain_.cube_mm();
   };
-  return std::ranges::none_of(domain_.spots(), near);
+  return std::ranges::none_of(domain_.named_places(), near);
 }
 
 TableArea SpotChoice::area() const { return TableArea::of(options_.row, domain_.cube_mm()); }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "agents/coordinator/geometry/spots.hpp"
+#include "agents/coordinator/geometry/free_spot.hpp"
 #include "agents/coordinator/perceive/scene.hpp"
 
 namespace pizarra::coordinator {

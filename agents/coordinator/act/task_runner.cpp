@@ -43,7 +43,7 @@ Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation)
 }
 
 Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
-  vigil_.rest();
+  conditions_.rest();
   aims_.reset();
   // A slip of the step before is not told again.
   if (carried_.is_lost()) carried_.end();
@@ -53,13 +53,13 @@ Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
 
 Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Result<void> fine = may_move(surroundings_, vigil_);
+    const Result<void> fine = may_move(surroundings_, conditions_);
     if (!fine) co_return fine;
     co_await tell(list("micro-task"_sym, i, steps[i], "running"_sym));
     const Result<void> done = co_await carried_.keep(run_step(steps[i]));
     const Datum state = Datum::symbol(done ? "done" : "failed");
     co_await tell(list("micro-task"_sym, i, steps[i], state));
-    const bool goes_on = done || (options_.open_loop && !vigil_.interrupted());
+    const bool goes_on = done || (options_.open_loop && !interruption_.raised());
     if (!goes_on) co_return done;
   }
   co_return Result<void>();
@@ -95,7 +95,7 @@ Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
 }
 
 Task<Result<void>> TaskRunner::close() {
-  vigil_.commit();
+  conditions_.commit();
   const Result<double> opening = co_await arm_.grip(0);
   if (!opening) co_return fail(opening);
   const bool is_held = domain_.edge_like(*opening).has_value();
@@ -105,7 +105,7 @@ Task<Result<void>> TaskRunner::close() {
 }
 
 Task<Result<void>> TaskRunner::release() {
-  vigil_.commit();
+  conditions_.commit();
   carried_.end();
   const Result<double> opened = co_await arm_.grip(options_.gripper.openings.normal_mm);
   if (!opened) co_return fail(opened);
@@ -191,7 +191,7 @@ Task<Result<void>> TaskRunner::await_effects(GroundOperation operation) {
     bool effective = true;
     for (const Datum& fact : operation.adds) effective = effective && beliefs.contains(fact);
     if (effective) co_return Result<void>();
-    if (vigil_.interrupted() || carried_.is_lost() || context_.executor.now() > deadline) break;
+    if (interruption_.raised() || carried_.is_lost() || context_.executor.now() > deadline) break;
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
   }

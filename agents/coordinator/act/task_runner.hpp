@@ -3,12 +3,12 @@
 // Does tasks: an operation of the plan is one, and so is what a rescue (rescues.hpp) improvises. A task is its
 // micro-tasks (plan/primitives.hpp) one after another, the aligning ones under the visual servo.
 //
-//   vigil.begin(table, index);
+//   conditions.begin(table, index);
 //   Result<void> done = co_await runner.run(index, operation);
 //
-// Failures: interrupted, difference (see Vigil), camera-doubtful (it may have been moved), missed (nothing was
-// grasped), slipped (what was carried is not between the fingers any more), no-effect (all was done and the eyes do not
-// see its effect). Others are lost-sight, no-convergence, no-room, absent, and the robot's own.
+// Failures: interrupted, difference (see StandingConditions), camera-doubtful (it may have been moved), missed (nothing
+// was grasped), slipped (what was carried is not between the fingers any more), no-effect (all was done and the eyes do
+// not see its effect). Others are lost-sight, no-convergence, no-room, absent, and the robot's own.
 
 #include "agents/coordinator/act/carried.hpp"
 #include "agents/coordinator/act/pushes.hpp"
@@ -19,8 +19,8 @@ namespace pizarra::coordinator {
 class TaskRunner {
  public:
   TaskRunner(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-             Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, Vigil& vigil, Aims& aims, Carried& carried,
-             ServoLoop& servo, Pushes& pushes)
+             Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, const Interruption& interruption,
+             StandingConditions& conditions, Aims& aims, Carried& carried, ServoLoop& servo, Pushes& pushes)
       : context_(context),
         options_(options),
         domain_(domain),
@@ -28,7 +28,8 @@ class TaskRunner {
         story_(story),
         arm_(arm),
         eyes_(eyes),
-        vigil_(vigil),
+        interruption_(interruption),
+        conditions_(conditions),
         aims_(aims),
         carried_(carried),
         servo_(servo),
@@ -63,7 +64,8 @@ class TaskRunner {
   Story& story_;
   Arm& arm_;
   Eyes& eyes_;
-  Vigil& vigil_;
+  const Interruption& interruption_;
+  StandingConditions& conditions_;
   Aims& aims_;
   Carried& carried_;
   ServoLoop& servo_;

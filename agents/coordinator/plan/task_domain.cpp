@@ -143,7 +143,7 @@ std::vector<Relation> TaskDomain::relations() const {
   return relations;
 }
 
-std::vector<const Datum*> TaskDomain::spots() const {
+std::vector<const Datum*> TaskDomain::named_places() const {
   std::vector<const Datum*> spots;
   for (const Datum& fact : perception_.facts()) {
     const bool spot = fact.is_form("spot") && fact.size() == 4;
@@ -152,8 +152,8 @@ std::vector<const Datum*> TaskDomain::spots() const {
   return spots;
 }
 
-const Datum* TaskDomain::spot(std::string_view name) const {
-  for (const Datum* spot : spots()) {
+const Datum* TaskDomain::named_place(std::string_view name) const {
+  for (const Datum* spot : named_places()) {
     if ((*spot)[1].is_symbol(name)) return spot;
   }
   return nullptr;

@@ -37,9 +37,9 @@ class TaskDomain {
   // The predicates as relations, every argument key.
   std::vector<Relation> relations() const;
   // Where a named place of the table is: (spot NAME X Y) of the perception section.
-  const Datum* spot(std::string_view name) const;
+  const Datum* named_place(std::string_view name) const;
   // All of them.
-  std::vector<const Datum*> spots() const;
+  std::vector<const Datum*> named_places() const;
 
  private:
   forms::Domain domain_;

@@ -32,20 +32,23 @@ struct Life {
         planning(context, options, domain, roles, caller, surroundings),
         aims(options, domain, surroundings.scene()),
         carried(context, options, domain, surroundings, arm),
-        servo(context, options, service, surroundings, story, arm, eyes, vigil, aims, carried),
-        pushes(options, domain, surroundings, story, arm, vigil),
-        runner(context, options, domain, surroundings, story, arm, eyes, vigil, aims, carried, servo, pushes),
+        servo(context, options, service, surroundings, story, arm, eyes, conditions, aims, carried),
+        pushes(options, domain, surroundings, story, arm, conditions),
+        runner(context, options, domain, surroundings, story, arm, eyes, interruption, conditions, aims, carried, servo,
+               pushes),
         rescues(domain, surroundings.scene(), story, arm, pushes, runner, options.gripper.openings.wide_mm),
-        survey(options, domain, surroundings, story, arm, eyes, servo, runner, vigil),
-        goal(context, story, vigil),
+        survey(options, domain, surroundings, story, arm, eyes, servo, runner, interruption),
+        goal(context, story, interruption),
         plan(planning, story),
         differences(surroundings, story),
-        head_search(options, domain, surroundings, story, eyes, head, vigil),
-        search(context, options, domain, surroundings, story, eyes, head_search, plan, runner, rescues, vigil),
-        replanning(context, surroundings, planning, plan, search, runner, rescues, vigil),
+        head_search(options, domain, surroundings, story, eyes, head, interruption),
+        search(context, options, domain, surroundings, story, eyes, head_search, plan, runner, rescues, interruption),
+        replanning(context, surroundings, planning, plan, search, runner, rescues, interruption),
         pursuit(context, options, domain, surroundings, story, eyes, planning, plan, differences, search, replanning,
-                runner, rescues, survey, vigil),
-        loop(context, options, surroundings, eyes, planning, plan, differences, goal, pursuit, vigil),
+                runner, rescues, survey, interruption, conditions),
+        staged(context, surroundings, eyes, plan, goal, pursuit, interruption),
+        kept(context, options, surroundings, eyes, planning, differences, goal, staged, interruption),
+        loop(plan, goal, staged, kept, interruption),
         why_not(options, domain, surroundings, eyes, planning) {}
 
   TaskDomain domain;
@@ -53,7 +56,8 @@ struct Life {
   Story story;
   runtime::Roles roles;
   Surroundings surroundings;
-  Vigil vigil;
+  Interruption interruption;
+  StandingConditions conditions{interruption};
   Arm arm;
   Eyes eyes;
   Head head;
@@ -73,6 +77,8 @@ struct Life {
   ObjectSearch search;
   Replanning replanning;
   Pursuit pursuit;
+  StagedPursuit staged;
+  KeptGoal kept;
   GoalLoop loop;
   WhyNot why_not;
   Job changing, pursuing;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/coordinator/pursue/goal_state.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 
 namespace pizarra::coordinator {
@@ -12,17 +13,6 @@ namespace {
 constexpr Duration untold_pause = 1s;
 
 bool is_in_hand(const Datum& state) { return state.is_symbol("running") || state.is_symbol("kept"); }
-
-// As tell_progress() told it: (stage K ...), from 1, of the stage that is pursued.
-std::size_t stage_of(const std::vector<Fact>& states, std::int64_t number) {
-  for (const Fact& state : states) {
-    const Datum& detail = state.datum[3];
-    const bool told = state.datum[1].integer() == number && detail.is_form("stage") && detail.size() >= 2;
-    if (told && detail[1].is_integer() && detail[1].integer() > 0)
-      return static_cast<std::size_t>(detail[1].integer() - 1);
-  }
-  return 0;
-}
 
 }  // namespace
 
@@ -36,10 +26,10 @@ Task<void> GoalInHand::resume() {
   for (const Fact& fact : goals) {
     const std::int64_t number = fact.datum[1].integer();
     last_number_ = std::max(last_number_, number);
-    const bool running =
-        std::ranges::any_of(states, [&](const Fact& state) { return state.datum[1] == fact.datum[1]; });
+    const auto state = std::ranges::find_if(states, [&](const Fact& told) { return told.datum[1] == fact.datum[1]; });
+    if (state == states.end()) continue;
     const auto wanted = fact.datum[2].items();
-    if (running) goal = Goal{number, {wanted.begin(), wanted.end()}, stage_of(states, number)};
+    goal = Goal{number, {wanted.begin(), wanted.end()}, stage_told(state->datum[3])};
   }
   if (!goal) co_return;
   current_ = goal;
@@ -60,7 +50,7 @@ Task<Result<std::int64_t>> GoalInHand::submit(std::vector<Datum> facts) {
   if (!told) co_return fail(told);
   last_number_ = goal.number;
   current_ = goal;
-  vigil_.interrupt();
+  interruption_.raise();
   wanted_.wake_all();
   co_return goal.number;
 }
@@ -71,7 +61,7 @@ Task<Result<void>> GoalInHand::cancel() {
   const Result<Revision> told = co_await tell_outcome(current_->number, "cancelled", Datum());
   if (!told) co_return fail(told);
   current_.reset();
-  vigil_.interrupt();
+  interruption_.raise();
   co_return Result<void>();
 }
 

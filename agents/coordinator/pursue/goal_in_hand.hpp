@@ -2,7 +2,7 @@
 
 // The goal that is wanted, as durable facts: given, replaced, cancelled, ended, and taken up again after a restart.
 //
-//   GoalInHand goal(context, story, vigil);
+//   GoalInHand goal(context, story, interruption);
 //   co_await goal.resume();                                  // what stands on the board
 //   Result<std::int64_t> number = co_await goal.submit(facts);
 //   const Goal wanted = co_await goal.next();                // as soon as anything is wanted
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/plan/interruption.hpp"
 #include "agents/coordinator/story.hpp"
 #include "agents/runtime/agent.hpp"
 #include "blackboard/time/latch.hpp"
@@ -31,8 +31,12 @@ struct Goal {
 
 class GoalInHand {
  public:
-  GoalInHand(runtime::AgentContext& context, Story& story, Vigil& vigil)
-      : context_(context), story_(story), vigil_(vigil), turns_(context.executor), wanted_(context.executor) {}
+  GoalInHand(runtime::AgentContext& context, Story& story, Interruption& interruption)
+      : context_(context),
+        story_(story),
+        interruption_(interruption),
+        turns_(context.executor),
+        wanted_(context.executor) {}
 
   // Takes up the goal that stands on the board, before anything else.
   Task<void> resume();
@@ -58,7 +62,7 @@ class GoalInHand {
 
   runtime::AgentContext& context_;
   Story& story_;
-  Vigil& vigil_;
+  Interruption& interruption_;
   Turns turns_;  // to change what is wanted
   WaitList wanted_;
   std::optional<Goal> current_;

@@ -71,7 +71,7 @@ Task<Result<bool>> HeadSearch::look_around(Search search) {
   const Datum subject = Datum::symbol(search.object);
   co_await story_.tell("missing", begins, subject);
   for (const HeadTurn& view : views) {
-    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (interruption_.raised()) co_return interruption_.failure();
     const Result<bool> shown = co_await look_from(view, search.object);
     if (!shown) co_return shown;
     if (!*shown) continue;

@@ -12,7 +12,7 @@
 
 #include "agents/coordinator/perceive/eyes.hpp"
 #include "agents/coordinator/perceive/head.hpp"
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/plan/interruption.hpp"
 
 namespace pizarra::coordinator {
 
@@ -20,14 +20,14 @@ class HeadSearch {
  public:
   // All outlive it.
   HeadSearch(const CoordinatorOptions& options, const TaskDomain& domain, Surroundings& surroundings, Story& story,
-             Eyes& eyes, Head& head, Vigil& vigil)
+             Eyes& eyes, Head& head, const Interruption& interruption)
       : options_(options),
         domain_(domain),
         surroundings_(surroundings),
         story_(story),
         eyes_(eyes),
         head_(head),
-        vigil_(vigil) {}
+        interruption_(interruption) {}
 
   // Whether it is seen now.
   Task<Result<bool>> look_for(std::string object);
@@ -60,7 +60,7 @@ class HeadSearch {
   Story& story_;
   Eyes& eyes_;
   Head& head_;
-  Vigil& vigil_;
+  const Interruption& interruption_;
   std::string in_vain_;
 };
 

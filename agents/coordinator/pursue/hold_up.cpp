@@ -46,14 +46,14 @@ Task<Result<void>> HoldUp::await_end(Failure why) {
   if (is_stop) co_await await_no_stop();
   pause_ = std::clamp(2 * pause_, first_pause, longest_pause);
   co_await pause(pause_);
-  if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+  if (interruption_.raised()) co_return interruption_.failure();
   co_return Result<void>();
 }
 
 Task<void> HoldUp::await_no_stop() {
   const Datum pattern = runtime::any_stop();
   pause_ = {};
-  while (!vigil_.interrupted()) {
+  while (!interruption_.raised()) {
     const std::vector<Fact> stops = co_await facts_now(context_.board, context_.executor, pattern);
     if (stops.empty()) co_return;
     co_await sleep(context_.executor, look_pause);
@@ -62,7 +62,7 @@ Task<void> HoldUp::await_no_stop() {
 
 Task<void> HoldUp::pause(Duration length) {
   const Time until = context_.executor.now() + length;
-  while (context_.executor.now() < until && !vigil_.interrupted()) {
+  while (context_.executor.now() < until && !interruption_.raised()) {
     co_await sleep(context_.executor, look_pause);
   }
 }

@@ -3,7 +3,7 @@
 // Hold-ups stop the cell and say nothing of its goal: somebody's stop, the pendant, a line to board or arm that was
 // silent, an arm that has an alarm, a full disk. The pursuit waits until one ends, and then begins with a look.
 //
-//   HoldUp hold_up(context, story, vigil);
+//   HoldUp hold_up(context, story, interruption);
 //   if (is_hold_up(why)) done = co_await hold_up.await_end(why);      // interrupted, or it lasts too long
 //   hold_up.went_on();                                                 // an operation was done
 //
@@ -12,7 +12,7 @@
 
 #include <optional>
 
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/plan/interruption.hpp"
 #include "agents/coordinator/story.hpp"
 #include "agents/runtime/agent.hpp"
 
@@ -22,8 +22,8 @@ bool is_hold_up(const Failure& failure);
 
 class HoldUp {
  public:
-  HoldUp(runtime::AgentContext& context, Story& story, Vigil& vigil)
-      : context_(context), story_(story), vigil_(vigil) {}
+  HoldUp(runtime::AgentContext& context, Story& story, const Interruption& interruption)
+      : context_(context), story_(story), interruption_(interruption) {}
 
   // Failures: interrupted, and what it waited for in vain.
   Task<Result<void>> await_end(Failure why);
@@ -35,7 +35,7 @@ class HoldUp {
 
   runtime::AgentContext& context_;
   Story& story_;
-  Vigil& vigil_;
+  const Interruption& interruption_;
   std::string told_;           // the reason that the story has
   std::optional<Time> since_;  // nothing was done
   Duration pause_{};

@@ -105,7 +105,7 @@ Task<Result<void>> ObjectSearch::look_once_for(std::int64_t goal, std::string ob
   Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   std::uint64_t looked_from = surroundings_.looks();
   while (true) {
-    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (interruption_.raised()) co_return interruption_.failure();
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
     if (surroundings_.scene().sightings().remembered(object, options_.grace_looks)) co_return Result<void>();
@@ -262,7 +262,7 @@ Task<Result<bool>> ObjectSearch::clear_view(std::int64_t goal, std::string missi
 Task<void> ObjectSearch::await_steady(std::vector<std::string> objects) {
   const Time begun = context_.executor.now();
   const std::uint64_t first_look = surroundings_.looks();
-  while (!surroundings_.steady(objects) && !vigil_.interrupted()) {
+  while (!surroundings_.steady(objects) && !interruption_.raised()) {
     const Duration waited = context_.executor.now() - begun;
     if (waited >= steady_patience) co_return;
     const std::uint64_t looks = surroundings_.looks() - first_look;
@@ -293,7 +293,7 @@ Task<void> ObjectSearch::await_put_down() {
   const std::string sentence = "somebody holds " + *held + ": waiting until it is put down";
   const Datum object = Datum::symbol(*held);
   co_await story_.tell("agent", sentence, object);
-  while (held && context_.executor.now() < deadline && !vigil_.interrupted()) {
+  while (held && context_.executor.now() < deadline && !interruption_.raised()) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return;
     held = surroundings_.scene().held_by_somebody();

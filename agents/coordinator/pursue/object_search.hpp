@@ -7,10 +7,9 @@
 // An object that the goal only quantifies over is looked for once it has been seen in this life. Where that is in vain
 // it counts as away, until it is seen again or another goal comes.
 //
-//   ObjectSearch search(context, options, domain, surroundings, story, eyes, head, plan, runner, rescues, vigil);
-//   search.begin();                                            // a goal, or a stage of it
-//   Result<void> there = co_await search.look_for(goal);       // missing-object names all that it names and are
-//   missing
+//   ObjectSearch search(context, options, domain, surroundings, story, eyes, head, plan, runner, rescues,
+//   interruption); search.begin();                                            // a goal, or a stage of it Result<void>
+//   there = co_await search.look_for(goal);       // missing-object names all that it names and are missing
 
 #include <map>
 #include <optional>
@@ -29,7 +28,7 @@ class ObjectSearch {
  public:
   ObjectSearch(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
                Surroundings& surroundings, Story& story, Eyes& eyes, HeadSearch& head, const PlanInHand& plan,
-               TaskRunner& runner, Rescues& rescues, Vigil& vigil)
+               TaskRunner& runner, Rescues& rescues, const Interruption& interruption)
       : context_(context),
         options_(options),
         domain_(domain),
@@ -40,7 +39,7 @@ class ObjectSearch {
         plan_(plan),
         runner_(runner),
         rescues_(rescues),
-        vigil_(vigil) {}
+        interruption_(interruption) {}
 
   // Forgets what was set aside.
   void begin();
@@ -128,7 +127,7 @@ class ObjectSearch {
   const PlanInHand& plan_;
   TaskRunner& runner_;
   Rescues& rescues_;
-  Vigil& vigil_;
+  const Interruption& interruption_;
   int set_aside_ = 0;                                  // how often something was, since the search began
   int swept_ = 0;                                      // the same of sweeps
   std::set<std::pair<std::string, std::string>> hid_;  // a missing object, and what was set aside before it

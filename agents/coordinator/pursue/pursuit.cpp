@@ -78,7 +78,7 @@ Task<Result<void>> Pursuit::attempt(Goal goal) {
 
 Task<Result<void>> Pursuit::find_camera() {
   while (!surroundings_.scene().camera().known()) {
-    vigil_.rest();
+    conditions_.rest();
     const Result<void> found = co_await survey_.run();
     // A motion that ended early says nothing of the camera.
     const bool ended_early = !found && found.error().symbol == "stopped";
@@ -96,9 +96,9 @@ Task<Result<void>> Pursuit::carry_out_blindly(Goal goal) {
   if (!plan) co_return fail(plan);
   if (!*plan) co_return fail("off-plan", "the first plan does not fit what holds");
   const NextOperation first = **plan;
-  vigil_.rest();
+  conditions_.rest();
   for (std::size_t i = 0; i < first.rest.size(); ++i) {
-    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (interruption_.raised()) co_return interruption_.failure();
     co_await runner_.run(first.index + i, first.rest[i]);
   }
   co_return Result<void>();
@@ -109,7 +109,7 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
   Progress progress;
   room_.begin();
   for (int round = 0; round < most_rounds; ++round) {
-    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (interruption_.raised()) co_return interruption_.failure();
     const Result<void> found = co_await find_camera();
     if (!found) co_return found;
     // The arm keeps out of the way of a hand at work.
@@ -223,7 +223,7 @@ Task<void> Pursuit::try_otherwise(std::int64_t goal, GroundOperation operation, 
 
 Task<Result<void>> Pursuit::do_operation(NextOperation next) {
   const GroundOperation& operation = next.rest.front();
-  vigil_.begin(operation, next.needed_after);
+  conditions_.begin(operation, next.needed_after);
   const Result<void> done = co_await runner_.run(next.index, operation);
   if (done) co_return done;
   const Failure& why = done.error();
@@ -253,7 +253,7 @@ Task<bool> Pursuit::settles(Goal goal) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
     // While nobody knows where the camera stands, no look proves the goal.
-    const bool counts = !vigil_.interrupted() && surroundings_.scene().camera().known();
+    const bool counts = !interruption_.raised() && surroundings_.scene().camera().known();
     if (!counts) co_return false;
     const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
     if (!lost.empty()) {

@@ -28,7 +28,7 @@ class Pursuit {
   Pursuit(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
           Surroundings& surroundings, Story& story, Eyes& eyes, Planning& planning, PlanInHand& plan,
           Differences& differences, ObjectSearch& search, Replanning& replanning, TaskRunner& runner, Rescues& rescues,
-          CameraSurvey& survey, Vigil& vigil)
+          CameraSurvey& survey, const Interruption& interruption, StandingConditions& conditions)
       : context_(context),
         options_(options),
         domain_(domain),
@@ -43,9 +43,10 @@ class Pursuit {
         runner_(runner),
         rescues_(rescues),
         survey_(survey),
-        vigil_(vigil),
+        interruption_(interruption),
+        conditions_(conditions),
         room_(surroundings, search, rescues),
-        hold_up_(context, story, vigil) {}
+        hold_up_(context, story, interruption) {}
 
   Task<Result<void>> run(Goal goal);
 
@@ -95,7 +96,8 @@ class Pursuit {
   TaskRunner& runner_;
   Rescues& rescues_;
   CameraSurvey& survey_;
-  Vigil& vigil_;
+  const Interruption& interruption_;
+  StandingConditions& conditions_;
   RoomToSee room_;
   HoldUp hold_up_;
 };

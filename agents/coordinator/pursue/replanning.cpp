@@ -26,7 +26,7 @@ Task<Result<bool>> Replanning::run(Goal goal, std::vector<std::string> objects) 
   bool proved = false;
   int failed = 0;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    if (interruption_.raised()) co_return interruption_.failure();
     const Facts planned_on = surroundings_.beliefs();
     Result<std::vector<Datum>> plan = co_await planning_.make_plan(goal.number, goal.facts);
     if (plan) {

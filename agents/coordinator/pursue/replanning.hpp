@@ -3,7 +3,7 @@
 // Has a new plan made (steps d to f). That there is none counts when it is proved twice, in case something was on its
 // way, or hidden by the gripper.
 //
-//   Replanning replanning(context, surroundings, planning, plan, search, runner, rescues, vigil);
+//   Replanning replanning(context, surroundings, planning, plan, search, runner, rescues, interruption);
 //   Result<bool> made = co_await replanning.run(goal, objects);       // false where the one in hand serves again
 
 #include <string>
@@ -17,7 +17,7 @@ namespace pizarra::coordinator {
 class Replanning {
  public:
   Replanning(runtime::AgentContext& context, Surroundings& surroundings, Planning& planning, PlanInHand& plan,
-             ObjectSearch& search, TaskRunner& runner, Rescues& rescues, Vigil& vigil)
+             ObjectSearch& search, TaskRunner& runner, Rescues& rescues, const Interruption& interruption)
       : context_(context),
         surroundings_(surroundings),
         planning_(planning),
@@ -25,7 +25,7 @@ class Replanning {
         search_(search),
         runner_(runner),
         rescues_(rescues),
-        vigil_(vigil) {}
+        interruption_(interruption) {}
 
   // Failures: no-plan, gave-up, absent, those of the search, and hold-ups.
   Task<Result<bool>> run(Goal goal, std::vector<std::string> objects);
@@ -41,7 +41,7 @@ class Replanning {
   ObjectSearch& search_;
   TaskRunner& runner_;
   Rescues& rescues_;
-  Vigil& vigil_;
+  const Interruption& interruption_;
 };
 
 }  // namespace pizarra::coordinator

@@ -13,7 +13,7 @@
 
 #include "agents/vision/sight/clicked_place.hpp"
 #include "agents/vision/sight/face_plane.hpp"
-#include "agents/vision/sight/refind.hpp"
+#include "agents/vision/sight/hand_held_marks.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
 namespace pizarra::vision {

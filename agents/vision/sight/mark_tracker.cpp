@@ -31,28 +31,6 @@ constexpr double least_twins = 0.1;
 // and its motion tell.
 constexpr double little_doubt = 0.5;
 
-// The others may move meanwhile. One that is hidden is thought to rest.
-void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                   const LearnedObject& object) {
-  for (cv::Point2d& place : others) {
-    const auto found = std::ranges::find_if(marks, [&](const SeenMark& mark) {
-      return mark.box.contains(place) && (mark.tag || is_recognised(mark, objects, object));
-    });
-    if (found != marks.end()) place = found->centre;
-  }
-}
-
-// Keeps those that rest, or go as the camera does. One that falls beside a lost object may be that object, or its
-// cover.
-void drop_moved(std::vector<SeenMark>& marks, const std::vector<SeenMark>& now, cv::Point2d motion, double most_px) {
-  std::erase_if(marks, [&](const SeenMark& mark) {
-    return std::ranges::none_of(now, [&](const SeenMark& seen) {
-      const cv::Point2d moved = seen.centre - mark.centre;
-      return std::min(cv::norm(moved), cv::norm(moved - motion)) < most_px;
-    });
-  });
-}
-
 double disparity_px(const SeenMark& left, const SeenMark& right) { return left.centre.x - right.centre.x; }
 
 }  // namespace
@@ -152,44 +130,33 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   return out;
 }
 
-void MarkTracker::note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const {
-  const SeenMark& own = *track.left;
-  std::erase_if(track.others, [&](const cv::Point2d& place) { return own.box.contains(place); });
-  for (const SeenMark& mark : marks) {
-    if (own.box.contains(mark.centre) || !(mark.tag || is_recognised(mark, objects_, object))) continue;
-    if (may_be_one_cube(own, mark, front_slimness(object))) continue;
-    std::erase_if(track.others, [&](const cv::Point2d& place) { return mark.box.contains(place); });
-    track.others.push_back(mark.centre);
-  }
-  // Those that were noted longest ago are the least sure.
-  if (track.others.size() > most_twins) track.others.erase(track.others.begin(), track.others.end() - most_twins);
-}
-
 void MarkTracker::note_others_before(Track& track, const LearnedObject& object, StereoSight* now) {
   const auto paced = paced_.find(track.name);
   const bool is_paced = paced != paced_.end() && !paced->second.left.empty();
   const cv::Mat& before = is_paced ? paced->second.left : last_left_;
-  if (object.tag() != nullptr) return note_others(track, object, find_tags(before, *object.tag()));
+  if (object.tag() != nullptr) {
+    return track.others.note(*track.left, find_tags(before, *object.tag()), objects_, object);
+  }
   std::optional<ImageSegmentation> of_paced;
   std::optional<ImageSegmentation>& segmentation = is_paced ? of_paced : last_segmentation_;
   if (!segmentation) segmentation.emplace(before, noise_of(before), track.left->focal_px);
   std::vector<SeenMark> marks = segmentation->marks();
   const cv::Point2d motion = track.expected(captured_) - track.left->centre;
   if (now != nullptr) drop_moved(marks, now->left_segmentation().marks(), motion, px_in(now->left(), another_rests_px));
-  note_others(track, object, marks);
+  track.others.note(*track.left, marks, objects_, object);
 }
 
 std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, const LearnedObject& object) {
   const bool tagged = object.tag() != nullptr;
-  if (!track.others.empty() && tagged) follow_others(track.others, sight.tags(*object.tag()), objects_, object);
-  if (!track.others.empty() && !tagged)
-    follow_others(track.others, sight.left_segmentation().marks(), objects_, object);
+  if (!track.others.empty() && tagged) track.others.follow(sight.tags(*object.tag()), objects_, object);
+  if (!track.others.empty() && !tagged) track.others.follow(sight.left_segmentation().marks(), objects_, object);
   std::optional<SeenPair> now;
   if (track.left) {
-    now = sight.find(objects_, object, track.expected(captured_), px_in(sight.left(), local_reach_px), track.others);
+    now = sight.find(objects_, object, track.expected(captured_), px_in(sight.left(), local_reach_px),
+                     track.others.places());
   }
   const auto before = track.began_among_alike ? std::nullopt : track.seen_before;
-  if (!now) now = sight.find(objects_, object, {}, 0, track.others, before);
+  if (!now) now = sight.find(objects_, object, {}, 0, track.others.places(), before);
   return now;
 }
 
@@ -231,7 +198,7 @@ void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObjec
   before.name = track.name;
   before.missed = true;
   before.others = track.others;
-  if (before.others.size() < most_twins) before.others.push_back(now.left.centre);
+  before.others.add(now.left.centre);
   track = std::move(before);
   now = std::move(*there);
 }
@@ -376,7 +343,8 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const bool begins = !track.left;
   take(sight, track, std::move(now));
   // A tag that is followed has no others.
-  if (begins && object->tag() == nullptr) note_others(track, *object, sight.left_segmentation().marks());
+  if (begins && object->tag() == nullptr)
+    track.others.note(*track.left, sight.left_segmentation().marks(), objects_, *object);
   track.confidence = out.confidence;
   return out;
 }

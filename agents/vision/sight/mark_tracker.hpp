@@ -29,6 +29,7 @@
 #include "agents/vision/sight/confined_sights.hpp"
 #include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/frame_time.hpp"
+#include "agents/vision/sight/known_twins.hpp"
 #include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/search_limits.hpp"
 #include "agents/vision/sight/wholeness.hpp"
@@ -56,7 +57,6 @@ struct TrackSighting {
 
 // All that can be known. Forgotten ones that are still asked for count too.
 inline constexpr std::size_t most_tracked = most_objects;
-inline constexpr std::size_t most_twins = 16;  // of one object's like
 inline constexpr Duration longest_bridge = 500ms;
 inline constexpr Duration longest_doubt = 5s;  // whether what is found elsewhere is it
 
@@ -106,8 +106,7 @@ class MarkTracker {
     double disparity_change_px = 0;
     double range_mm = 0;
     double confidence = 0;
-    // Where its like is that stood elsewhere when it was found or seen last, so that it is another.
-    std::vector<cv::Point2d> others = {};
+    KnownTwins others = {};
     // As it was when it was lost; and for how long yet it must be followed elsewhere, where it was found since.
     std::shared_ptr<const Track> before = {};
     Duration doubted_for = {};
@@ -117,9 +116,8 @@ class MarkTracker {
   std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   // Looks for it where it is not followed.
   std::optional<SeenPair> search(StereoSight& sight, Track& track, const LearnedObject& object);
-  // Which of the marks are like what was just seen, and another.
-  void note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const;
-  // Of those in the image in which it was seen last; where there is a frame since, of those that this shows there too.
+  // Of the marks in the image in which it was seen last; where there is a frame since, of those that this shows there
+  // too.
   void note_others_before(Track& track, const LearnedObject& object, StereoSight* now);
   // Looks at it, or tells what was told last.
   TrackSighting look_in_turn(ConfinedSights& sights, Track& track);

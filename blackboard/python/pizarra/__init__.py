@@ -11,7 +11,7 @@ One module is one idea:
     agent_patterns                  how agents meet: QUERY, SEND, pull, EVENT, WIRING
     replica, stream                 facts that are held here; images
     look                            what a detector of one's own tells
-    session, session_requests, board_calls, watch_feed, leases, link, addresses, keys, flow, service, loop
+    session, session_requests, board_calls, watch_feed, leases, link, addresses, keys, flow, service, aio_wait
                                     what these stand on
 
 It needs Debian's python3-zmq; images as arrays need python3-numpy.

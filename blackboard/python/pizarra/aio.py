@@ -23,7 +23,7 @@ from pizarra.answers import Answer, Answers, Fact, Recalled, query_of
 from pizarra.board_calls import Call
 from pizarra.failure import Failure
 from pizarra.flow import Flow, Keep, Pause, Step, Until
-from pizarra.loop import Readable, wait
+from pizarra.aio_wait import Readable, wait
 from pizarra.relation import Relation
 from pizarra.replica import Replicas
 from pizarra.session import Session

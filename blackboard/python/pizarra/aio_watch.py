@@ -11,7 +11,7 @@ import asyncio
 from typing import TYPE_CHECKING, Any, AsyncIterator, Optional
 
 from pizarra.answers import Change
-from pizarra.loop import Readable, wait
+from pizarra.aio_wait import Readable, wait
 from pizarra.stream import Frame, StreamFeed
 from pizarra.watch_feed import WatchFeed
 

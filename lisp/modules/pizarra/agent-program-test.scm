@@ -1,4 +1,4 @@
-(use-modules (srfi srfi-1) (pizarra agent-program) (pizarra checks))
+(use-modules (srfi srfi-1) (pizarra agent-program) (pizarra test-checks))
 
 (define limits '(300 32))
 (define (load-text words) (load-program 'tester words "a.scm" limits))

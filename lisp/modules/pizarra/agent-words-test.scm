@@ -1,4 +1,4 @@
-(use-modules (pizarra agent-words) (pizarra checks))
+(use-modules (pizarra agent-words) (pizarra test-checks))
 
 (define (refused? thunk)
   (catch #t (lambda () (thunk) #f) (lambda (key . values) #t)))

@@ -1,4 +1,4 @@
-(use-modules (pizarra arm) (pizarra checks))
+(use-modules (pizarra arm) (pizarra test-checks))
 
 (define crane
   '((gantry (height 700) (tool 130))

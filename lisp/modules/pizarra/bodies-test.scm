@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 ;; The bodies of a cell file with two tagged objects, or how many complaints it has and the first one.
 (define (bodies . given)

@@ -1,4 +1,4 @@
-(use-modules (pizarra calibration) (pizarra checks))
+(use-modules (pizarra calibration) (pizarra test-checks))
 
 (define lens '((focal 535.9 536) (centre 342.3 235.5) (distortion -0.26 -0.04 0 0 0.25)))
 

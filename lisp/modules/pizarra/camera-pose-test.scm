@@ -1,4 +1,4 @@
-(use-modules (pizarra camera-pose) (pizarra checks))
+(use-modules (pizarra camera-pose) (pizarra test-checks))
 
 (define (complaint . parts)
   (let ((outcome (interpret (list (cons 'camera-pose parts)))))

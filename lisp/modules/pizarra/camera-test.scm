@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 ;; The value of a cell file with these words in its (camera ...), or how many complaints it has and the first one.
 (define (camera . words)

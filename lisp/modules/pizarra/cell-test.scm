@@ -1,4 +1,4 @@
-(use-modules (pizarra cell) (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell) (pizarra cell-test-checks) (pizarra test-checks))
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok ((name c) (camera (1330 0 200 0 0 0 "" 10 (320 240) ())) (noise (3 0.7 0.12)) (cubes ()) (arm crs-f3)

@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 (define (cubes-in . cubes)
   (cell-part 'cubes `(world ,@cubes)))

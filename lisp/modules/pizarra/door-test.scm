@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 (define (door . parts)
   (cell-part 'door `(door ,@parts)))

@@ -1,4 +1,4 @@
-(use-modules (srfi srfi-1) (pizarra driver) (pizarra forms) (pizarra checks))
+(use-modules (srfi srfi-1) (pizarra driver) (pizarra forms) (pizarra test-checks))
 
 (define protocols '((tcp ("the host") (80 81)) (lines ("the first line" "the second") ())))
 

@@ -1,4 +1,4 @@
-(use-modules (srfi srfi-1) (pizarra checks) (pizarra forms))
+(use-modules (srfi srfi-1) (pizarra test-checks) (pizarra forms))
 
 (define (read-cell data)
   (interpreting data

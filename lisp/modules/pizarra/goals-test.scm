@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra goals))
+(use-modules (pizarra test-checks) (pizarra goals))
 
 (define predicates '((on (upper OBJECT) (lower OBJECT)) (at (ob OBJECT) (where PLACE)) (arm-empty)))
 (define objects '((circle OBJECT) (triangle OBJECT) (place-1 PLACE)))

@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 (check "an agent runs on one host"
        (complaint '(host "a" (agents robot)) '(host "b" (agents robot))) '(1 repeated (0 3 2 1)))

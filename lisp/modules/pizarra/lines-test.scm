@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 (check "a serial line has one of the known speeds" (complaint '(pan-tilt (serial "/dev/x" 1200))) '(1 out-of-range (0 2 1 2)))
 (check "so has a door's" (complaint '(door (serial "/dev/ttyUSB0" 1000) (keys "k"))) '(1 out-of-range (0 2 1 2)))

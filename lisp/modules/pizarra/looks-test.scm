@@ -1,4 +1,4 @@
-(use-modules (srfi srfi-1) (pizarra checks) (pizarra looks))
+(use-modules (srfi srfi-1) (pizarra test-checks) (pizarra looks))
 
 ;; A camera that faces the arm, 1330 mm before it and 200 mm up.
 (define camera '(431.0 159.5 119.5 90.0 (1330.0 0.0 200.0) (0.0 1.0 0.0) (0.0 0.0 -1.0) (-1.0 0.0 0.0)))

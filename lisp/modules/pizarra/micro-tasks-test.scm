@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra micro-tasks))
+(use-modules (pizarra test-checks) (pizarra micro-tasks))
 
 (define primitives '((raise 0) (align 1) (lower 1) (close 0)))
 (define aimed '(align lower))

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra forms) (pizarra operators))
+(use-modules (pizarra test-checks) (pizarra forms) (pizarra operators))
 
 ;; Parameters and facts as they stand, parameters as variables.
 (define (read-all . operators)

@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 (define (pan-tilt . parts)
   (cell-part 'pan-tilt `(pan-tilt ,@parts)))

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra pddl-domain))
+(use-modules (pizarra test-checks) (pizarra pddl-domain))
 
 (define (domain . sections)
   (interpret (list (cons* 'define '(domain d) sections))))

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra pddl-problem))
+(use-modules (pizarra test-checks) (pizarra pddl-problem))
 
 (define domain
   '(domain d ((block thing) (thing object)) ((table thing)) ((on block thing) (clear block)) ((weight block)) () ()))

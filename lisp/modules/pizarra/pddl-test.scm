@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra forms) (pizarra pddl))
+(use-modules (pizarra test-checks) (pizarra forms) (pizarra pddl))
 
 (define vocabulary
   (make-vocabulary '((block thing) (toy thing) (thing object)) '((on block thing)) '() '((a block) (b toy) (c thing))))

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra perceive))
+(use-modules (pizarra test-checks) (pizarra perceive))
 
 (define (section . parts) `(perception ,@parts))
 (define low '(rule (low ?a) (seen ?a ? ? ?z) (< ?z 40)))

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra perception))
+(use-modules (pizarra test-checks) (pizarra perception))
 
 (define predicates '((on 2) (on-table 1) (near 2) (low 1)))
 

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra planning-facts))
+(use-modules (pizarra test-checks) (pizarra planning-facts))
 
 (define operators '(domain operators ((OBJECT object)) () ((clear *) (on * *) (arm-empty)) () () ()))
 (define declared '(domain d ((OBJECT object) (PLACE object)) ((here PLACE)) ((clear OBJECT) (at OBJECT PLACE)) () () ()))

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra planning-operators))
+(use-modules (pizarra test-checks) (pizarra planning-operators))
 
 (define (wrong . operators)
   (let ((outcome (interpret operators)))

@@ -1,4 +1,4 @@
-(use-modules (pizarra scenario) (pizarra checks))
+(use-modules (pizarra scenario) (pizarra test-checks))
 
 (define (story . parts)
   (interpret (list `(scenario "s" (cell "c.scm") (goal (on a b)) ,@parts)) 50))

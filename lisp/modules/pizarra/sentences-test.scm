@@ -1,4 +1,4 @@
-(use-modules (srfi srfi-1) (pizarra sentences) (pizarra checks))
+(use-modules (srfi srfi-1) (pizarra sentences) (pizarra test-checks))
 
 (define (said . words) (interpret words))
 (define (symbol-of-error outcome) (car (cadr outcome)))

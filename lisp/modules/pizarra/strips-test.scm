@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra strips))
+(use-modules (pizarra test-checks) (pizarra strips))
 
 (define (domain . sections)
   (interpret (list (cons* 'domain 'blocks sections))))

@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 ;; The tags of a cell file, or how many complaints it has and the first one.
 (define (tags . sections)

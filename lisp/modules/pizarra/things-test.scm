@@ -1,4 +1,4 @@
-(use-modules (pizarra cell-checks) (pizarra checks))
+(use-modules (pizarra cell-test-checks) (pizarra test-checks))
 
 ;; The plain things of a cell's world, or how many complaints it has and the first one.
 (define (things . given)

@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra vision-replies))
+(use-modules (pizarra test-checks) (pizarra vision-replies))
 
 (define comma (string->symbol ","))
 

@@ -172,8 +172,8 @@ TEST(NumberedPlaces, KnowsWhereThingsStandAndWhatIsFree) {
   EXPECT_EQ(perceived(task, "((gripper 84.0) (seen a 480 -205 30) (seen b 480 -98 30) (seen c 480 -99 90))"),
             facts("((at a place-1) (at b place-2) (on c b) (free place-3) (free place-4) (clear a) (clear c) "
                   "(arm-empty))"));
-  ASSERT_TRUE(task.spot("place-3"));
-  EXPECT_EQ(task.spot("place-9"), nullptr);
+  ASSERT_TRUE(task.named_place("place-3"));
+  EXPECT_EQ(task.named_place("place-9"), nullptr);
 }
 
 TEST(NumberedPlaces, BuildsNothingOnACubeThatLiesAskew) {

@@ -5,8 +5,8 @@
 #include "agents/coordinator/act/aim.hpp"
 #include "agents/coordinator/geometry/camera_view.hpp"
 #include "agents/coordinator/geometry/elbow_room.hpp"
+#include "agents/coordinator/geometry/free_spot.hpp"
 #include "agents/coordinator/geometry/sight_lines.hpp"
-#include "agents/coordinator/geometry/spots.hpp"
 #include "blackboard/time/random.hpp"
 #include "lisp/guile/scheme.hpp"
 

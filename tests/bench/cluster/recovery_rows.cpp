@@ -4,6 +4,7 @@
 
 #include "blackboard/cluster/etcd_client.hpp"
 #include "blackboard/cluster/followed_log.hpp"
+#include "blackboard/cluster/take_snapshot.hpp"
 #include "blackboard/journal/journal.hpp"
 #include "lisp/reader.hpp"
 #include "tests/bench/measure.hpp"

@@ -8,6 +8,7 @@
 #include "blackboard/cluster/cluster_log.hpp"
 #include "blackboard/cluster/log_transfer.hpp"
 #include "blackboard/cluster/standby.hpp"
+#include "blackboard/cluster/take_snapshot.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"

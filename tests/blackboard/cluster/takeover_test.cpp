@@ -9,6 +9,7 @@
 #include <set>
 
 #include "blackboard/cluster/log_leader.hpp"
+#include "blackboard/cluster/take_snapshot.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "tests/blackboard/cluster/etcd_model.hpp"

@@ -1,4 +1,4 @@
-#include "agents/coordinator/geometry/spots.hpp"
+#include "agents/coordinator/geometry/free_spot.hpp"
 
 #include <algorithm>
 #include <cmath>

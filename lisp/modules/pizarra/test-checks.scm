@@ -1,6 +1,6 @@
 ;; Checks for the tests of our modules: a test file is a row of checks and ends with (finish-checks).
 
-(define-module (pizarra checks)
+(define-module (pizarra test-checks)
   #:export (check finish-checks))
 
 (define failures 0)

@@ -4,16 +4,20 @@
 // expected effects are no differences: its preconditions count until it commits itself (`close` or `release`), what the
 // rest of the plan needs counts throughout.
 //
-//   vigil.begin(operation, needed_after);
-//   Result<void> fine = vigil.check(beliefs);      // before every motion
+//   conditions.begin(operation, needed_after);
+//   Result<void> fine = conditions.check(beliefs);      // before every motion
 
 #include "agents/coordinator/plan/ground_operation.hpp"
+#include "agents/coordinator/plan/interruption.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra::coordinator {
 
-class Vigil {
+class StandingConditions {
  public:
+  // It outlives them.
+  explicit StandingConditions(const Interruption& interruption) : interruption_(interruption) {}
+
   // `needed_after`: what must hold once it is done, for the rest of the plan.
   void begin(const GroundOperation& operation, const Facts& needed_after);
   // Between operations: nothing has to hold.
@@ -22,19 +26,15 @@ class Vigil {
     throughout_.clear();
   }
   void commit() { committed_ = true; }
-  // The goal was replaced or cancelled: whatever is being done ends at the next check.
-  void interrupt() { interrupted_ = true; }
-  void clear_interrupt() { interrupted_ = false; }
-  bool interrupted() const { return interrupted_; }
 
   // Failures: interrupted; difference, with the list of facts that ceased to hold as the subject.
   Result<void> check(const Facts& beliefs) const;
 
  private:
+  const Interruption& interruption_;
   Facts preconditions_;
   Facts throughout_;
   bool committed_ = false;
-  bool interrupted_ = false;
 };
 
 }  // namespace pizarra::coordinator

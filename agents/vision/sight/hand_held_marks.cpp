@@ -1,4 +1,4 @@
-#include "agents/vision/sight/refind.hpp"
+#include "agents/vision/sight/hand_held_marks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "agents/coordinator/plan/vigil.hpp"
+#include "agents/coordinator/plan/standing_conditions.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +14,7 @@ std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
   return missing;
 }
 
-void Vigil::begin(const GroundOperation& operation, const Facts& needed_after) {
+void StandingConditions::begin(const GroundOperation& operation, const Facts& needed_after) {
   preconditions_ = Facts(operation.preconditions.begin(), operation.preconditions.end());
   throughout_ = needed_after;
   // What it provides or changes itself.
@@ -27,8 +27,8 @@ void Vigil::begin(const GroundOperation& operation, const Facts& needed_after) {
   committed_ = false;
 }
 
-Result<void> Vigil::check(const Facts& beliefs) const {
-  if (interrupted_) return fail("interrupted", "another goal, or none, is wanted now");
+Result<void> StandingConditions::check(const Facts& beliefs) const {
+  if (interruption_.raised()) return interruption_.failure();
   std::vector<Datum> lost = missing_from(beliefs, throughout_);
   if (!committed_) {
     for (const Datum& fact : preconditions_) {

@@ -4,7 +4,7 @@
 ;;   complaints there are, and the first one.
 ;; (cell-part NAME SECTION ...) answers that part of the cell's value, or the complaint.
 
-(define-module (pizarra cell-checks)
+(define-module (pizarra cell-test-checks)
   #:use-module (pizarra cell)
   #:export (complaint cell-part))
 
