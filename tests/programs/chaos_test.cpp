@@ -55,6 +55,7 @@ TEST(Chaos, ObserversSayWhatAPlantedFaultDoes) {
       {"--replay 1 --faults none --plant motion-repeated", "a motion is made again for the request"},
       {"--replay 1 --only stop --plant commander-heard-at-rest", "the arm moves on for coordinator under (commander"},
       {"--replay 1 --faults none --plant plan-not-kept", "the board does not keep the plan"},
+      {"--replay 1 --faults none --plant goal-not-kept", "the board does not keep goal 1"},
       {"--replay 1 --only slip --plant places-kept", "mm from where it is in plain sight"},
       {"--replay 1 --only slip --plant beliefs-kept", "is believed, and the world does not show it"}};
   for (const auto& [words, sentence] : planted) {

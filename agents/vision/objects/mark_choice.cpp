@@ -95,21 +95,23 @@ bool are_partners(const SeenMark& left, const SeenMark& right) {
          signature_error(left.signature, right.signature) < recognition_threshold;
 }
 
+std::vector<const SeenMark*> find_partners(const SeenMark& left, const std::vector<SeenMark>& right) {
+  std::vector<const SeenMark*> partners;
+  for (const SeenMark& mark : right) {
+    if (are_partners(left, mark)) partners.push_back(&mark);
+  }
+  std::ranges::sort(partners, {},
+                    [&](const SeenMark* mark) { return signature_error(left.signature, mark->signature); });
+  return partners;
+}
+
 const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
                              std::optional<double> disparity_px) {
-  const SeenMark* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const SeenMark& mark : right) {
-    if (!are_partners(left, mark)) continue;
-    const double disparity = left.centre.x - mark.centre.x;
-    const double error =
-        disparity_px ? std::abs(disparity - *disparity_px) : signature_error(left.signature, mark.signature);
-    if (error < least) {
-      least = error;
-      best = &mark;
-    }
-  }
-  return best;
+  const std::vector<const SeenMark*> partners = find_partners(left, right);
+  if (partners.empty()) return nullptr;
+  if (!disparity_px) return partners.front();
+  return *std::ranges::min_element(
+      partners, {}, [&](const SeenMark* mark) { return std::abs(left.centre.x - mark->centre.x - *disparity_px); });
 }
 
 }  // namespace pizarra::vision

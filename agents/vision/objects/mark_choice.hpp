@@ -37,8 +37,10 @@ std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const L
 double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& objects, const LearnedObject& object,
                 const SeenMark& found);
 
-// The partner of a left mark in the right image: same tone, line, size and shape, to the left of it and nearest to the
-// expected disparity where one is given. Null: none.
+// The possible partners of a left mark in the right image, the likest first: same tone, line, size and shape, to the
+// left of it. Of marks that look alike, as on two faces of a cube, each may be the partner of another.
+std::vector<const SeenMark*> find_partners(const SeenMark& left, const std::vector<SeenMark>& right);
+// The likest of them, or the one nearest to the expected disparity where one is given. Null: none.
 const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
                              std::optional<double> disparity_px);
 

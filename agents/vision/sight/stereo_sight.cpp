@@ -151,14 +151,15 @@ ImageSegmentation& StereoSight::right_segmentation() {
 }
 
 // Of the first one only the rows are looked at; the whole image then serves all others.
-const SeenMark* StereoSight::partner_of(const SeenMark& left) {
+std::vector<const SeenMark*> StereoSight::partners_of(const SeenMark& left) {
   if (!right_segmentation_ && !right_rows_) {
     const int reach = left.box.height / 4 + partner_reach_px;
     const cv::Rect rows(0, left.box.y - reach, right_.cols, left.box.height + 2 * reach);
     right_rows_.emplace(right_, noise_, model_.focal_px, rows);
-    if (const SeenMark* partner = find_partner(left, right_rows_->marks(), std::nullopt)) return partner;
+    std::vector<const SeenMark*> partners = find_partners(left, right_rows_->marks());
+    if (!partners.empty()) return partners;
   }
-  return find_partner(left, right_segmentation().marks(), std::nullopt);
+  return find_partners(left, right_segmentation().marks());
 }
 
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
@@ -180,12 +181,14 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
   while (!candidates.empty()) {
     const SeenMark* best = find_object(candidates, objects, object, seen_last);
     if (best == nullptr) return std::nullopt;
-    const SeenMark* partner = partner_of(*best);
+    const std::vector<const SeenMark*> partners = partners_of(*best);
     const Likeness likely = *recognise(*best, objects, object);
-    if (partner == nullptr && is_cut_off(object, *best))
+    if (partners.empty() && is_cut_off(object, *best))
       return SeenPair{.left = *best, .right = std::nullopt, .likeness = likely};
-    if (partner != nullptr && is_whole(model_, object, *best, *partner))
-      return SeenPair{.left = *best, .right = *partner, .likeness = likely};
+    for (const SeenMark* partner : partners) {
+      if (is_whole(model_, object, *best, *partner))
+        return SeenPair{.left = *best, .right = *partner, .likeness = likely};
+    }
     candidates.erase(candidates.begin() + (best - candidates.data()));
   }
   return std::nullopt;

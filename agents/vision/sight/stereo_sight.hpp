@@ -84,8 +84,8 @@ class StereoSight {
               std::optional<cv::Rect> area);
   // Of the right image; nothing: all of it.
   std::optional<cv::Rect> right_area() const;
-  // In the right image; null: none.
-  const SeenMark* partner_of(const SeenMark& left);
+  // In the right image, the likest first.
+  std::vector<const SeenMark*> partners_of(const SeenMark& left);
   // In one image, the likest first; `regions` are computed once.
   using Regions = std::array<std::optional<std::vector<LevelRegion>>, 2>;  // by tone
   std::vector<SeenPair> looks_in_plane(ImageSegmentation& segmentation, Regions& regions, const LearnedObjects& objects,

@@ -1,5 +1,6 @@
 #include "drivers/simulation/physics/gripper.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -7,14 +8,28 @@ namespace pizarra::simulation {
 
 namespace {
 
+using Eigen::Vector3d;
+
 constexpr double finger_friction = 0.2;
 // A face lies flat against a finger when it touches it in this many points. What is round touches it along a line.
 constexpr int flat_points = 3;
 constexpr int line_points = 1;
 // Deeper than this the fingers are stopped by what is between them, flat or not.
 constexpr double jammed_mm = 1.5;
-// Of its longest edge, from middle to middle: further away, nothing of the gripper reaches a cube.
-constexpr double parted = 1.5;
+// A cube that is so far from the fingers and the palm has parted from them.
+constexpr double parted_mm = 3;
+
+// The box around the cube along the tool's axes, which other boxes along them are compared with.
+Eigen::AlignedBox3d box_around(const Pose& cube_in_tool, const Vector3d& size_mm) {
+  const Vector3d half = cube_in_tool.linear().cwiseAbs() * size_mm / 2;
+  return {cube_in_tool.translation() - half, cube_in_tool.translation() + half};
+}
+
+bool is_apart(const Eigen::AlignedBox3d& cube, const Box& part, double aside_mm) {
+  const Vector3d centre = part.centre_mm + aside_mm * Vector3d::UnitY();
+  const Vector3d half = part.half_mm + Vector3d::Constant(parted_mm);
+  return !cube.intersects(Eigen::AlignedBox3d(centre - half, centre + half));
+}
 
 }  // namespace
 
@@ -44,7 +59,7 @@ void Gripper::step(const Pose& tool, double seconds) {
   if (overloaded_steps_ >= hold_limit_steps) lose();
 
   physics_.move_kinematic(palm_, tool);
-  const double aside_mm = (opening_mm_ + gripper_shape::finger_thickness_mm) / 2;
+  const double aside_mm = finger_aside_mm();
   physics_.move_kinematic(left_, tool * Eigen::Translation3d(0, -aside_mm, 0));
   physics_.move_kinematic(right_, tool * Eigen::Translation3d(0, aside_mm, 0));
 }
@@ -66,6 +81,8 @@ void Gripper::close_by(double step_mm) {
   opening_mm_ = std::max(target_mm_, opening_mm_ - step_mm);
   moving_ = opening_mm_ != target_mm_;
 }
+
+double Gripper::finger_aside_mm() const { return (opening_mm_ + gripper_shape::finger_thickness_mm) / 2; }
 
 double Gripper::finger_depth_mm() const {
   double deepest = 0;
@@ -116,10 +133,15 @@ void Gripper::let_pass(DynamicId cube) {
 
 void Gripper::part_from_passing(const Pose& tool) {
   if (!passing_) return;
-  const bool near =
-      physics_.present(*passing_) && (physics_.pose(*passing_).translation() - tool.translation()).norm() <
-                                         parted * physics_.shape(*passing_).size_mm.maxCoeff();
-  if (near) return;
+  if (physics_.present(*passing_)) {
+    const Pose in_tool = tool.inverse() * physics_.pose(*passing_);
+    const Eigen::AlignedBox3d cube = box_around(in_tool, physics_.shape(*passing_).size_mm);
+    const double aside_mm = finger_aside_mm();
+    const bool is_clear = is_apart(cube, gripper_shape::finger, -aside_mm) &&
+                          is_apart(cube, gripper_shape::finger, aside_mm) && is_apart(cube, gripper_shape::palm, 0) &&
+                          is_apart(cube, gripper_shape::plate, 0);
+    if (!is_clear) return;
+  }
   set_through(*passing_, false);
   passing_.reset();
 }

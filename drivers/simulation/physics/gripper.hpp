@@ -41,6 +41,8 @@ class Gripper {
   double press_depth_mm() const;
 
  private:
+  // From the middle to the middle of a finger.
+  double finger_aside_mm() const;
   double finger_depth_mm() const;
   void close_by(double step_mm);
   std::optional<DynamicId> squeezed() const;

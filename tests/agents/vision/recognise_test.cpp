@@ -49,6 +49,23 @@ TEST(Recognise, FindsEachMarkTurnedYawedAndScaledAndNothingElseInIt) {
   }
 }
 
+// Of two marks that look alike each is as like the other's partner as its own.
+TEST(Recognise, FindsAMarksPartnerBesideAnotherThatIsAsLikeIt) {
+  Random random(21);
+  for (const std::string name : {"cross", "square", "circle"}) {
+    for (int i = 0; i < 30; ++i) {
+      const cv::Point3d place(random.uniform(-100, 100), random.uniform(-60, 60), random.uniform(800, 1000));
+      const cv::Point3d beside = place + cv::Point3d(random.uniform(65, 90), 0, 0);
+      DrawnSight drawn({.faces = {{.mark = drawn_as(name), .place = place}, {.mark = drawn_as(name), .place = beside}}},
+                       random);
+      const std::vector<cv::Point2d> others = {project(DrawnSight::model(), place, false)};
+      const std::optional<SeenPair> found = drawn.sight.find(learned_cell(), *learned_cell().find(name), {}, 0, others);
+      ASSERT_TRUE(found && found->right) << name << ' ' << i;
+      EXPECT_LT(cv::norm(found->right->centre - project(DrawnSight::model(), beside, true)), 1) << name << ' ' << i;
+    }
+  }
+}
+
 TEST(Recognise, TellsFiveMarksApartInOneImage) {
   Random random(3);
   Scene scene;

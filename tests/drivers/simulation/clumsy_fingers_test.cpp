@@ -36,6 +36,22 @@ TEST(ClumsyFingers, LetASlippedCubeBeTakenAgain) {
   EXPECT_EQ(bench.truth("circle").state, "held");
 }
 
+// It fell a little, and the fingers rose no further than it takes to open above it.
+TEST(ClumsyFingers, LetACubeThatSlippedCloseBelowThemBeTakenAgain) {
+  Bench bench(four_cubes());
+  bench.pick(450, -150, 30);
+  bench.go(450, -150, 50);
+  bench.ask("(fingers slip)");
+  bench.wait(1s);
+  bench.go(450, -150, 84);
+  const TruthOf cube = bench.truth("circle");
+  ASSERT_EQ(cube.state, "table");
+  bench.grip(95);
+  bench.go(cube.x_mm, cube.y_mm, 30);
+  bench.grip(0);
+  EXPECT_EQ(bench.truth("circle").state, "held");
+}
+
 TEST(ClumsyFingers, SlipAtAnInstantOfTheirOwnWhileNothingElseMoves) {
   Bench bench(four_cubes());
   bench.ask("(fingers slips 1 1 5)");
