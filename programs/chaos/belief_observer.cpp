@@ -1,8 +1,10 @@
 #include "programs/chaos/belief_observer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 #include "lisp/writer.hpp"
@@ -24,20 +26,21 @@ constexpr double nearly_closed_mm = 10;
 
 Eigen::Vector3d at_mm(const Cube& cube) { return {cube.x_mm, cube.y_mm, cube.z_mm}; }
 
-// The direction in which that of its sides looks that is turned to the camera most.
-Eigen::Vector3d facing(const Eigen::Vector3d& camera_mm, const Cube& cube) {
-  const Eigen::Vector3d to_camera = camera_mm - at_mm(cube);
-  Eigen::Vector3d best = Eigen::Vector3d::UnitX();
-  double most = -1;
+// The directions in which its four sides look.
+std::array<Eigen::Vector3d, 4> side_normals(const Cube& cube) {
+  std::array<Eigen::Vector3d, 4> normals;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double angle = (cube.yaw_deg + 90 * quarter) * std::numbers::pi / 180;
-    const Eigen::Vector3d normal(std::cos(angle), std::sin(angle), 0);
-    const double cosine = to_camera.normalized().dot(normal);
-    if (cosine <= most) continue;
-    most = cosine;
-    best = normal;
+    normals[static_cast<std::size_t>(quarter)] = {std::cos(angle), std::sin(angle), 0};
   }
-  return best;
+  return normals;
+}
+
+// That of the side that is turned to the camera most.
+Eigen::Vector3d facing(const Eigen::Vector3d& camera_mm, const Cube& cube) {
+  const Eigen::Vector3d to_camera = camera_mm - at_mm(cube);
+  const auto normals = side_normals(cube);
+  return *std::ranges::max_element(normals, {}, [&](const Eigen::Vector3d& normal) { return to_camera.dot(normal); });
 }
 
 double turned_deg(const Eigen::Vector3d& camera_mm, const Cube& cube) {
@@ -99,10 +102,14 @@ bool BeliefObserver::is_steady(const std::string& name, Time now) const {
   return found != lying_.end() && now > found->second.since;
 }
 
-// From the middle of the face that shows.
+// From the middle of a side that shows: several of them may bear the mark, and the eyes may follow any of these.
 double BeliefObserver::off_mm(const std::string& name, const Cube& cube, const Eigen::Vector3d& place_mm) const {
-  const Eigen::Vector3d mark_mm = at_mm(cube) + judge_.edge_mm(name) / 2 * facing(camera_mm_, cube);
-  return (place_mm - mark_mm).norm();
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& normal : side_normals(cube)) {
+    const Eigen::Vector3d mark_mm = at_mm(cube) + judge_.edge_mm(name) / 2 * normal;
+    if ((camera_mm_ - mark_mm).dot(normal) > 0) least = std::min(least, (place_mm - mark_mm).norm());
+  }
+  return least;
 }
 
 BeliefObserver::Wrong BeliefObserver::wrong_places(const Moment& moment) const {

@@ -58,6 +58,7 @@ void Gripper::step(const Pose& tool, double seconds) {
   overloaded_steps_ = physics_.hold_force_n() > hold_limit_n ? overloaded_steps_ + 1 : 0;
   if (overloaded_steps_ >= hold_limit_steps) lose();
 
+  grip_mm_ = tool.translation();
   physics_.move_kinematic(palm_, tool);
   const double aside_mm = finger_aside_mm();
   physics_.move_kinematic(left_, tool * Eigen::Translation3d(0, -aside_mm, 0));
@@ -148,6 +149,13 @@ void Gripper::part_from_passing(const Pose& tool) {
 
 void Gripper::set_through(DynamicId cube, bool through) {
   for (const KinematicId body : {palm_, left_, right_}) physics_.set_ignored(body, cube, through);
+}
+
+bool Gripper::stands_over(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& half_mm) const {
+  const double tip_mm = gripper_shape::finger.centre_mm.z() + gripper_shape::finger.half_mm.z();
+  const double aside_mm = (grip_mm_ - from_mm).head<2>().norm();
+  return aside_mm < gripper_shape::palm.half_mm.y() + half_mm.head<2>().norm() &&
+         grip_mm_.z() - tip_mm < from_mm.z() + half_mm.z();
 }
 
 double Gripper::press_depth_mm() const {

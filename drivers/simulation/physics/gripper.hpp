@@ -37,6 +37,8 @@ class Gripper {
   void slip();
   // The gripper passes through the cube until the two have parted.
   void let_pass(DynamicId cube);
+  // Whether something of half that size would meet it on its way down from there.
+  bool stands_over(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& half_mm) const;
   // How hard palm, fingers and held cube press on the world: the depth to which they enter cubes they do not hold.
   double press_depth_mm() const;
 
@@ -53,6 +55,7 @@ class Gripper {
   KinematicId palm_;
   KinematicId left_;
   KinematicId right_;
+  Eigen::Vector3d grip_mm_ = Eigen::Vector3d::Zero();  // the tool, at the newest step
   double opening_mm_ = gripper_opening_mm;
   double target_mm_ = gripper_opening_mm;
   bool moving_ = false;

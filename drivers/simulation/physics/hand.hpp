@@ -28,7 +28,7 @@ class Hand {
   // In the way: it is lifted to that place, held there, and put back.
   Result<void> hold(DynamicId cube, const Eigen::Vector3d& at_mm, double seconds);
   Result<void> remove(DynamicId cube);
-  // The cube is away; it comes from above.
+  // The cube is away; it comes from above. Failure busy, also while the gripper stands over the place.
   Result<void> add(DynamicId cube, double x_mm, double y_mm);
   Result<void> knock(DynamicId cube);
 

@@ -127,6 +127,18 @@ TEST(Hand, StealingTheLowestMakesTheTowerFall) {
   EXPECT_LT(bench.truth("b").z_mm, 60);
 }
 
+TEST(Hand, BringsNothingBackToWhereTheGripperStands) {
+  Bench bench(four_cubes());
+  bench.ask("(hand remove square)");
+  bench.wait(3s);
+  bench.go(420, 60, 120);
+  EXPECT_EQ(bench.outcome("(hand add square \"square\" 430 40)"), "busy");
+  bench.go(420, -200, 300);
+  bench.ask("(hand add square \"square\" 430 40)");
+  bench.wait(3s);
+  EXPECT_EQ(bench.truth("square").state, "table");
+}
+
 TEST(Hand, RemovesAndAdds) {
   Bench bench(four_cubes());
   bench.ask("(hand remove square)");
