@@ -31,7 +31,7 @@ bool is_pulses(double value) {
 
 HostAnswer refused(Refusal refusal) { return {.refusal = motoman_code(refusal)}; }
 
-constexpr HostAnswer wrong_value{.refusal = arm::motoman::wrong_value};
+const HostAnswer wrong_value{.refusal = arm::motoman::wrong_value};
 
 }  // namespace
 
