@@ -87,7 +87,7 @@ Task<Result<arm::ArmReading>> PhysicalArm::read() {
   co_return reading;
 }
 
-Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request) {
+Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request, Time now) {
   const std::string_view what = word(request, 1);
   if (what == "identify") {
     const Result<std::string> type = co_await arm.identify();
@@ -98,7 +98,7 @@ Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request) {
     const Result<arm::ArmReading> reading = co_await arm.read();
     if (!reading) co_return fail(reading);
     co_return Message{list(joints_to_datum(reading->joints), yes_no(reading->moving), yes_no(reading->stopped),
-                           reading->opening_mm, yes_no(reading->gripper_moving))};
+                           reading->opening_mm, yes_no(reading->gripper_moving), now.time_since_epoch().count())};
   }
   if (what == "move") {
     Result<std::vector<arm::Joints>> waypoints = waypoints_of(request);

@@ -3,7 +3,7 @@
 // The requests to a simulated arm over the device link, the same for every arm of a world; world.hpp lists the
 // requests.
 //
-//   Result<Message> answer = co_await answer_arm(arm, request);
+//   Result<Message> answer = co_await answer_arm(arm, request, executor.now());
 
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/simulation/link.hpp"
@@ -31,7 +31,7 @@ class PhysicalArm : public arm::ArmDriver {
   bool controlled_ = false;
 };
 
-// Failures: bad-request, and the arm's.
-Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request);
+// `now`: when the arm is as it reads. Failures: bad-request, and the arm's.
+Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request, Time now);
 
 }  // namespace pizarra::simulation

@@ -129,11 +129,11 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
   advance();
   const std::string_view device = request.head();
   if (device == "arm") {
-    co_return co_await answer_arm(arm, std::move(request));
+    co_return co_await answer_arm(arm, std::move(request), executor.now());
   }
   if (device == "second-arm") {
     if (!second_arm) co_return fail("bad-request", "there is no second arm in this world", request);
-    co_return co_await answer_arm(*second_arm, std::move(request));
+    co_return co_await answer_arm(*second_arm, std::move(request), executor.now());
   }
   if (device == "camera") {
     co_return co_await camera(std::move(request));

@@ -99,7 +99,7 @@ Task<Result<Message>> ask_arm(WorldProcess& world, Datum request) {
   if (heeds_late) co_await sleep(world.process, 100ms);
   Result<Message> answer = co_await world.world->handle(request);
   if (answer && is_motion(request)) note_motion(world, request);
-  const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 5;
+  const bool reads = answer && request[1].is_symbol("read") && answer->head.size() == 6;
   if (!reads) co_return answer;
   const bool rests = answer->head[1].is_symbol("no");
   const bool repeats = world.to_repeat && rests;

@@ -101,6 +101,16 @@ TEST_F(DeviceLink, DropsWhatIsNoRequest) {
   EXPECT_EQ(run(executor_, link.call(*read_one("(camera dance)"), 3s)).error().symbol, "bad-request");
 }
 
+// An answer may be late: what guards the arm's speed goes by when the arm was so.
+TEST(SimulatedArm, SaysWhenItWasAsItReads) {
+  Bench bench(four_cubes());
+  const std::optional<Time> first = bench.reading().at;
+  bench.wait(250ms);
+  const std::optional<Time> second = bench.reading().at;
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(*second - *first, 250ms);
+}
+
 TEST_F(DeviceLink, LeavesNoFileBehindWhenItEnds) {
   World world(executor_, config_);
   auto server = serve(world);
