@@ -93,8 +93,7 @@ Task<Result<arm::ArmReading>> SimulatedArm::read() {
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;
-  const bool shaped = head.size() >= 6 && head.size() <= 7 && head[0].size() >= 1 && head[0].size() <= arm::most_axes &&
-                      head[5].is_integer();
+  const bool shaped = head.size() >= 5 && head.size() <= 7 && head[0].size() >= 1 && head[0].size() <= arm::most_axes;
   if (!shaped) co_return odd_answer(head);
   arm::ArmReading reading{};
   reading.joints = arm::Joints(head[0].size());
@@ -103,9 +102,11 @@ Task<Result<arm::ArmReading>> SimulatedArm::read() {
   reading.stopped = head[2].is_symbol("yes");
   reading.opening_mm = head[3].number();
   reading.gripper_moving = head[4].is_symbol("yes");
-  // An answer may be late; the guard goes by when the arm was so.
-  reading.at = Time(Duration(head[5].integer()));
-  if (head.size() == 7) reading.trouble = trouble_of(head[6]);
+  // An answer may be late; the guard goes by when the arm was so, where the device says it.
+  for (const Datum& more : head.items().subspan(5)) {
+    if (more.is_integer()) reading.at = Time(Duration(more.integer()));
+    if (more.is_form("alarm")) reading.trouble = trouble_of(more);
+  }
   hear_state();
   co_return reading;
 }

@@ -19,7 +19,7 @@
 //   (arm identify) -> ("type")        (arm take-control)     (arm release-control)
 //   (arm move SPEED (J1 ... JN) ...)  (arm stop)
 //   (arm gripper MM)                  (arm read) -> ((J1 ... JN) MOVING STOPPED OPENING GRIPPER-MOVING AT)
-// AT: when it was so, in microseconds of the world's clock.
+// AT: when it was so, in microseconds of the world's clock. Devices of other programs may leave it out.
 //
 // A second arm, where there is one, answers the same to (second-arm ...). It stands aside, at a table without cubes.
 //

@@ -32,8 +32,8 @@ class AlarmedLink : public Link {
     asked.emplace_back(request[1].text());
     if (asked.back() == "read") {
       const Datum joints = list(0.0, 1.0);
-      const Datum reading = alarm ? list(joints, "no"_sym, "yes"_sym, 20.0, "no"_sym, list("alarm"_sym, 4107))
-                                  : list(joints, "no"_sym, "yes"_sym, 20.0, "no"_sym);
+      const Datum reading = alarm ? list(joints, "no"_sym, "yes"_sym, 20.0, "no"_sym, 1000, list("alarm"_sym, 4107))
+                                  : list(joints, "no"_sym, "yes"_sym, 20.0, "no"_sym, 1000);
       co_return Message{reading, {}};
     }
     if (asked.back() == "take-control") alarm = false;
