@@ -196,7 +196,7 @@ class Play {
     }
   }
 
-  // What the board said that it keeps survives that, too. The observers look at it when it lives again.
+  // The board must still have every acknowledged mark when it lives again.
   Task<void> cut_power() {
     const int lives = cell_.board_lives();
     cell_.kill_board(power_cut, true, 0);

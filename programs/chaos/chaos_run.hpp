@@ -48,7 +48,7 @@ struct PlayOptions {
 
 // Failures: those of the cell's domain, and of writing the film.
 Result<RunResult> play(const ChaosStory& story, const PlayOptions& options, story::Narrator& narrator);
-// The same without a word. What fails to be played is a run that failed.
+// The same, and prints nothing. A story that cannot be played counts as a failed run.
 RunResult play_quietly(const ChaosStory& story, const PlayOptions& options);
 // Of this machine's time, however loaded it is. The cell's own time bounds each run.
 constexpr std::chrono::seconds longest_run(600);

@@ -3,12 +3,12 @@
 // Does tasks: an operation of the plan is one, and so is what a rescue (rescues.hpp) improvises. A task is its
 // micro-tasks (plan/primitives.hpp) one after another, the aligning ones under the visual servo.
 //
-//   conditions.begin(table, index);
+//   conditions.begin(operation, needed_after);
 //   Result<void> done = co_await runner.run(index, operation);
 //
-// Failures: interrupted, difference (see StandingConditions), camera-doubtful (it may have been moved), missed (nothing
-// was grasped), slipped (what was carried is not between the fingers any more), no-effect (all was done and the eyes do
-// not see its effect). Others are lost-sight, no-convergence, no-room, absent, and the robot's own.
+// Failures: interrupted and difference, those of StandingConditions::check(); camera-doubtful: it may have been moved;
+// missed: nothing was grasped; slipped: what was carried is not between the fingers any more; no-effect: all was done,
+// and the eyes do not see its effect. Others are lost-sight, no-convergence, no-room, absent, and the robot's own.
 
 #include "agents/coordinator/act/carried.hpp"
 #include "agents/coordinator/act/pushes.hpp"

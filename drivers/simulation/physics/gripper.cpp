@@ -16,7 +16,7 @@ constexpr int flat_points = 3;
 constexpr int line_points = 1;
 // Deeper than this the fingers are stopped by what is between them, flat or not.
 constexpr double jammed_mm = 1.5;
-// A cube that is so far from the fingers and the palm has parted from them.
+// At this distance from the fingers and the palm a cube has parted from them.
 constexpr double parted_mm = 3;
 
 // The box around the cube along the tool's axes, which other boxes along them are compared with.

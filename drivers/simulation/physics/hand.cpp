@@ -192,8 +192,7 @@ Result<void> Hand::remove(DynamicId cube) {
 
 Result<void> Hand::add(DynamicId cube, double x_mm, double y_mm) {
   const Vector3d from(x_mm + 150, y_mm, carry_height(cube));
-  const Vector3d half =
-      Vector3d(1, 1, 0) * physics_.width_mm(cube) / 2 + Vector3d::UnitZ() * physics_.height_mm(cube) / 2;
+  const Vector3d half = Vector3d(physics_.width_mm(cube), physics_.width_mm(cube), physics_.height_mm(cube)) / 2;
   const bool in_the_way = gripper_.stands_over({x_mm, y_mm, from.z()}, half);
   if (in_the_way) return fail("busy", "the gripper is where the hand is to put it");
   Result<void> begun = begin(Job::carry, cube, from);
