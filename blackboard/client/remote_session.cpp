@@ -236,9 +236,9 @@ void RemoteSession::tick() {
   tick_timer_ = executor_.call_at(next, [this, next] {
     // A client that does not run cannot say that the board is silent.
     heard_ = std::min(heard_ + (executor_.now() - next), executor_.now());
+    give_up_overdue(next);
     tick();
   });
-  give_up_overdue(now);
   if (connect_again_ && *connect_again_ <= now) {
     connect_again_.reset();
     socket_->connect_again();
@@ -259,9 +259,10 @@ void RemoteSession::keep_alive(Time now) {
   client_.say_again();
 }
 
-void RemoteSession::give_up_overdue(Time now) {
-  const auto late = [now](const RemoteRequests::Request& request) {
-    return request.deadline && *request.deadline <= now;
+// What became due while the client did not run waits for the next turn: the answer may have come meanwhile.
+void RemoteSession::give_up_overdue(Time due) {
+  const auto late = [due](const RemoteRequests::Request& request) {
+    return request.deadline && *request.deadline <= due;
   };
   if (in_doubt_) {
     requests_.fail_where([&](const auto& request) { return late(request) && !request.sent; }, unavailable(false));

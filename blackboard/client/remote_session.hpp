@@ -83,7 +83,7 @@ class RemoteSession {
   void transmit_soon();
   void tick();
   void keep_alive(Time now);
-  void give_up_overdue(Time now);
+  void give_up_overdue(Time due);
   void be_in_doubt(Duration age);
   Failure unavailable(bool sent) const;
 
