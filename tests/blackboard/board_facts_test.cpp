@@ -203,9 +203,10 @@ TEST_P(BoardFacts, AnswersThatFitNoMessageAreRefused) {
 TEST_P(BoardFacts, ALeasedRelationsFactsGoUnlessToldAgain) {
   tell(*alice, "(alarm \"stale\")");
   tell(*alice, "(alarm \"fresh\")");
-  wall->pass(500ms);
-  tell(*alice, "(alarm \"fresh\")");
-  EXPECT_TRUE(lapses(*bob, "(alarm \"stale\")"));
+  for (int looks = 0; looks < 200 && holds(*bob, "(alarm \"stale\")"); ++looks) {
+    tell(*alice, "(alarm \"fresh\")");
+    wall->pass(50ms);
+  }
   const std::vector<Answer> left = ask(*bob, "(alarm ?text)");
   EXPECT_EQ(values(left, "?text"), std::vector<Datum>{to_datum("fresh")});
 }

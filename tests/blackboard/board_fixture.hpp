@@ -18,7 +18,7 @@ class BoardTest : public testing::TestWithParam<WallKind> {
             relation("(relation on ((upper symbol) (lower symbol)))"),
             relation("(relation mode ((name symbol)) (key))"),
             relation("(relation note ((n integer) (text datum)) (key n))"),
-            relation("(relation alarm ((text string)) (lease 600))")};
+            relation("(relation alarm ((text string)) (lease 2000))")};
   }
 
   Result<Revision> tell(Board& board, const std::string& fact) { return wall->run(board.tell(read(fact))); }

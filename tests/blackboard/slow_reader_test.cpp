@@ -1,5 +1,6 @@
 // What a client learns that reads slowly: less often, but in the end all that holds, and of no gap without a word.
 
+#include <algorithm>
 #include <map>
 
 #include "tests/blackboard/server_fixture.hpp"
@@ -9,6 +10,7 @@ namespace {
 
 class SlowReader : public ServerTest {
  protected:
+  using Known = std::map<std::int64_t, Datum>;  // the fact, by the watch
   static constexpr std::int64_t watches = 3;
   static constexpr int questions = 3000;
 
@@ -45,10 +47,19 @@ class SlowReader : public ServerTest {
     if (!message[5].items().empty()) known[watch] = message[5][0][0][4];
     slow.send("(ack " + session + " " + std::to_string(watch) + " " + write(message[2]) + ")");
   }
-  // And says that it lives.
-  void hear_all() {
-    slow.send("(ping " + session + ")");
-    for (Datum message = slow.receive(200ms); message != Datum(); message = slow.receive(200ms)) hear(message);
+  // Whether each watch learns this text, while the client says that it lives.
+  bool learns(int text) {
+    const auto learned = [&] {
+      return std::ranges::count(known, list("note"_sym, 1, text), &Known::value_type::second) == watches;
+    };
+    for (int silences = 0; silences < 25 && !learned();) {
+      const Datum message = slow.receive(200ms);
+      hear(message);
+      if (message != Datum()) continue;
+      ++silences;
+      slow.send("(ping " + session + ")");
+    }
+    return learned();
   }
 
   Client slow{executor, server->addresses().front(), 1, 4096};
@@ -56,7 +67,7 @@ class SlowReader : public ServerTest {
   int asked = 0;
   int replies = 0;
   std::map<std::int64_t, std::int64_t> sequences;
-  std::map<std::int64_t, Datum> known;
+  Known known;
 };
 
 TEST_F(SlowReader, LearnsAllThatHoldsWhereChangesFoundNoRoom) {
@@ -67,13 +78,10 @@ TEST_F(SlowReader, LearnsAllThatHoldsWhereChangesFoundNoRoom) {
     slow.send("(ping " + session + ")");
     pass(executor, 1ms);
   }
-  hear_all();
+  EXPECT_TRUE(learns(many));
   ASSERT_LT(replies, questions) << "its queue was full";
-  hear_all();
-  for (std::int64_t watch = 1; watch <= watches; ++watch) EXPECT_EQ(known[watch], list("note"_sym, 1, many)) << watch;
   tell(many + 1);
-  hear_all();
-  for (std::int64_t watch = 1; watch <= watches; ++watch) EXPECT_EQ(known[watch], list("note"_sym, 1, many + 1));
+  EXPECT_TRUE(learns(many + 1));
 }
 
 }  // namespace
