@@ -10,7 +10,7 @@ namespace pizarra::vision {
 namespace {
 
 // In places of the outline: how far behind a bend the template's rounding ends, and how far on the border is looked at.
-constexpr int rounded = 2;
+constexpr int rounding = 2;
 constexpr int looked_at = 4;
 // A place farther from the one before, in their usual distances, begins another border.
 constexpr double gap = 2.5;
@@ -32,7 +32,8 @@ class ClosedBorder {
         if (!last) continue;
         BendsAround& here = out[index(i)];
         here.any = true;
-        here.next[side > 0 ? 0 : 1] = {points_[index(*last)].at, way(*last - side * rounded, *last - side * looked_at)};
+        here.next[side > 0 ? 0 : 1] = {points_[index(*last)].at,
+                                       way(*last - side * rounding, *last - side * looked_at)};
       }
     }
     return out;
@@ -49,8 +50,8 @@ class ClosedBorder {
   }
   double curvature(int i) const {
     if (is_near_bend(i)) return 0;
-    const cv::Vec2d before = way(i - rounded, i);
-    const cv::Vec2d after = way(i, i + rounded);
+    const cv::Vec2d before = way(i - rounding, i);
+    const cv::Vec2d after = way(i, i + rounding);
     const double turn = std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after));
     const double length = (cv::norm(before) + cv::norm(after)) / 2;
     const cv::Vec2d along = before + after;

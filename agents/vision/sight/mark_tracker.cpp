@@ -152,8 +152,9 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
   if (!track.others.empty() && !tagged) track.others.follow(sight.left_segmentation().marks(), objects_, object);
   std::optional<SeenPair> now;
   if (track.left) {
-    now = sight.find(objects_, object, track.expected(captured_), px_in(sight.left(), local_reach_px),
-                     track.others.places());
+    const cv::Point2d expected = track.expected(captured_);
+    now = sight.find(objects_, object, expected, px_in(sight.left(), local_reach_px), track.others.places());
+    if (!now && !tagged) now = find_in_shadow(sight, objects_, object, *track.left, expected, track.lit);
   }
   const auto before = track.began_among_alike ? std::nullopt : track.seen_before;
   if (!now) now = sight.find(objects_, object, {}, 0, track.others.places(), before);
@@ -240,6 +241,7 @@ void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair&& now) c
     const double change = disparity_px(now.left, *now.right) - disparity_px(*track.left, *track.right);
     track.disparity_change_px = change / seconds;
   }
+  if (const std::optional<LitMark> lit = LitMark::of(now.left)) track.lit = lit;
   track.left = std::move(now.left);
   track.right = std::move(now.right);
   track.seen_at = captured_;

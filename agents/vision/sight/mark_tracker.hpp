@@ -5,13 +5,13 @@
 // this same frame and in every later one, while the others go on. The mark is recognised anew in every frame: a hand,
 // the gripper or another cube in its place is a loss, never a position. A cover over a part of it is a loss too. It
 // only lowers the confidence where the centre is hardly off for that, or where the cover cannot be known
-// (wholeness.hpp). A loss of half a second is bridged: the object is expected where its motion would have brought it,
-// and is said not to be seen. For so long, a mark of another size elsewhere is not taken for it. A mark that looked
-// like it elsewhere, in the image in which it was found or in that in which it was seen last, never is. A mark that was
-// in neither image may be another object. So one that is found elsewhere than where it was lost is not sure at first.
-// It must have been followed for as long as it had been lost, from half a second to five. Where the lost one is seen
-// again meanwhile, it is there. Where others like it were there from the first, it may be one of those, and is not sure
-// while they are in view.
+// (wholeness.hpp). The edge of a shadow over it is none (shadowed_mark.hpp). A loss of half a second is bridged: the
+// object is expected where its motion would have brought it, and is said not to be seen. For so long, a mark of another
+// size elsewhere is not taken for it. A mark that looked like it elsewhere, in the image in which it was found or in
+// that in which it was seen last, never is. A mark that was in neither image may be another object. So one that is
+// found elsewhere than where it was lost is not sure at first. It must have been followed for as long as it had been
+// lost, from half a second to five. Where the lost one is seen again meanwhile, it is there. Where others like it were
+// there from the first, it may be one of those, and is not sure while they are in view.
 //
 // An object may be looked for in an area only, and at a rate of its own (search_limits.hpp). Outside the area it is not
 // seen. In a frame in which its turn is not due it stands as it was told last. A caller that knows where an
@@ -32,6 +32,7 @@
 #include "agents/vision/sight/known_twins.hpp"
 #include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/search_limits.hpp"
+#include "agents/vision/sight/shadowed_mark.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
 namespace pizarra::vision {
@@ -96,6 +97,7 @@ class MarkTracker {
     // As seen last, if that was no longer ago than longest_bridge.
     std::optional<SeenMark> left = {};
     std::optional<SeenMark> right = {};
+    std::optional<LitMark> lit = {};
     std::optional<int> turn = {};  // Likeness::turn
     Time seen_at = {};
     bool missed = false;  // in the frame before this one

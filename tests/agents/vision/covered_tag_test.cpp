@@ -6,6 +6,7 @@
 
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
+#include "tests/agents/vision/falling_shadow.hpp"
 #include "tests/bench/vision/scene.hpp"
 #include "tests/campaign.hpp"
 
@@ -19,26 +20,6 @@ struct TagHand {
   double speed_px;  // a frame
   double level;
   double depth_share;  // of the tag's depth
-};
-
-// As its edge falls over what is as far away as the tag: beyond it there is less light.
-struct Shadow {
-  double from_deg;
-  double edge_px;  // from the tag's centre
-  double light;    // the share that is left
-
-  void fall(cv::Mat1b image, cv::Point2d centre) const {
-    constexpr double soft_px = 3;
-    const double from = from_deg * CV_PI / 180;
-    for (int y = 0; y < image.rows; ++y) {
-      for (int x = 0; x < image.cols; ++x) {
-        const cv::Point2d off = cv::Point2d(x, y) - centre;
-        const double beyond = off.x * std::cos(from) + off.y * std::sin(from) - edge_px;
-        const double shaded = std::clamp(beyond / soft_px + 0.5, 0.0, 1.0);
-        image(y, x) = cv::saturate_cast<std::uint8_t>(image(y, x) * (1 - (1 - light) * shaded));
-      }
-    }
-  }
 };
 
 class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
