@@ -92,6 +92,7 @@ void CameraWatch::begin_anew(const Sureness& sure, std::vector<MarkPair> pairs, 
   sure_ = sure;
   pairs_ = std::move(pairs);
   strange_.clear();
+  agreeing_.clear();
   doubtful_ = false;
   fit(model);
   // A guess that is so sure was measured by others.
@@ -121,10 +122,10 @@ CameraWatch::News CameraWatch::take_first(const MarkPair& pair, const CameraMode
 }
 
 CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraModel& model) {
-  doubtful_ = false;
   const bool is_new = add(pairs_, pair, most_pairs);
   if (is_new) fit(model);
-  std::erase_if(strange_, [&](const MarkPair& other) { return confirmed_ || same_place(pair, other); });
+  std::erase_if(strange_, [&](const MarkPair& other) { return same_place(pair, other); });
+  outvote_strange(pair);
   confirmed_ = confirmed_ || is_confirmed();
   if (!is_new) return News::nothing;
   double off_mm = 0;
@@ -132,6 +133,15 @@ CameraWatch::News CameraWatch::take_agreeing(const MarkPair& pair, const CameraM
   if (off_mm < least_shift_mm || off_mm < sure_deviations * spread_mm_) return News::nothing;
   place_by(fit_.camera.pose);
   return News::corrected;
+}
+
+// A camera that was turned about the line of sight to a place shows the mark there as before.
+void CameraWatch::outvote_strange(const MarkPair& agreeing) {
+  add(agreeing_, agreeing, most_pairs);
+  if (places_in(agreeing_) < places_in(strange_)) return;
+  doubtful_ = false;
+  if (confirmed_) strange_.clear();
+  agreeing_.clear();
 }
 
 CameraWatch::News CameraWatch::take_strange(const MarkPair& pair, const CameraModel& model) {

@@ -34,7 +34,7 @@ class CameraWatch {
   void go_on_from(const CameraMeasured& measured);
 
   News take(const MarkPair& pair, const CameraModel& model);
-  // The mark is not seen where it should be in view. Looks that agree end the doubt.
+  // The mark is not seen where it should be in view. A look that agrees ends this doubt.
   void doubt() { doubtful_ = true; }
 
   const forms::CameraPose& pose() const { return pose_; }
@@ -55,6 +55,8 @@ class CameraWatch {
   News take_first(const MarkPair& pair, const CameraModel& model);
   News take_agreeing(const MarkPair& pair, const CameraModel& model);
   News take_strange(const MarkPair& pair, const CameraModel& model);
+  // Ends the doubt, once as many places agree as do not.
+  void outvote_strange(const MarkPair& agreeing);
   std::vector<MarkPair> strange_well_seen() const;
   bool is_confirmed() const;
   bool tell_of_one_pose(const MountFit& moved) const;
@@ -66,8 +68,9 @@ class CameraWatch {
   std::vector<Eigen::Vector3d> row_;  // points in which poses are compared
   MountedCamera guess_;
   Sureness sure_;
-  std::vector<MarkPair> pairs_;    // that agree; one a place of the tool, the oldest first
-  std::vector<MarkPair> strange_;  // that did not, since the last that did; before the pose is confirmed all of them
+  std::vector<MarkPair> pairs_;     // that agree; one a place of the tool, the oldest first
+  std::vector<MarkPair> strange_;   // that did not, since the last that did; before the pose is confirmed all of them
+  std::vector<MarkPair> agreeing_;  // since then, and until there are as many
   MountFit fit_;
   forms::CameraPose pose_;
   double spread_mm_ = 0;

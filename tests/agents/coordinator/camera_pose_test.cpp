@@ -157,6 +157,27 @@ TEST(MountFit, TakesTheHeadsTurnOffAgain) {
 }
 
 // The arm stops here and there, and a few looks are made each time.
+// By so much, while the mark of a tool there is seen where it was.
+forms::CameraPose rolled_about(forms::CameraPose pose, double deg, const Eigen::Isometry3d& tool, Random& random) {
+  const auto seen = [&](double pan_deg, double tilt_deg) {
+    forms::CameraPose turned = pose;
+    turned.pan_deg += pan_deg;
+    turned.tilt_deg += tilt_deg;
+    return Eigen::Vector2d(look(turned, tool, 0, random).seen.head<2>());
+  };
+  const Eigen::Vector2d before = seen(0, 0);
+  pose.roll_deg += deg;
+  for (int step = 0; step < 5; ++step) {
+    constexpr double little = 0.01;
+    Eigen::Matrix2d slope;
+    slope << (seen(little, 0) - seen(0, 0)) / little, (seen(0, little) - seen(0, 0)) / little;
+    const Eigen::Vector2d turn = slope.inverse() * (before - seen(0, 0));
+    pose.pan_deg += turn.x();
+    pose.tilt_deg += turn.y();
+  }
+  return pose;
+}
+
 class Watched {
  public:
   Watched(const forms::CameraPose& truth, const forms::BelievedCamera& believed, std::uint64_t seed)
@@ -219,6 +240,27 @@ TEST(CameraWatch, NoticesABumpDoubtsItAndFindsTheCameraAgain) {
     const std::vector<News> news = cell.stop_at(there);
     ASSERT_FALSE(news.empty());
     EXPECT_EQ(news.front(), News::moved);
+    for (int i = 0; i < 8; ++i) cell.stop_at(somewhere(cell.random));
+    EXPECT_TRUE(cell.watch.known());
+    EXPECT_LT(worst_mm(cell.stands, cell.watch.pose()), 6);
+  }
+}
+
+// It was turned about the line of sight to a place, and shows the mark there as before.
+TEST(CameraWatch, NoticesABumpOfWhichOnePlaceShowsNothing) {
+  for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    SCOPED_TRACE(seed);
+    Watched cell({}, {}, seed);
+    for (int i = 0; i < 6; ++i) cell.stop_at(somewhere(cell.random));
+    const auto at = [](double x_mm, double y_mm, double z_mm) { return tool_pose({x_mm, y_mm, z_mm}, 180, 0, 0); };
+    const Eigen::Isometry3d blind = at(450, 0, 300);
+    cell.stands = rolled_about(cell.stands, 3, blind, cell.random);
+    const Eigen::Isometry3d others[] = {at(460, 160, 300), at(460, 160, 200), at(460, 160, 120)};
+    for (int stop = 0; stop < 4; ++stop) {
+      for (const Eigen::Isometry3d& other : others) cell.stop_at(other, 2);
+      cell.stop_at(blind);
+      EXPECT_TRUE(!cell.watch.known() || worst_mm(cell.stands, cell.watch.pose()) < 15);
+    }
     for (int i = 0; i < 8; ++i) cell.stop_at(somewhere(cell.random));
     EXPECT_TRUE(cell.watch.known());
     EXPECT_LT(worst_mm(cell.stands, cell.watch.pose()), 6);
