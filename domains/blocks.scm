@@ -1,7 +1,8 @@
 ; The thesis' task: marked cubes on a table, stacked by an arm with one gripper.
 ;
-; Operators are the four of its Table 6.5, with their deletes stated, and one for cubes that lie askew. A cube that
-; bears nothing is named apart (bare) for that one: a cube that leans is not to be built on, but may be pushed over.
+; Operators are the four of its Table 6.5, with their deletes stated, and two for what people and accidents leave: LIFT
+; takes a cube off something that is not seen, FREE pushes one over that lies askew. A cube that bears nothing is named
+; apart (bare) for FREE: a cube that leans is not to be built on, but may be pushed over.
 ; Lengths are mm.
 (domain blocks
   (types OBJECT)
@@ -12,7 +13,8 @@
     (bare (ob OBJECT))                  ; nothing stands or leans on it, however it lies
     (holding (ob OBJECT))
     (arm-empty)
-    (leans (ob OBJECT) (support OBJECT)))   ; it fell and lies askew: neither flat on the table nor squarely on a cube
+    (leans (ob OBJECT) (support OBJECT))    ; it fell and lies askew: neither flat on the table nor squarely on a cube
+    (raised (ob OBJECT)))               ; it rests on something that is not seen
 
   (operator PICK-UP
     (params (<ob1> OBJECT))
@@ -33,7 +35,10 @@
     (effects (holding <ob1>) (clear <ob2>) (bare <ob2>)
              (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))
 
-  ; Not one of the thesis': people and accidents leave cubes wedged between others.
+  (operator LIFT
+    (params (<ob1> OBJECT))
+    (preconds (clear <ob1>) (raised <ob1>) (arm-empty))
+    (effects (holding <ob1>) (del (clear <ob1>)) (del (raised <ob1>)) (del (arm-empty))))
   (operator FREE
     (params (<ob1> OBJECT) (<ob2> OBJECT))
     (preconds (leans <ob1> <ob2>) (bare <ob1>) (arm-empty))
@@ -87,12 +92,21 @@
       (< (abs (- ?ay ?by)) (+ cube 6))
       (< (abs (- ?ax ?bx)) (+ cube 6)))
 
-    (rule (on-table ?a)                 ; also what rests on a cube that is not seen: it can be picked up
+    (rule (on-table ?a)
       (seen ?a ? ? ?z)
-      (< ?z (+ cube (* resting cube)))
+      (< ?z (+ (* resting cube) (if (was (on-table ?a)) 4 0)))
       (not (holding ?a))
       (not (on ?a ?))
       (not (leans ?a ?)))
+
+    (rule (raised ?a)
+      (seen ?a ? ? ?z)
+      (<= (* resting cube) ?z)
+      (< ?z (+ cube (* resting cube)))
+      (not (holding ?a))
+      (not (on ?a ?))
+      (not (leans ?a ?))
+      (not (on-table ?a)))
 
     (rule (bare ?a)
       (seen ?a ? ? ?)
@@ -116,6 +130,7 @@
       (raise) (square-up) (align <target>) (lower <target>) (release) (raise))
 
     (PICK-UP (<ob1>) (GRASP <ob1>))
+    (LIFT (<ob1>) (GRASP <ob1>))
     (UNSTACK (<ob1> <ob2>) (GRASP <ob1>))
     (STACK (<ob1> <ob2>) (RELEASE-AT (on-top <ob1> <ob2>)))
     (PUT-DOWN (<ob1>) (RELEASE-AT (free-spot <ob1>)))

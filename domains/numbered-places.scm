@@ -2,7 +2,7 @@
 ; swap two cubes, a free place or the top of a third cube is needed. All else is as in blocks.scm.
 (domain numbered-places
   (extends "blocks.scm")
-  (without on-table bare leans PICK-UP PUT-DOWN FREE)
+  (without on-table bare leans raised PICK-UP PUT-DOWN LIFT FREE)
   (types PLACE)
   (objects (place-1 PLACE) (place-2 PLACE) (place-3 PLACE) (place-4 PLACE))
   (predicates

@@ -38,7 +38,7 @@
     (rule (free ?slot) (spot ?slot ? ?) (not (lies-at ? ?slot)))
     (rule (on-table ?a)                 ; what lies in a slot is taken out of it, and is not picked up
       (seen ?a ? ? ?z)
-      (< ?z (+ cube (* resting cube)))
+      (< ?z (* resting cube))
       (not (holding ?a))
       (not (on ?a ?))
       (not (leans ?a ?))

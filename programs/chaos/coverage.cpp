@@ -29,8 +29,8 @@ constexpr const char* board_points[] = {"board-lived-again",
                                         "bodies",
                                         "head"};
 // Facts of the drawn cell's domain that did not hold, and operations that somebody else did.
-constexpr const char* differences[] = {"on",    "on-table", "clear",    "bare",  "holding", "arm-empty",
-                                       "leans", "PICK-UP",  "PUT-DOWN", "STACK", "UNSTACK", "FREE"};
+constexpr const char* differences[] = {"on",     "on-table", "clear",    "bare",  "holding", "arm-empty", "leans",
+                                       "raised", "PICK-UP",  "PUT-DOWN", "STACK", "UNSTACK", "LIFT",      "FREE"};
 // Symbols that operations, rescues and hold-ups fail with.
 constexpr const char* failures[] = {
     "absent",  "bad-reply",   "camera-doubtful", "camera-moved",   "disconnected",   "fault",          "gave-up",

@@ -29,7 +29,7 @@ const Names of_every_agent = {"agent", "bound", "context", "contract", "request"
 using Occasions = std::map<std::string, Names>;
 const Occasions read_on_occasion = {{"coordinator", {"looking-at", "pan-tilt-unit", "robot-speed", "stop"}},
                                     {"pan-tilt", {"place"}}};
-const Occasions told_on_occasion = {{"coordinator", {"camera-pose", "leans"}},
+const Occasions told_on_occasion = {{"coordinator", {"camera-pose", "leans", "raised"}},
                                     {"pan-tilt", {"head-speed", "looking-at"}},
                                     {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},
                                     {"vision",
