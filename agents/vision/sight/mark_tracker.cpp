@@ -10,6 +10,7 @@
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
+#include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/seen_range.hpp"
 
 namespace pizarra::vision {
@@ -31,34 +32,32 @@ constexpr double least_twins = 0.1;
 // and its motion tell.
 constexpr double little_doubt = 0.5;
 
-double disparity_px(const SeenMark& left, const SeenMark& right) { return left.centre.x - right.centre.x; }
-
 }  // namespace
 
 Result<void> MarkTracker::add(const LearnedObject& object, std::optional<cv::Point2d> seen_last) {
-  for (const Track& track : tracks_) {
+  for (const TrackedMark& track : tracks_) {
     if (same_name(track.name, object.name)) return {};
   }
   if (tracks_.size() >= most_tracked) {
     return fail("full", fmt::format("no more than {} objects can be tracked", most_tracked), to_datum(object.name));
   }
   const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
-  tracks_.insert(place, Track{.name = object.name, .seen_before = seen_last});
+  tracks_.insert(place, TrackedMark{.name = object.name, .seen_before = seen_last});
   return {};
 }
 
 void MarkTracker::rename(const Renames& renames) {
   std::vector<std::string> taken;
-  for (const Track& track : tracks_) {
+  for (const TrackedMark& track : tracks_) {
     const std::string now = name_now(renames, track.name);
     if (now != track.name) taken.push_back(now);
   }
-  std::erase_if(tracks_, [&](const Track& track) {
+  std::erase_if(tracks_, [&](const TrackedMark& track) {
     const bool is_taken =
         std::ranges::any_of(taken, [&](const std::string& name) { return same_name(name, track.name); });
     return is_taken && name_now(renames, track.name) == track.name;
   });
-  for (Track& track : tracks_) track.name = name_now(renames, track.name);
+  for (TrackedMark& track : tracks_) track.name = name_now(renames, track.name);
   // Each is looked at in the next frame.
   paced_.clear();
 }
@@ -70,18 +69,18 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured
   const bool anew = !size_before.empty() && size_before != image_size_;
   std::vector<TrackSighting> out;
   out.reserve(tracks_.size());
-  const auto begin_anew = [](Track& track) { track = Track{.name = track.name}; };
+  const auto begin_anew = [](TrackedMark& track) { track = TrackedMark{.name = track.name}; };
   if (anew) std::ranges::for_each(tracks_, begin_anew);
   if (anew) paced_.clear();
   ConfinedSights sights(sight);
-  for (Track& track : tracks_) out.push_back(look_in_turn(sights, track));
+  for (TrackedMark& track : tracks_) out.push_back(look_in_turn(sights, track));
   within_.clear();
   last_left_ = sight.left();
   last_segmentation_.reset();
   return out;
 }
 
-TrackSighting MarkTracker::look_in_turn(ConfinedSights& sights, Track& track) {
+TrackSighting MarkTracker::look_in_turn(ConfinedSights& sights, TrackedMark& track) {
   SearchLimit limit = limits_.of(track.name);
   const auto within = within_.find(track.name);
   if (!limit.area && within != within_.end()) limit.area = within->second;
@@ -99,13 +98,10 @@ TrackSighting MarkTracker::look_in_turn(ConfinedSights& sights, Track& track) {
   return paced.told;
 }
 
-std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
+std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMark& track,
+                                            const LearnedObject& object) const {
   if (!track.left) return std::nullopt;
-  std::optional<double> disparity;
-  if (track.right) {
-    disparity =
-        disparity_px(*track.left, *track.right) + seconds_between(track.seen_at, captured_) * track.disparity_change_px;
-  }
+  const std::optional<double> disparity = track.expected_disparity_px(captured_);
   if (object.tag() != nullptr) {
     const cv::Point motion = track.expected(captured_) - track.left->centre;
     return sight.follow(*object.tag(), area_around_tag(track.left->box + motion), disparity);
@@ -130,7 +126,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   return out;
 }
 
-void MarkTracker::note_others_before(Track& track, const LearnedObject& object, StereoSight* now) {
+void MarkTracker::note_others_before(TrackedMark& track, const LearnedObject& object, StereoSight* now) {
   const auto paced = paced_.find(track.name);
   const bool is_paced = paced != paced_.end() && !paced->second.left.empty();
   const cv::Mat& before = is_paced ? paced->second.left : last_left_;
@@ -146,7 +142,7 @@ void MarkTracker::note_others_before(Track& track, const LearnedObject& object, 
   track.others.note(*track.left, marks, objects_, object);
 }
 
-std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, const LearnedObject& object) {
+std::optional<SeenPair> MarkTracker::search(StereoSight& sight, TrackedMark& track, const LearnedObject& object) {
   const bool tagged = object.tag() != nullptr;
   if (!track.others.empty() && tagged) track.others.follow(sight.tags(*object.tag()), objects_, object);
   if (!track.others.empty() && !tagged) track.others.follow(sight.left_segmentation().marks(), objects_, object);
@@ -162,20 +158,11 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
 }
 
 // The sighting of a frame in which the mark was not found.
-TrackSighting MarkTracker::miss(Track& track, Time now) const {
+TrackSighting MarkTracker::miss(TrackedMark& track, Time now) const {
   track.whole.wait(now);
   TrackSighting out{.name = track.name, .captured = now, .centre = {}, .yaw_deg = {}, .contour = {}};
-  const cv::Rect2d image(0, 0, image_size_.width, image_size_.height);
-  const bool near = track.left && now - track.seen_at <= longest_bridge && image.contains(track.expected(now));
-  if (!near) {
-    track.whole.lose();
-    track = Track{.name = track.name,
-                  .seen_before = track.seen_before,
-                  .began_among_alike = track.began_among_alike,
-                  .whole = track.whole,
-                  .others = track.others,
-                  .before = track.before,
-                  .doubted_for = track.doubted_for};
+  if (!track.is_bridged(now, image_size_)) {
+    track.lose();
     return out;
   }
   track.missed = true;
@@ -186,8 +173,8 @@ TrackSighting MarkTracker::miss(Track& track, Time now) const {
   return out;
 }
 
-void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const {
-  Track before = *track.before;
+void MarkTracker::come_back(StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenPair& now) const {
+  TrackedMark before = *track.before;
   before.velocity_px = {};
   before.disparity_change_px = 0;
   before.whole.wait(captured_);
@@ -205,59 +192,24 @@ void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObjec
 }
 
 // Not for tags: none is followed where the same one is seen several times.
-void MarkTracker::count_twins(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const {
+void MarkTracker::count_twins(StereoSight& sight, TrackedMark& track, const LearnedObject& object,
+                              SeenPair& now) const {
   const bool may_be_another = track.began_among_alike.value_or(true) && object.tag() == nullptr;
   if (!may_be_another) return;
   now.likeness.twins = twins_of(sight.left_segmentation().marks(), objects_, object, now.left);
   if (!track.began_among_alike) track.began_among_alike = now.likeness.twins > least_twins;
 }
 
-// A cover that hid it for a while may go on hiding it for as long.
-bool MarkTracker::is_doubted(Track& track, const SeenPair& now) const {
-  if (!track.before) return false;
-  const Track& before = *track.before;
-  const Time foreseen_until = std::min(captured_, before.seen_at + longest_bridge);
-  const cv::Point2d motion = before.expected(foreseen_until) - before.left->centre;
-  const bool is_there =
-      before.left->box.contains(now.left.centre) || before.left->box.contains(now.left.centre - motion);
-  const bool begins = track.doubted_for <= Duration();
-  if (begins && !is_there) {
-    track.doubted_for = std::clamp(captured_ - before.seen_at, longest_bridge, longest_doubt);
-  }
-  if (!begins && !track.missed && track.left) track.doubted_for -= captured_ - track.seen_at;
-  if (!is_there && track.doubted_for > Duration()) return true;
-  track.before.reset();
-  track.doubted_for = {};
-  return false;
-}
-
-void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair&& now) const {
-  const double seconds = seconds_between(track.seen_at, captured_);
-  const cv::Point2d velocity = track.left ? (now.left.centre - track.left->centre) / seconds : cv::Point2d();
-  const bool steady = cv::norm(velocity) * frame_s_ < px_in(sight.left(), local_reach_px);
-  track.velocity_px = steady ? velocity : cv::Point2d();
-  track.disparity_change_px = 0;
-  if (now.right && track.left && track.right && steady) {
-    const double change = disparity_px(now.left, *now.right) - disparity_px(*track.left, *track.right);
-    track.disparity_change_px = change / seconds;
-  }
-  if (const std::optional<LitMark> lit = LitMark::of(now.left)) track.lit = lit;
-  track.left = std::move(now.left);
-  track.right = std::move(now.right);
-  track.seen_at = captured_;
-  track.missed = false;
-}
-
-void MarkTracker::note_loss(Track& track, const LearnedObject& object, StereoSight* now) {
+void MarkTracker::note_loss(TrackedMark& track, const LearnedObject& object, StereoSight* now) {
   if (!track.left || track.missed) return;
   note_others_before(track, object, now);
-  if (!track.before) track.before = std::make_shared<const Track>(track);
+  if (!track.before) track.before = std::make_shared<const TrackedMark>(track);
 }
 
 std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   std::vector<TrackSighting> out;
   if (last_left_.empty()) return out;
-  for (Track& track : tracks_) {
+  for (TrackedMark& track : tracks_) {
     const LearnedObject* object = objects_.find(track.name);
     if (object != nullptr) note_loss(track, *object, nullptr);
     out.push_back(miss(track, now));
@@ -268,7 +220,8 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
 }
 
 // Follows it, or looks for it elsewhere; nothing where it is not seen whole.
-std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track& track, const LearnedObject& object) {
+std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, TrackedMark& track,
+                                                       const LearnedObject& object) {
   const auto look_at = [&](const SeenPair& pair) {
     return track.whole.look_at(sight.model(), object, pair, captured_, most_off_px(sight), !track.left);
   };
@@ -288,7 +241,7 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
 }
 
 // That it is the object, and whole.
-MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, Track& track, const LearnedObject& object,
+MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMark& track, const LearnedObject& object,
                                                    SeenWhole& seen) const {
   SeenPair& now = seen.pair;
   count_twins(sight, track, object, now);
@@ -299,12 +252,12 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, Track& tr
   if (!known) track.ground_doubt = ground_doubt(sight, now);
   told = confidence_if_off(told, track.ground_doubt, 1);
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
-  if (is_doubted(track, now)) told = std::min(told, trust_in_another);
+  if (track.is_doubted(now, captured_)) told = std::min(told, trust_in_another);
   return {told, in_whole};
 }
 
 // Where it is and how it lies. Seen is what has a range.
-void MarkTracker::measure(StereoSight& sight, Track& track, const LearnedObject& object, const SeenWhole& seen,
+void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedObject& object, const SeenWhole& seen,
                           double in_whole, TrackSighting& out) const {
   const SeenPair& now = seen.pair;
   const std::optional<PlanePose> lies = track.plane.look(sight, object, now);
@@ -328,7 +281,7 @@ void MarkTracker::measure(StereoSight& sight, Track& track, const LearnedObject&
   track.whole.follow(now, seen.look, captured_);
 }
 
-TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
+TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
   const LearnedObject* object = objects_.find(track.name);
   if (object == nullptr) return miss(track, captured_);
   std::optional<SeenWhole> seen = see(sight, track, *object);
@@ -343,7 +296,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   out.margin = now.likeness.margin();
   measure(sight, track, *object, *seen, confidence.in_whole, out);
   const bool begins = !track.left;
-  take(sight, track, std::move(now));
+  track.take(std::move(now), captured_, frame_s_, px_in(sight.left(), local_reach_px));
   // A tag that is followed has no others.
   if (begins && object->tag() == nullptr)
     track.others.note(*track.left, sight.left_segmentation().marks(), objects_, *object);

@@ -22,18 +22,13 @@
 //   StereoSight sight(left, right, model);
 //   for (const TrackSighting& sighting : tracker.update(sight, frame.captured)) ...
 
-#include <memory>
 #include <set>
 
 #include "agents/vision/objects/renames.hpp"
 #include "agents/vision/sight/confined_sights.hpp"
-#include "agents/vision/sight/followed_plane.hpp"
-#include "agents/vision/sight/frame_time.hpp"
-#include "agents/vision/sight/known_twins.hpp"
 #include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/search_limits.hpp"
-#include "agents/vision/sight/shadowed_mark.hpp"
-#include "agents/vision/sight/wholeness.hpp"
+#include "agents/vision/sight/tracked_mark.hpp"
 
 namespace pizarra::vision {
 
@@ -58,8 +53,6 @@ struct TrackSighting {
 
 // All that can be known. Forgotten ones that are still asked for count too.
 inline constexpr std::size_t most_tracked = most_objects;
-inline constexpr Duration longest_bridge = 500ms;
-inline constexpr Duration longest_doubt = 5s;  // whether what is found elsewhere is it
 
 class MarkTracker {
  public:
@@ -73,7 +66,7 @@ class MarkTracker {
   // forgotten.
   void rename(const Renames& renames);
   void keep_only(const std::set<std::string>& names) {
-    std::erase_if(tracks_, [&](const Track& track) { return !names.contains(track.name); });
+    std::erase_if(tracks_, [&](const TrackedMark& track) { return !names.contains(track.name); });
     std::erase_if(paced_, [&](const auto& each) { return !names.contains(each.first); });
   }
   void clear() { keep_only({}); }
@@ -89,64 +82,34 @@ class MarkTracker {
   std::vector<TrackSighting> miss_all(Time now);
 
  private:
-  struct Track {
-    std::string name;
-    std::optional<cv::Point2d> seen_before = {};  // tracking began
-    // Known once it has been seen; then it may be another as long as one of these is in view.
-    std::optional<bool> began_among_alike = {};
-    // As seen last, if that was no longer ago than longest_bridge.
-    std::optional<SeenMark> left = {};
-    std::optional<SeenMark> right = {};
-    std::optional<LitMark> lit = {};
-    std::optional<int> turn = {};  // Likeness::turn
-    Time seen_at = {};
-    bool missed = false;  // in the frame before this one
-    Wholeness whole = {};
-    FollowedPlane plane = {};
-    double ground_doubt = 0;       // as it was found, or since
-    cv::Point2d velocity_px = {};  // a second, in the left image
-    double disparity_change_px = 0;
-    double range_mm = 0;
-    double confidence = 0;
-    KnownTwins others = {};
-    // As it was when it was lost; and for how long yet it must be followed elsewhere, where it was found since.
-    std::shared_ptr<const Track> before = {};
-    Duration doubted_for = {};
-    // Where it should be by then.
-    cv::Point2d expected(Time then) const { return left->centre + seconds_between(seen_at, then) * velocity_px; }
-  };
-  std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
+  std::optional<SeenPair> follow(StereoSight& sight, const TrackedMark& track, const LearnedObject& object) const;
   // Looks for it where it is not followed.
-  std::optional<SeenPair> search(StereoSight& sight, Track& track, const LearnedObject& object);
+  std::optional<SeenPair> search(StereoSight& sight, TrackedMark& track, const LearnedObject& object);
   // Of the marks in the image in which it was seen last; where there is a frame since, of those that this shows there
   // too.
-  void note_others_before(Track& track, const LearnedObject& object, StereoSight* now);
+  void note_others_before(TrackedMark& track, const LearnedObject& object, StereoSight* now);
   // Looks at it, or tells what was told last.
-  TrackSighting look_in_turn(ConfinedSights& sights, Track& track);
-  TrackSighting update(StereoSight& sight, Track& track);
+  TrackSighting look_in_turn(ConfinedSights& sights, TrackedMark& track);
+  TrackSighting update(StereoSight& sight, TrackedMark& track);
   struct SeenWhole {
     SeenPair pair;
     Wholeness::Look look;
   };
-  std::optional<SeenWhole> see(StereoSight& sight, Track& track, const LearnedObject& object);
+  std::optional<SeenWhole> see(StereoSight& sight, TrackedMark& track, const LearnedObject& object);
   struct Confidence {
     double told;
     double in_whole;  // that nothing covers it
   };
-  Confidence confidence_in(StereoSight& sight, Track& track, const LearnedObject& object, SeenWhole& seen) const;
-  void measure(StereoSight& sight, Track& track, const LearnedObject& object, const SeenWhole& seen, double in_whole,
-               TrackSighting& out) const;
-  TrackSighting miss(Track& track, Time now) const;
+  Confidence confidence_in(StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenWhole& seen) const;
+  void measure(StereoSight& sight, TrackedMark& track, const LearnedObject& object, const SeenWhole& seen,
+               double in_whole, TrackSighting& out) const;
+  TrackSighting miss(TrackedMark& track, Time now) const;
   // It was seen before, and is not now. Null: there is no frame.
-  void note_loss(Track& track, const LearnedObject& object, StereoSight* now);
+  void note_loss(TrackedMark& track, const LearnedObject& object, StereoSight* now);
   // Goes back to the mark where it was lost, where it is hidden no more: the one followed elsewhere was another.
-  void come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
+  void come_back(StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenPair& now) const;
   // Counts the others like it that are in view, where it may have been one of them from the first.
-  void count_twins(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
-  // Whether the mark seen may be another object's, by where it is.
-  bool is_doubted(Track& track, const SeenPair& now) const;
-  // What was seen becomes what is followed.
-  void take(const StereoSight& sight, Track& track, SeenPair&& now) const;
+  void count_twins(StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenPair& now) const;
 
   // Of an object that is not looked at in every frame, how it was told last, and of which left image.
   struct Paced {
@@ -157,7 +120,7 @@ class MarkTracker {
 
   const LearnedObjects& objects_;
   const SearchLimits& limits_;
-  std::vector<Track> tracks_;
+  std::vector<TrackedMark> tracks_;
   std::map<std::string, Paced> paced_;
   std::map<std::string, cv::Rect> within_;  // for the next frame
   // Of the frame in hand, and since the one before it.
