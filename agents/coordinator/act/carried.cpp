@@ -13,6 +13,8 @@ constexpr Duration look_patience = 1s;
 // From the middle of a cube to that of one that is carried over it, in cubes: half a cube is left between them, since
 // what leans stands higher than its middle says.
 constexpr double clearing_cubes = 1.5;
+// Above the usual height at most, whatever a look says of how high things stand.
+constexpr double most_above_cubes = 2;
 
 }  // namespace
 
@@ -76,8 +78,10 @@ double Carried::highest_mm() const {
 }
 
 double Carried::height_mm() const {
-  if (!goes_low()) return options_.travel_height_mm;
-  return std::min(highest_mm() + clearing_cubes * domain_.cube_mm(), options_.travel_height_mm);
+  const double usual = options_.travel_height_mm;
+  const double most = usual + most_above_cubes * domain_.cube_mm();
+  const double over_all = std::min(highest_mm() + clearing_cubes * domain_.cube_mm(), most);
+  return goes_low() ? over_all : std::max(usual, over_all);
 }
 
 }  // namespace pizarra::coordinator
