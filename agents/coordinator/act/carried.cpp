@@ -13,7 +13,7 @@ constexpr Duration look_patience = 1s;
 // From the middle of a cube to that of one that is carried over it, in cubes: half a cube is left between them, since
 // what leans stands higher than its middle says.
 constexpr double clearing_cubes = 1.5;
-// Above the usual height at most, whatever a look says of how high things stand.
+// Above the usual height at most, whatever looks say of how high things stand.
 constexpr double most_above_cubes = 2;
 
 }  // namespace
@@ -64,14 +64,15 @@ bool Carried::goes_low() const {
   });
 }
 
-// The middle of the highest cube but that in the gripper.
-double Carried::highest_mm() const {
+// The middle of the highest cube but that in the gripper; also of those that nobody has seen for long.
+double Carried::highest_mm(bool unseen_too) const {
   const Scene& scene = surroundings_.scene();
   const std::optional<Eigen::Vector3d> grip = scene.grip_mm();
   double highest_mm = 0;
   for (const auto& [name, sighting] : scene.sightings().all()) {
     const bool is_held = grip && (sighting.place_mm - *grip).norm() < domain_.cube_mm() / 2;
-    if (is_held || name == options_.gripper.mark) continue;
+    const bool counts = unseen_too || scene.sightings().remembered(name, options_.grace_looks);
+    if (is_held || !counts || name == options_.gripper.mark) continue;
     highest_mm = std::max(highest_mm, scene.centre_mm(name, sighting).z());
   }
   return highest_mm;
@@ -79,9 +80,10 @@ double Carried::highest_mm() const {
 
 double Carried::height_mm() const {
   const double usual = options_.travel_height_mm;
+  const double clearing_mm = clearing_cubes * domain_.cube_mm();
   const double most = usual + most_above_cubes * domain_.cube_mm();
-  const double over_all = std::min(highest_mm() + clearing_cubes * domain_.cube_mm(), most);
-  return goes_low() ? over_all : std::max(usual, over_all);
+  const double over_towers = std::min(highest_mm(false) + clearing_mm, most);
+  return std::max(over_towers, goes_low() ? std::min(highest_mm(true) + clearing_mm, usual) : usual);
 }
 
 }  // namespace pizarra::coordinator

@@ -43,7 +43,7 @@ class Carried {
  private:
   Task<void> cut_short_when_lost();
   bool goes_low() const;
-  double highest_mm() const;
+  double highest_mm(bool unseen_too) const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
