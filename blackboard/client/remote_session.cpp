@@ -259,7 +259,7 @@ void RemoteSession::keep_alive(Time now) {
   client_.say_again();
 }
 
-// What became due while the client did not run waits for the next turn: the answer may have come meanwhile.
+// A request that came due while the client did not run stays for one more tick: its answer may have come meanwhile.
 void RemoteSession::give_up_overdue(Time due) {
   const auto late = [due](const RemoteRequests::Request& request) {
     return request.deadline && *request.deadline <= due;

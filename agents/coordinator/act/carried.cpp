@@ -64,26 +64,26 @@ bool Carried::goes_low() const {
   });
 }
 
-// The middle of the highest cube but that in the gripper; also of those that nobody has seen for long.
-double Carried::highest_mm(bool unseen_too) const {
+// What nobody has seen for long, as what a hand took up and away, makes it travel no higher than usual.
+double Carried::height_over_all_mm() const {
+  const double usual = options_.travel_height_mm;
+  const double most = usual + most_above_cubes * domain_.cube_mm();
   const Scene& scene = surroundings_.scene();
   const std::optional<Eigen::Vector3d> grip = scene.grip_mm();
-  double highest_mm = 0;
+  double height_mm = clearing_cubes * domain_.cube_mm();
   for (const auto& [name, sighting] : scene.sightings().all()) {
     const bool is_held = grip && (sighting.place_mm - *grip).norm() < domain_.cube_mm() / 2;
-    const bool counts = unseen_too || scene.sightings().remembered(name, options_.grace_looks);
-    if (is_held || !counts || name == options_.gripper.mark) continue;
-    highest_mm = std::max(highest_mm, scene.centre_mm(name, sighting).z());
+    if (is_held || name == options_.gripper.mark) continue;
+    const double over = scene.centre_mm(name, sighting).z() + clearing_cubes * domain_.cube_mm();
+    const bool is_there = scene.sightings().remembered(name, options_.grace_looks);
+    height_mm = std::max(height_mm, std::min(over, is_there ? most : usual));
   }
-  return highest_mm;
+  return height_mm;
 }
 
 double Carried::height_mm() const {
-  const double usual = options_.travel_height_mm;
-  const double clearing_mm = clearing_cubes * domain_.cube_mm();
-  const double most = usual + most_above_cubes * domain_.cube_mm();
-  const double over_towers = std::min(highest_mm(false) + clearing_mm, most);
-  return std::max(over_towers, goes_low() ? std::min(highest_mm(true) + clearing_mm, usual) : usual);
+  const double over_all = height_over_all_mm();
+  return goes_low() ? over_all : std::max(options_.travel_height_mm, over_all);
 }
 
 }  // namespace pizarra::coordinator

@@ -43,7 +43,8 @@ class Carried {
  private:
   Task<void> cut_short_when_lost();
   bool goes_low() const;
-  double highest_mm(bool unseen_too) const;
+  // Of the grip, to pass over all that stands.
+  double height_over_all_mm() const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;

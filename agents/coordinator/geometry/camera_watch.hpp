@@ -55,7 +55,7 @@ class CameraWatch {
   News take_first(const MarkPair& pair, const CameraModel& model);
   News take_agreeing(const MarkPair& pair, const CameraModel& model);
   News take_strange(const MarkPair& pair, const CameraModel& model);
-  // Ends the doubt, once as many places agree as do not.
+  // Ends the doubt once as many places agree as disagree.
   void outvote_strange(const MarkPair& agreeing);
   std::vector<MarkPair> strange_well_seen() const;
   bool is_confirmed() const;
@@ -68,9 +68,9 @@ class CameraWatch {
   std::vector<Eigen::Vector3d> row_;  // points in which poses are compared
   MountedCamera guess_;
   Sureness sure_;
-  std::vector<MarkPair> pairs_;     // that agree; one a place of the tool, the oldest first
-  std::vector<MarkPair> strange_;   // that did not, since the last that did; before the pose is confirmed all of them
-  std::vector<MarkPair> agreeing_;  // since then, and until there are as many
+  std::vector<MarkPair> pairs_;    // that agree; one a place of the tool, the oldest first
+  std::vector<MarkPair> strange_;  // that disagree, until they are outvoted; before the pose is confirmed they are kept
+  std::vector<MarkPair> agreeing_;  // that agree since the first strange one
   MountFit fit_;
   forms::CameraPose pose_;
   double spread_mm_ = 0;

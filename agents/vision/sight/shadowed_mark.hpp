@@ -1,9 +1,9 @@
 #pragma once
 
 // A followed mark with a shadow's edge across it: no one level of its ground holds all around it, so its outline is
-// registered edge by edge, where the mark should be. What hides a part of it makes the ground uneven as well. So it is
-// taken for the mark where the print beside the outline says that light does that, or where it lies just as it did in
-// even light.
+// registered edge by edge, where the mark should be. A cover over a part of it makes the ground uneven as well. So the
+// look is taken for the mark in two cases: the print beside the outline shows that light made the ground uneven, or the
+// mark lies just as it did in even light.
 //
 //   std::optional<LitMark> lit = LitMark::of(seen);      // each look in even light
 //   std::optional<SeenPair> now = find_in_shadow(sight, objects, object, last, expected, lit);

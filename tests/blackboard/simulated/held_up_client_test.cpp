@@ -9,7 +9,7 @@ namespace {
 
 class HeldUpClient : public SimulatedServer {
  protected:
-  // What comes of a question, after which the client does not run for 10 s.
+  // The client asks, and then does not run for 10 s: how its question ends.
   std::string outcome() {
     std::optional<Result<Answers>> answers;
     const auto ask = [](client::RemoteBoard& board, std::optional<Result<Answers>>& result) -> Task<void> {
