@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <ranges>
 
+#include "agents/vision/marks/other_outline.hpp"
 #include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
@@ -146,12 +147,15 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
 // Of a tilted face the middle is not where the centroid of what is seen is; to a pair these say how far away it is.
 void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pair) {
   pair.plane = view_plane(sight.left_segmentation().cut(), object, pair.left);
-  if (!pair.plane || !pair.plane->agrees) return;
+  if (!pair.plane) return;
   const LearnedSample& sample = *pair.plane->sample;
+  pair.likeness.other_outline = odds_of_other_outline(sample.plane, pair.plane->fit);
+  if (!pair.plane->agrees) return;
   std::optional<PlaneFit> right;
   if (pair.right) right = fit_in_right(sight, sample, pair, pair.plane->fit, to_follow);
   std::optional<PlanePose>& pose = pair.plane->pose;
   pose = pose_in_plane(sight.model(), sample, pair.plane->fit, right ? &*right : nullptr);
+  if (pose) pair.likeness.other_outline += pose->odds_of_no_plane();
   if (pair.right) return;
   pair.left.centre = pose && !pose->is_contradicted()
                          ? middle_in_image(sight.model(), *pose, share_of_tilt * most_off_px(sight))

@@ -53,6 +53,10 @@ constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
 constexpr double least_contradiction = 4;
 constexpr double clearly_contradicted = 15;
+// How many looks at what is in no plane, or of another form, there are for each one that a pose explains about as well.
+// What contradicts the pose of a pair is mostly how far the two images, and the template, are off from each other.
+constexpr double no_planes_for_one = 1e-6;
+constexpr double share_of_both = 0.2;
 // How far faces are turned from the axis of a camera that looks at them: a standard deviation.
 constexpr double usual_turn_rad = 0.5;
 // A tilt that is less likely is none.
@@ -216,6 +220,11 @@ double usual_turn(const PlanePose& pose) {
 }
 
 bool PlanePose::is_contradicted() const { return misfit - free_misfit > clearly_contradicted; }
+
+double PlanePose::odds_of_no_plane() const {
+  const double evidence = (misfit - free_misfit) * (by_both ? share_of_both : 1);
+  return no_planes_for_one * std::exp(std::min(evidence, 50.0));
+}
 
 bool PlanePose::shows_perspective() const { return affine_misfit - misfit > clearly_worse; }
 

@@ -23,10 +23,8 @@ constexpr Odds on_even_ground{20, 12};
 constexpr Odds on_uneven_ground{0.002, 0.05};
 // Uneven ground beside a complete outline is a shadow's edge about as often as a cover over a part: never sure.
 constexpr double shadow_share = 0.5;
-// An outline whose edges are elsewhere is hardly the mark's; one that is no plane's before this camera may be, where
-// the lens bends what is straight.
+// An outline whose edges are elsewhere is hardly the mark's.
 constexpr double if_not_its_outline = 0.45;
-constexpr double if_no_plane = 0.85;
 // A look that is slimmer than this, of what it was learned, may be another object, ever so alike but for being slim.
 constexpr double least_of_slimness = 0.72;
 constexpr double if_slim = 0.87;
@@ -51,7 +49,6 @@ FaceSize face_size(const camera::StereoModel& model, const LearnedObject& object
 
 double most_by_plane(const PlaneView& plane, double of_learned_slimness) {
   if (!plane.agrees) return if_not_its_outline;
-  if (plane.pose && plane.pose->is_contradicted()) return if_no_plane;
   const bool tilt_shows = plane.pose && plane.pose->shows_perspective();
   return of_learned_slimness < least_of_slimness && !tilt_shows ? if_slim : 1;
 }
@@ -105,7 +102,8 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
 
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   if (pair.plane && pair.plane->is_part) {
-    return confidence_if_off(if_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
+    const double of_part = 1 / (1 / if_part + pair.likeness.other_outline);
+    return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
   }
   const double by_form = confidence_by_form(sight, object, pair);
   const double doubt = ground_doubt(sight, pair);
