@@ -387,4 +387,10 @@ bool Scene::still(const std::vector<std::string>& objects) const {
   return true;
 }
 
+bool Scene::moved_within(std::uint64_t looks, const std::vector<std::string>& objects) const {
+  return std::ranges::any_of(objects, [&](const std::string& name) {
+    return sightings_.recent(name, looks) && sightings_.still_looks(name) < looks;
+  });
+}
+
 }  // namespace pizarra::coordinator

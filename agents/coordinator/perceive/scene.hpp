@@ -75,6 +75,8 @@ class Scene {
   bool calm() const;
   // Whether all these objects were seen lately and lie still.
   bool still(const std::vector<std::string>& objects) const;
+  // Whether one of these objects has moved within so many of the newest looks.
+  bool moved_within(std::uint64_t looks, const std::vector<std::string>& objects) const;
 
   // The facts that others tell of themselves. While the head turns, or nobody knows how it stands, nothing can be
   // placed.

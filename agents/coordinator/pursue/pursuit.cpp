@@ -12,7 +12,7 @@ namespace pizarra::coordinator {
 namespace {
 
 // Bounds of one goal. A tower of four takes about ten operations; every disturbance costs a few more.
-constexpr int most_pauses = 3;
+constexpr int most_times_anew = 5;
 constexpr int most_rounds = 150;
 constexpr int most_plans = 30;
 constexpr int most_failures = 25;
@@ -248,7 +248,8 @@ Task<bool> Pursuit::settles(Goal goal) {
   surroundings_.doubt_hidden();
   Time since = context_.executor.now();
   Time last = since;
-  int pauses = 0;
+  const std::vector<std::string> objects = objects_of(goal);
+  int times_anew = 0;
   for (int looks = 0; looks < options_.settle_looks || last < since + options_.settle; ++looks) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
@@ -258,13 +259,15 @@ Task<bool> Pursuit::settles(Goal goal) {
     const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
     if (!lost.empty()) {
       co_await differences_.tell(lost, "the goal");
-      co_await search_.await_steady(objects_of(goal));
+      co_await search_.await_steady(objects);
       co_return false;
     }
     const Time now = context_.executor.now();
     const bool paused = now - last > options_.settle;
-    // What happened in the pause was not seen: the time to settle begins anew. Eyes may always be as slow as that.
-    if (paused && pauses++ < most_pauses) {
+    const bool moves = looks > 0 && surroundings_.scene().moved_within(static_cast<std::uint64_t>(looks), objects);
+    // What happened in the pause was not seen, and what slips may fall: the time to settle begins anew. Eyes may always
+    // be as slow, and as unsure, as that.
+    if ((paused || moves) && times_anew++ < most_times_anew) {
       looks = 0;
       since = now;
     }

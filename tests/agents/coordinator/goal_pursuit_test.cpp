@@ -68,6 +68,23 @@ TEST_F(Coordinator, CallsNoGoalReachedByLooksFromBeforeAPause) {
   expect_on("circle", "triangle");
 }
 
+// A cube that stands askew slips for seconds before it falls.
+TEST_F(Coordinator, CallsNoGoalReachedWhoseObjectsStillMove) {
+  cell.cubes["triangle"] = {500, 50, 30};
+  cell.cubes["circle"] = {500, 50, 90};
+  cell.run_for(3s);
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(event ? plan ? ?)", 20s));
+  for (int step = 0; step < 30; ++step) {
+    cell.cubes["circle"].x() -= 0.8;
+    cell.run_for(100ms);
+    ASSERT_TRUE(cell.facts("(goal-state 1 reached ?)").empty()) << "step " << step;
+  }
+  cell.cubes["circle"] = {440, 50, 30};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+}
+
 // Step b of the thesis.
 TEST_F(Coordinator, FindsEachObjectOfTheGoalBeforeItPlansWhateverWasSeenLately) {
   want("(goal (on-table circle))");
