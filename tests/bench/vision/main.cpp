@@ -19,7 +19,7 @@ constexpr std::array table = {Row{"find", find_time},      Row{"track", track_ti
                               Row{"scenes", recall},       Row{"solids", solids},           Row{"unlearned", unlearned},
                               Row{"depth", depth},         Row{"orientation", orientation}, Row{"sequences", sequences},
                               Row{"covering", coverings},  Row{"arrival", arrival},         Row{"computing", computing},
-                              Row{"memory", agent_memory}, Row{"photographs", photographs}};
+                              Row{"memory", agent_memory}, Row{"photographs", photographs}, Row{"films", films}};
 
 }  // namespace
 
@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   int scenes = 10000;
   int runs = 1000;
   int photograph_scenes = 40;
+  int film_count = 4;
   std::string photograph_folder;
   for (const Row& row : table) names.emplace_back(row.name);
   app.add_flag("--json", json, "one JSON object a line");
@@ -46,8 +47,13 @@ int main(int argc, char** argv) {
   app.add_option("--photographs", photograph_scenes, "scenes of each condition to photograph")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  app.add_option("--photograph-folder", photograph_folder,
-                 "where photographs are, or are to be made and kept; without it they are removed afterwards")
+  app.add_option("--films", film_count, "films of ten seconds, every second one by a pair")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option(
+         "--photograph-folder", photograph_folder,
+         "where photographs are, or are to be made and kept, and films in FOLDER-films; without it they are removed "
+         "afterwards")
       ->type_name("FOLDER");
   app.add_option("--seed", seed, "what the scenes, the camera, its noise and what is learned are drawn from")
       ->check(pizarra::programs::seed_check())
@@ -64,8 +70,8 @@ int main(int argc, char** argv) {
   pizarra::bench::Figures figures("vision",
                                   json ? pizarra::bench::Figures::Style::json : pizarra::bench::Figures::Style::plain);
   set_scene_seed(seed);
-  VisionBench bench{figures, tag_detectors(),   learn_marks(seed), seed, scenes,
-                    runs,    photograph_scenes, photograph_folder};
+  VisionBench bench{figures,           tag_detectors(), learn_marks(seed), seed, scenes, runs,
+                    photograph_scenes, film_count,      photograph_folder};
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
     try {

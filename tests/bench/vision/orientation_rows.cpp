@@ -10,6 +10,7 @@
 #include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
+#include "tests/bench/vision/pose_errors.hpp"
 #include "tests/bench/vision/rows.hpp"
 
 namespace pizarra::bench {
@@ -17,14 +18,7 @@ namespace {
 
 constexpr double range_mm = 600;
 constexpr int frames_tracked = 5;
-constexpr double degrees_a_rad = 180 / CV_PI;
 const std::vector<std::string> names = {"circle", "square", "cross", "triangle"};
-
-struct View {
-  std::string mark;
-  cv::Vec3d place_mm;  // from the left camera
-  cv::Matx33d turn = cv::Matx33d::eye();
-};
 
 camera::StereoModel camera_of(bool is_pair) {
   camera::StereoModel out{.width = 640, .height = 480, .focal_px = 700, .centre_x_px = 319.5, .centre_y_px = 239.5};
@@ -38,7 +32,7 @@ cv::Point2d seen_at(const camera::StereoModel& model, const cv::Vec3d& place, do
           model.centre_y_px + model.focal_px * place[1] / place[2]};
 }
 
-cv::Mat1b drawn(const camera::StereoModel& model, const View& view, double beside_mm, Random& random) {
+cv::Mat1b drawn(const camera::StereoModel& model, const PosedMark& view, double beside_mm, Random& random) {
   Shape shape = mark_shape(view.mark);
   for (Outline& outline : shape) {
     for (cv::Point2d& p : outline) {
@@ -56,7 +50,7 @@ cv::Mat1b drawn(const camera::StereoModel& model, const View& view, double besid
   return out;
 }
 
-vision::StereoSight sight_of(const camera::StereoModel& model, const View& view, Random& random) {
+vision::StereoSight sight_of(const camera::StereoModel& model, const PosedMark& view, Random& random) {
   const cv::Mat1b left = drawn(model, view, 0, random);
   if (model.is_single()) return {left, cv::Mat1b(left.size(), std::uint8_t{165}), model};
   return {left, drawn(model, view, model.base_line_mm, random), model};
@@ -65,7 +59,7 @@ vision::StereoSight sight_of(const camera::StereoModel& model, const View& view,
 vision::LearnedObjects learned_by(const camera::StereoModel& model, Random& random) {
   vision::LearnedObjects out;
   for (const std::string& name : names) {
-    const View view{.mark = name, .place_mm = {model.base_line_mm / 2, 0, range_mm}};
+    const PosedMark view{.mark = name, .place_mm = {model.base_line_mm / 2, 0, range_mm}};
     vision::MarkLearner learner(name, seen_at(model, view.place_mm, 0), out);
     while (!learner.done()) {
       vision::StereoSight sight = sight_of(model, view, random);
@@ -78,13 +72,7 @@ vision::LearnedObjects learned_by(const camera::StereoModel& model, Random& rand
   return out;
 }
 
-cv::Matx33d turned_about(const cv::Vec3d& rad) {
-  cv::Matx33d out;
-  cv::Rodrigues(rad, out);
-  return out;
-}
-
-View random_view(const std::string& mark, const camera::StereoModel& model, Random& random) {
+PosedMark random_view(const std::string& mark, const camera::StereoModel& model, Random& random) {
   const double tilt = random.uniform(20, 60) / degrees_a_rad;
   const double lies = random.uniform(0, 2 * CV_PI);
   const cv::Vec3d place(model.base_line_mm / 2 + random.uniform(-150, 150), random.uniform(-100, 100), range_mm);
@@ -93,80 +81,15 @@ View random_view(const std::string& mark, const camera::StereoModel& model, Rand
               turned_about({0, 0, random.uniform(-CV_PI, CV_PI)})};
 }
 
-cv::Vec3d away_of(const cv::Matx33d& turn) { return {turn(0, 2), turn(1, 2), turn(2, 2)}; }
-
-// By which the truth differs from what is told, about the camera's axes, rad: the least of those that look the same. Of
-// a circle that of its normal.
-cv::Vec3d off_rad(const std::string& mark, const cv::Matx33d& told, const cv::Matx33d& truth) {
-  if (mark == "circle") {
-    const cv::Vec3d across = away_of(told).cross(away_of(truth));
-    const double sine = cv::norm(across);
-    return sine > 0 ? std::atan2(sine, away_of(told).dot(away_of(truth))) / sine * across : cv::Vec3d();
-  }
-  const int turns = mark == "triangle" ? 3 : 4;
-  cv::Vec3d least(CV_PI, CV_PI, CV_PI);
-  for (int i = 0; i < turns; ++i) {
-    cv::Vec3d off;
-    cv::Rodrigues(truth * turned_about({0, 0, 2 * CV_PI * i / turns}) * told.t(), off);
-    if (cv::norm(off) < cv::norm(least)) least = off;
-  }
-  return least;
-}
-
-// Of errors, each with the spread that was told.
-struct Spreads {
-  int told = 0;
-  int within = 0;  // two spreads
-
-  void count(const cv::Vec3d& off, const cv::Vec3d& along, const Eigen::Matrix3d& covariance) {
-    const Eigen::Vector3d way(along[0], along[1], along[2]);
-    ++told;
-    within += std::abs(off.dot(along)) < 2 * std::sqrt(way.dot(covariance * way)) ? 1 : 0;
-  }
-  std::string said() const { return fmt::format("{:.1f} %", 100.0 * within / std::max(1, told)); }
-};
-
-struct Tally {
-  int shown = 0;
-  int told = 0;
-  int flips_told = 0;  // the other tilt may be it as well
-  double squares = 0;
-  Spreads angles = {};  // of the tilt, about two axes in the mark's plane
-  Spreads ranges = {};
-  Spreads places = {};  // beside the line of sight, either way
-
-  void count(const View& view, const vision::MarkPose& pose, double beside_mm) {
-    ++told;
-    cv::Vec3d off = off_rad(view.mark, pose.turn, view.turn);
-    if (pose.flipped) {
-      ++flips_told;
-      const cv::Vec3d other = off_rad(view.mark, pose.flipped->turn, view.turn);
-      if (cv::norm(other) < cv::norm(off)) off = other;
-    }
-    squares += off.dot(off);
-    for (const int column : {0, 1}) {
-      angles.count(off, {pose.turn(0, column), pose.turn(1, column), pose.turn(2, column)},
-                   pose.covariance.bottomRightCorner<3, 3>());
-    }
-    const cv::Vec3d truth = view.place_mm - cv::Vec3d(beside_mm, 0, 0);
-    const cv::Vec3d sight = truth / cv::norm(truth);
-    const cv::Vec3d down = cv::normalize(sight.cross(cv::Vec3d(1, 0, 0)));
-    const Eigen::Matrix3d of_place = pose.covariance.topLeftCorner<3, 3>();
-    ranges.count(pose.place_mm - truth, sight, of_place);
-    for (const cv::Vec3d& beside : {down, down.cross(sight)}) places.count(pose.place_mm - truth, beside, of_place);
-  }
-  double rms_deg() const { return degrees_a_rad * std::sqrt(squares / std::max(1, told)); }
-};
-
 std::optional<vision::MarkPose> found(const camera::StereoModel& model, const vision::LearnedObjects& objects,
-                                      const View& view, Random& random) {
+                                      const PosedMark& view, Random& random) {
   vision::StereoSight sight = sight_of(model, view, random);
   const Result<vision::FoundMark> mark = vision::MarkFinder(objects).find(sight, *objects.find(view.mark), Time());
   return mark ? mark->pose : std::nullopt;
 }
 
 std::optional<vision::MarkPose> tracked(const camera::StereoModel& model, const vision::LearnedObjects& objects,
-                                        const View& view, Random& random) {
+                                        const PosedMark& view, Random& random) {
   vision::MarkTracker tracker(objects);
   tracker.add(*objects.find(view.mark)).value();
   std::optional<vision::MarkPose> pose;
@@ -178,13 +101,13 @@ std::optional<vision::MarkPose> tracked(const camera::StereoModel& model, const 
 }
 
 using PoseOf = std::optional<vision::MarkPose> (*)(const camera::StereoModel&, const vision::LearnedObjects&,
-                                                   const View&, Random&);
+                                                   const PosedMark&, Random&);
 
-Tally tally_of(PoseOf pose_of, const camera::StereoModel& model, int views, Random random) {
+PoseTally tally_of(PoseOf pose_of, const camera::StereoModel& model, int views, Random random) {
   const vision::LearnedObjects objects = learned_by(model, random);
-  Tally out;
+  PoseTally out;
   for (int i = 0; i < views; ++i) {
-    const View view = random_view(names[static_cast<std::size_t>(i) % names.size()], model, random);
+    const PosedMark view = random_view(names[static_cast<std::size_t>(i) % names.size()], model, random);
     const std::optional<vision::MarkPose> pose = pose_of(model, objects, view, random);
     ++out.shown;
     if (pose) out.count(view, *pose, model.base_line_mm / 2);
@@ -192,7 +115,7 @@ Tally tally_of(PoseOf pose_of, const camera::StereoModel& model, int views, Rand
   return out;
 }
 
-void say_tally(Figures& figures, const std::string& who, const Tally& tally, double most_deg) {
+void say_tally(Figures& figures, const std::string& who, const PoseTally& tally, double most_deg) {
   figures.say(
       {"orientation at 0.6 m, " + who + ", RMS",
        tally.rms_deg(),

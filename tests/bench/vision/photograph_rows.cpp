@@ -2,8 +2,6 @@
 // tags of the same size in the same places, which ours and the peers look for.
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fmt/format.h>
 #include <functional>
 #include <map>
@@ -224,12 +222,8 @@ void say_pair(Figures& figures, const PhotographSet& set) {
 }  // namespace
 
 void photographs(VisionBench& bench) {
-  const char* temporary = std::getenv("TMPDIR");
-  const std::string folder = !bench.photographs.empty()
-                                 ? bench.photographs
-                                 : fmt::format("{}/photographs-{}-{}", temporary != nullptr ? temporary : "/tmp",
-                                               bench.seed, bench.photograph_scenes);
-  const PhotographSet set = make_photographs(folder, bench.seed, bench.photograph_scenes);
+  const PhotographFolder folder(bench.photographs, "photographs");
+  const PhotographSet set = make_photographs(folder.path(), bench.seed, bench.photograph_scenes);
   Judge judge(bench, set);
   // Those of one condition lie together: its row is said as soon as they were looked at.
   for (std::size_t i = 0; i < set.photographs.size(); ++i) {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <unistd.h>
 
 #include "agents/vision/sight/mark_learner.hpp"
 #include "tests/bench/child.hpp"
@@ -16,6 +18,7 @@
 namespace pizarra::bench {
 namespace {
 
+constexpr const char* part_made = ".part";  // behind the folder's name, while it is not complete
 constexpr std::array shapes = {"circle", "square", "cross", "triangle"};
 
 cv::Mat1b grey_image(const std::string& path) {
@@ -45,23 +48,48 @@ void read_line(const std::string& line, const std::string& folder, PhotographSet
   if (mark.name != "-") out.photographs.back().marks.push_back(mark);
 }
 
-void run_script(const std::string& folder, std::uint64_t seed, int scenes) {
-  const std::string script = source_dir() + "/tests/bench/vision/photographs/make_photographs.py";
-  const std::string begun = folder + ".part";
+// `script`: with its options.
+void run_script(const std::string& folder, const std::string& script) {
+  const std::string begun = folder + part_made;
   std::filesystem::remove_all(begun);
   const std::string command =
-      fmt::format("/usr/bin/python3 -B '{}' '{}' --seed {} --scenes {}", script, begun, seed, scenes);
+      fmt::format("/usr/bin/python3 -B '{}/tests/bench/vision/photographs/'{} '{}'", source_dir(), script, begun);
   if (std::system(command.c_str()) != 0) {
     throw std::runtime_error("the photographs cannot be made; ./pizarra bench --install-peers installs what they need");
   }
   std::filesystem::rename(begun, folder);
 }
 
+PhotographSet made_by(const std::string& script, const std::string& folder) {
+  if (!std::filesystem::exists(folder + "/truth.txt")) run_script(folder, script);
+  std::ifstream truth(folder + "/truth.txt");
+  if (!truth) throw std::runtime_error(folder + " has no truth.txt");
+  PhotographSet out;
+  for (std::string line; std::getline(truth, line);) read_line(line, folder, out);
+  return out;
+}
+
+std::string right_of(const std::string& path) { return path.substr(0, path.rfind('.')) + "-right.jpg"; }
+
 }  // namespace
 
 cv::Mat1b Photograph::left() const { return grey_image(path); }
 
-cv::Mat1b Photograph::right() const { return grey_image(path.substr(0, path.rfind('.')) + "-right.jpg"); }
+cv::Mat1b Photograph::right() const { return grey_image(right_of(path)); }
+
+bool Photograph::has_right() const { return std::filesystem::exists(right_of(path)); }
+
+PhotographFolder::PhotographFolder(const std::string& named, const std::string& what)
+    : path_(named), goes_(named.empty()) {
+  if (goes_) path_ = fmt::format("{}/pizarra-{}-{}", std::filesystem::temp_directory_path().string(), what, getpid());
+}
+
+PhotographFolder::~PhotographFolder() {
+  std::error_code ignored;
+  if (!goes_) return;
+  std::filesystem::remove_all(path_, ignored);
+  std::filesystem::remove_all(path_ + part_made, ignored);
+}
 
 camera::StereoModel photographs_camera() {
   return {.width = 640,
@@ -80,12 +108,11 @@ camera::StereoModel photographs_pair() {
 }
 
 PhotographSet make_photographs(const std::string& folder, std::uint64_t seed, int scenes) {
-  if (!std::filesystem::exists(folder + "/truth.txt")) run_script(folder, seed, scenes);
-  std::ifstream truth(folder + "/truth.txt");
-  if (!truth) throw std::runtime_error(folder + " has no truth.txt");
-  PhotographSet out;
-  for (std::string line; std::getline(truth, line);) read_line(line, folder, out);
-  return out;
+  return made_by(fmt::format("make_photographs.py --seed {} --scenes {}", seed, scenes), folder);
+}
+
+PhotographSet make_films(const std::string& folder, std::uint64_t seed, int films) {
+  return made_by(fmt::format("make_films.py --seed {} --films {}", seed, films), folder);
 }
 
 vision::LearnedObjects learn_from(const Photograph& photo, const camera::StereoModel& model) {

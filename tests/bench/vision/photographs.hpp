@@ -1,7 +1,7 @@
 #pragma once
 
-// Photographs that a script makes of sheets before real backgrounds, with their truth (photographs/). They share
-// nothing with our renderers.
+// Photographs and films that scripts make of sheets before real backgrounds, with their truth (photographs/). They
+// share nothing with our renderers.
 //
 //   const PhotographSet set = make_photographs(folder, seed, 40);     // some minutes; read where the folder has them
 //   for (const Photograph& photo : set.photographs) photo.left(), photo.marks ...
@@ -24,18 +24,33 @@ struct PhotographedMark {
 };
 
 struct Photograph {
-  std::string condition;
+  std::string condition;  // or the film whose frame it is
   std::string path;
   std::string kind;  // shapes, 4x4, 36h11
   std::vector<PhotographedMark> marks = {};
 
   cv::Mat1b left() const;
-  cv::Mat1b right() const;  // of the conditions `learning` and `pair` alone
+  cv::Mat1b right() const;  // where it has one: of `learning`, of the condition `pair`, of every second film
+  bool has_right() const;
 };
 
 struct PhotographSet {
   Photograph learning;
   std::vector<Photograph> photographs;
+};
+
+// Where they are kept: in the folder that a person names, or in one that goes with this.
+class PhotographFolder {
+ public:
+  PhotographFolder(const std::string& named, const std::string& what);
+  ~PhotographFolder();
+  PhotographFolder(const PhotographFolder&) = delete;
+  PhotographFolder& operator=(const PhotographFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  bool goes_;
 };
 
 // What took them: one camera, or with a base line a pair.
@@ -44,6 +59,8 @@ camera::StereoModel photographs_pair();
 
 // Throws where the script, or what it needs, is missing.
 PhotographSet make_photographs(const std::string& folder, std::uint64_t seed, int scenes);
+// Films of ten seconds, frame by frame in their order.
+PhotographSet make_films(const std::string& folder, std::uint64_t seed, int films);
 // The four shapes, each by a click in the one photograph, or in both of a pair; throws where one cannot be learned.
 vision::LearnedObjects learn_from(const Photograph& photo, const camera::StereoModel& model);
 // The number of the tag that is in a shape's place.

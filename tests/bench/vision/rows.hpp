@@ -16,6 +16,7 @@ struct VisionBench {
   int scenes = 10000;
   int runs = 1000;
   int photograph_scenes = 40;
+  int films = 4;
   std::string photographs = {};  // a folder with some; else they are made
 };
 
@@ -28,6 +29,7 @@ void unlearned(VisionBench& bench);     // shapes that are like the learned ones
 void depth(VisionBench& bench);         // at 0.6 m
 void orientation(VisionBench& bench);   // how tilted marks are turned, at 0.6 m
 void photographs(VisionBench& bench);   // on photographs that are not of our renderer
+void films(VisionBench& bench);         // the same of films
 void sequences(VisionBench& bench);     // hidden for half a second, and moving fast
 void coverings(VisionBench& bench);     // partly covered by a hand
 void arrival(VisionBench& bench);       // from a frame to the fact that says what was seen, in another process
