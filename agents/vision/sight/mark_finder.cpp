@@ -27,8 +27,6 @@ constexpr double share_of_faint = 0.1;
 // The ground beside a cover raises a greater doubt. In photographs with covered marks 64 of 66 wholes that were told
 // where none was had one. Of 101 whole marks that were tilted and not sure, one in ten had.
 constexpr double least_of_cover = 0.2;
-// Of how far off a centre may be that is told surely, the wrong one of two tilts makes at most so much.
-constexpr double share_of_tilt = 0.4;
 
 std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
   for (const SeenMark& mark : marks) {
@@ -157,9 +155,8 @@ void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, 
   pose = pose_in_plane(sight.model(), sample, pair.plane->fit, right ? &*right : nullptr);
   if (pose) pair.likeness.other_outline += pose->odds_of_no_plane();
   if (pair.right) return;
-  pair.left.centre = pose && !pose->is_contradicted()
-                         ? middle_in_image(sight.model(), *pose, share_of_tilt * most_off_px(sight))
-                         : pair.plane->fit.in_image(sample.plane.middle);
+  pair.left.centre = pose && !pose->is_contradicted() ? middle_in_image(sight.model(), *pose, most_off_px(sight))
+                                                      : pair.plane->fit.in_image(sample.plane.middle);
 }
 
 std::optional<FoundMark> MarkFinder::find_shape(StereoSight& sight, const LearnedObject& object) const {

@@ -268,12 +268,17 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
     out.right_centre = now.right->centre;
     out.yaw_deg = yaw_deg(plane);
   } else if (sight.is_cut_off(object, now.left)) {
-    // By its longer axis, which is as long at either tilt: of a large triangle four poses look alike.
-    range = range_by_size(sight.model(), object, now.left, nullptr);
+    // Of a large triangle four poses look alike: its longer axis says more, which is as long at either tilt.
+    const bool by_axis = is_triangle(outline_of(now.left.signature));
+    range = range_by_size(sight.model(), object, now.left, lies && !by_axis ? &*lies : nullptr);
   }
   if (lies) out.pose = pose_of(sight.model(), *lies, range);
   if (now.left.tag) out.pose = pose_of(sight.model(), object, now, range);
   if (!range) return;
+  if (lies && lies->by_both && !lies->is_contradicted()) {
+    out.centre = middle_in_image(sight.model(), *lies, most_off_px(sight));
+    out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
+  }
   out.seen = true;
   out.range_mm = range->mm;
   out.range_spread_mm = range->spread_mm;

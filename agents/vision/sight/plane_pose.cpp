@@ -59,6 +59,8 @@ constexpr double no_planes_for_one = 1e-6;
 constexpr double share_of_both = 0.2;
 // How far faces are turned from the axis of a camera that looks at them: a standard deviation.
 constexpr double usual_turn_rad = 0.5;
+// Of how far off a centre may be that is told surely, the wrong one of two tilts makes at most so much.
+constexpr double share_of_tilt = 0.4;
 // A tilt that is less likely is none.
 constexpr double least_share_of_other = 0.01;
 
@@ -266,7 +268,8 @@ cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& p
   const cv::Point2d told = in_image(model, pose.place_mm);
   const cv::Point2d other = in_image(model, pose.other.place_mm);
   const double of_other = 1 / (1 + std::exp(std::clamp(unlikely(pose.other) - unlikely(pose), -50.0, 50.0)));
-  const double most = std::max(0.5, most_off_px / std::max(most_off_px, cv::norm(told - other)));
+  const double most_px = share_of_tilt * most_off_px;
+  const double most = std::max(0.5, most_px / std::max(most_px, cv::norm(told - other)));
   const bool either = pose.share_of_other() > least_share_of_other;
   const double share = either ? std::clamp(of_other, 1 - most, most) : of_other;
   return (1 - share) * told + share * other;

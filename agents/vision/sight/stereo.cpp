@@ -10,6 +10,11 @@ double depth_mm(const camera::StereoModel& model, double disparity_px) {
   return model.focal_px * model.base_line_mm / disparity_px;
 }
 
+double disparity_px(const camera::StereoModel& model, double depth) {
+  assert(depth > 0);
+  return model.focal_px * model.base_line_mm / depth;
+}
+
 double range_mm(const camera::StereoModel& model, cv::Point2d left, double disparity_px) {
   return range_at_depth_mm(model, left, depth_mm(model, disparity_px));
 }

@@ -10,6 +10,7 @@ namespace pizarra::vision {
 
 // Along the optical axis, mm. The disparity is positive; one camera alone has none.
 double depth_mm(const camera::StereoModel& model, double disparity_px);
+double disparity_px(const camera::StereoModel& model, double depth_mm);
 
 // From the middle of the base line to the point seen at `left`, mm: a range, not the depth along the axis.
 double range_mm(const camera::StereoModel& model, cv::Point2d left, double disparity_px);

@@ -115,6 +115,26 @@ TEST_P(Posed, MarksAreTrackedByOneCamera) {
   }
 }
 
+// From near by a tilted face's nearer half looks larger, so that the centroid of its picture is off the middle.
+TEST_P(Posed, MarksAreToldByTheirMiddleInBothImages) {
+  Random random = Random(13).split(GetParam());
+  TiltedLooks looks(pair());
+  looks.learn(view_of(GetParam()), random);
+  int seen = 0;
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    RangeView view = tilted(GetParam(), random);
+    view.place.z *= 0.75;
+    const TrackSighting told = looks.track(view, 4, random);
+    if (!told.seen) continue;
+    ++seen;
+    EXPECT_LT(cv::norm(told.centre - looks.middle_of(view)), 0.12);
+    ASSERT_TRUE(told.right_centre);
+    EXPECT_LT(cv::norm(*told.right_centre - looks.middle_of(view, true)), 0.12);
+  }
+  EXPECT_GE(seen, 9);
+}
+
 INSTANTIATE_TEST_SUITE_P(Marks, Posed, testing::Values("circle", "square", "cross", "triangle"),
                          [](const auto& one) { return std::string(one.param); });
 

@@ -23,6 +23,8 @@ class TiltedLooks {
 
   // As the last of so many frames tells it.
   TrackSighting track(const RangeView& view, int frames, Random& random) const;
+  // Where the mark's middle is, in the left image or the right one.
+  cv::Point2d middle_of(const RangeView& view, bool right = false) const { return views_.seen_at(view.place, right); }
 
   const camera::StereoModel camera;
   LearnedObjects objects;
