@@ -49,10 +49,10 @@ struct CoordinatorOptions {
   // The first plan is carried out blindly: nothing is checked or planned again. To compare with; never of use.
   bool open_loop = false;
 
-  static constexpr int belief_looks = 3;             // in a row, before a difference counts
-  static constexpr int grace_looks = 10;             // unseen for as long, an object's facts go
-  static constexpr Duration settle = 2s;             // the goal must hold for as long, and its objects lie still,
-  static constexpr int settle_looks = 5;             // before it counts as reached; and in so many looks
+  static constexpr int belief_looks = 3;  // in a row, before a difference counts
+  static constexpr int grace_looks = 10;  // unseen for as long, an object's facts go
+  static constexpr Duration settle = 2s;  // the goal must hold for as long before it counts as reached,
+  static constexpr int settle_looks = 5;  // and in so many looks: while none come, nobody sees whether it does
   static constexpr Duration effects_patience = 3s;   // how long an operation's effects may take to show
   static constexpr Duration missing_patience = 6s;   // how long a needed object is looked for
   static constexpr Duration absence_patience = 20s;  // how long an agent that died is waited for

@@ -12,7 +12,8 @@ namespace pizarra::coordinator {
 namespace {
 
 // Bounds of one goal. A tower of four takes about ten operations; every disturbance costs a few more.
-constexpr int most_times_anew = 5;
+constexpr int most_pauses = 3;
+constexpr int most_slips = 5;
 constexpr int most_rounds = 150;
 constexpr int most_plans = 30;
 constexpr int most_failures = 25;
@@ -246,10 +247,12 @@ bool Pursuit::outgrows_plan(const Goal& goal) const {
 Task<bool> Pursuit::settles(Goal goal) {
   // It is reached when it shows, and not because something hides that it does not hold.
   surroundings_.doubt_hidden();
+  const std::vector<std::string> objects = objects_to_lie_still(goal);
   Time since = context_.executor.now();
   Time last = since;
-  const std::vector<std::string> objects = objects_of(goal);
-  int times_anew = 0;
+  std::uint64_t sights_before = surroundings_.scene().sightings().looks();
+  int pauses = 0;
+  int slips = 0;
   for (int looks = 0; looks < options_.settle_looks || last < since + options_.settle; ++looks) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return false;
@@ -259,21 +262,34 @@ Task<bool> Pursuit::settles(Goal goal) {
     const std::vector<Datum> lost = forms::unmet_parts(goal.facts, surroundings_.beliefs(), planning_.objects());
     if (!lost.empty()) {
       co_await differences_.tell(lost, "the goal");
-      co_await search_.await_steady(objects);
+      co_await search_.await_steady(objects_of(goal));
       co_return false;
     }
     const Time now = context_.executor.now();
+    const std::uint64_t sights = surroundings_.scene().sightings().looks();
     const bool paused = now - last > options_.settle;
-    const bool moves = looks > 0 && surroundings_.scene().moved_within(static_cast<std::uint64_t>(looks), objects);
+    const bool moves = surroundings_.scene().moved_within(sights - sights_before, objects);
     // What happened in the pause was not seen, and what slips may fall: the time to settle begins anew. Eyes may always
     // be as slow, and as unsure, as that.
-    if ((paused || moves) && times_anew++ < most_times_anew) {
+    const bool anew = (paused && pauses++ < most_pauses) || (moves && slips++ < most_slips);
+    if (anew) {
       looks = 0;
       since = now;
+      sights_before = sights;
     }
     last = now;
   }
   co_return true;
+}
+
+std::vector<std::string> Pursuit::objects_to_lie_still(const Goal& goal) const {
+  const bool quantifies = forms::quantified_over(goal.facts, domain_.perception().sees()) != forms::Quantified::none;
+  if (!quantifies) return objects_of(goal);
+  std::vector<std::string> out;
+  for (const auto& [name, sighting] : surroundings_.scene().sightings().all()) {
+    if (name != options_.gripper.mark) out.push_back(name);
+  }
+  return out;
 }
 
 }  // namespace pizarra::coordinator

@@ -80,6 +80,8 @@ class Pursuit {
   bool outgrows_plan(const Goal& goal) const;
   // Whether the goal still held after the time to settle.
   Task<bool> settles(Goal goal);
+  // Those of the goal; where it is about some or all of a type, all that are seen.
+  std::vector<std::string> objects_to_lie_still(const Goal& goal) const;
   std::vector<std::string> objects_of(const Goal& goal) const { return domain_.objects_in(goal.facts); }
 
   runtime::AgentContext& context_;

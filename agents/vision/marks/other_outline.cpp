@@ -18,6 +18,8 @@ constexpr double least_found = 0.3;
 constexpr Eigen::Index least_edges = 16;
 // The part of another outline that a homography must leave for the edges to show it.
 constexpr double least_left = 0.1;
+// Of what a number of a homography moves the edges by, for as much as the first one does.
+constexpr double least_taken_up = 0.01;
 // Neighbouring edges' errors correlate by at most this.
 constexpr double most_in_common = 0.9;
 
@@ -60,16 +62,6 @@ double evidence_of(const Shown& shown, double systematic, double least, double m
   return other * (2 * shown.amount - other) / (2 * spread * spread);
 }
 
-// Edges are evenly apart along a border; the step to the next border is longer.
-std::size_t end_of_border(const PlaneOutline& outline) {
-  const std::vector<PlaneOutline::Point>& points = outline.points;
-  constexpr double longest_step = 2.5;
-  const double step = cv::norm(points[1].at - points[0].at);
-  std::size_t end = 1;
-  while (end < points.size() && cv::norm(points[end].at - points[end - 1].at) < longest_step * step) ++end;
-  return end;
-}
-
 // How far the edges of the outermost border are off, without what a homography takes up.
 class EdgesOff {
  public:
@@ -90,7 +82,14 @@ class EdgesOff {
     for (Column* column : {&off_, &turns_, &rounded_}) column->conservativeResize(count_);
     taken_up_.conservativeResize(count_, 8);
     if (count_ < least_edges) return;
-    taken_up_ = Eigen::ColPivHouseholderQR<Columns>(taken_up_).householderQ() * Columns::Identity(count_, 8);
+    // A circle leaves some of a homography's numbers open: what is hardly there takes up nothing.
+    Eigen::ColPivHouseholderQR<Columns> solved;
+    solved.setThreshold(least_taken_up);
+    solved.compute(taken_up_);
+    const Columns all = solved.householderQ() * Columns::Identity(count_, 8);
+    numbers_ = solved.rank();
+    taken_up_ = all;
+    taken_up_.rightCols(8 - numbers_).setZero();
     off_ = left_of(off_);
   }
   Eigen::Index count() const { return count_; }
@@ -137,11 +136,12 @@ class EdgesOff {
     }
     const double alike = squares > 0 ? std::clamp(beside / squares, 0.0, most_in_common) : 0;
     const double power = (1 - alike * alike) / (1 - 2 * alike * std::cos(waves * step_) + alike * alike);
-    return power * noise.squaredNorm() / static_cast<double>(count_ - 10);
+    return power * noise.squaredNorm() / static_cast<double>(count_ - numbers_ - 2);
   }
 
   const double step_;
   Eigen::Index count_ = 0;
+  Eigen::Index numbers_ = 0;  // that a homography has for such an outline
   Column off_;
   Column turns_;
   Column rounded_;  // how far a round corner lies from the outline
@@ -176,8 +176,8 @@ double evidence_of_rounding(const EdgesOff& edges) {
 }  // namespace
 
 double odds_of_other_outline(const PlaneOutline& outline, const PlaneFit& fit) {
-  if (outline.points.size() < least_edges) return 0;
-  const std::size_t border = end_of_border(outline);
+  if (outline.outermost < least_edges) return 0;
+  const std::size_t border = outline.outermost;
   const std::span<const PlaneOutline::Point> points(outline.points.data(), border);
   const double half_side = std::ranges::max(points, {}, &PlaneOutline::Point::from_bend).from_bend;
   const bool is_round = std::isinf(half_side);

@@ -289,6 +289,7 @@ PlaneOutline plane_outline(const MarkTemplate& levels) {
       if (normal[0] * slope.x + normal[1] * slope.y > 0) normal = -normal;
       out.points.push_back({{places[i].x, places[i].y}, normal, corners[i], bends[i]});
     }
+    if (&border == &borders.front()) out.outermost = out.points.size();
   }
   cv::Mat1b mark(template_size, template_size);
   std::ranges::transform(levels, mark.begin(), [](std::uint8_t level) -> std::uint8_t { return level >= 8 ? 1 : 0; });

@@ -47,6 +47,7 @@ struct PlaneOutline {
     bool is_rounded() const { return from_bend <= rounded_reach; }
   };
   std::vector<Point> points;  // evenly along all borders
+  std::size_t outermost = 0;  // so many of them, the first ones, along the outermost border
   cv::Vec2d middle;           // of the area within them, which no light shifts as it may the centroid of the levels
   Reach reach;                // of the outermost border
   // Of the template's pixels those that are of the mark, or of the ground right beside it.

@@ -40,7 +40,7 @@ double Likeness::confidence() const {
   const double ahead_of_second = second == nullptr ? 0 : std::exp(-margin() / error_scale);
   const double ahead_of_unlike = std::exp(-(recognition_threshold - error) / error_scale);
   const double ahead_of_unlearned = std::exp(-(1 - unlearned) / doubt_scale);
-  return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned + other_outline + twins);
+  return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned + other_form + twins);
 }
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {

@@ -25,7 +25,7 @@ struct Likeness {
   // more in noise that would hide these.
   double unlearned = 0;
   // How many times likelier another outline, or another plane, is than this one, once it was registered.
-  double other_outline = 0;
+  double other_form = 0;
   int turn = 0;                                 // of that sample, of TurnedSignatures::turns
   const LearnedObject* second = nullptr;        // null: the mark could be no other
   double second_error = recognition_threshold;  // of that one
@@ -35,9 +35,9 @@ struct Likeness {
   // Whether it is neither for certain.
   bool is_ambiguous() const;
   // From 0 to 1: the object's share against the second, against what is unlike everything learned, against what is
-  // like it but unlearned, against another outline, and against its twins. The first two count e times less for every
-  // hundredth of error that they are farther away, the third for every sixth that `unlearned` is below 1. One half: it
-  // might as well be another thing.
+  // like it but unlearned, against another outline or plane, and against its twins. The first two count e times less
+  // for every hundredth of error that they are farther away, the third for every sixth that `unlearned` is below 1. One
+  // half: it might as well be another thing.
   double confidence() const;
 };
 inline constexpr double least_margin = 0.005;

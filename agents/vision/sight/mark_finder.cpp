@@ -147,13 +147,13 @@ void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, 
   pair.plane = view_plane(sight.left_segmentation().cut(), object, pair.left);
   if (!pair.plane) return;
   const LearnedSample& sample = *pair.plane->sample;
-  pair.likeness.other_outline = odds_of_other_outline(sample.plane, pair.plane->fit);
+  pair.likeness.other_form = odds_of_other_outline(sample.plane, pair.plane->fit);
   if (!pair.plane->agrees) return;
   std::optional<PlaneFit> right;
   if (pair.right) right = fit_in_right(sight, sample, pair, pair.plane->fit, to_follow);
   std::optional<PlanePose>& pose = pair.plane->pose;
   pose = pose_in_plane(sight.model(), sample, pair.plane->fit, right ? &*right : nullptr);
-  if (pose) pair.likeness.other_outline += pose->odds_of_no_plane();
+  if (pose) pair.likeness.other_form += pose->odds_of_no_plane();
   if (pair.right) return;
   pair.left.centre = pose && !pose->is_contradicted() ? middle_in_image(sight.model(), *pose, most_off_px(sight))
                                                       : pair.plane->fit.in_image(sample.plane.middle);

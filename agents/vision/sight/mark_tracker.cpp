@@ -167,7 +167,7 @@ TrackSighting MarkTracker::miss(TrackedMark& track, Time now) const {
   }
   track.missed = true;
   out.bridged = true;
-  out.centre = track.expected(now);
+  out.centre = track.expected(now) + track.middle_off_px;
   out.range_mm = track.range_mm;
   out.confidence = track.confidence * std::pow(trust_in_a_bridge, seconds_between(track.seen_at, now) / trust_lasts_s);
   return out;
@@ -279,6 +279,7 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
     out.centre = middle_in_image(sight.model(), *lies, most_off_px(sight));
     out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
   }
+  track.middle_off_px = out.centre - now.left.centre;
   out.seen = true;
   out.range_mm = range->mm;
   out.range_spread_mm = range->spread_mm;

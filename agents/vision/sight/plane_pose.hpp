@@ -34,7 +34,7 @@ struct PlanePose : PlaneTilt {
 
   double share_of_other() const;    // how likely the other tilt is it, 0 to 1
   bool is_contradicted() const;     // another homography explains the edges far better
-  double odds_of_no_plane() const;  // how many times likelier that is than this pose
+  double odds_of_no_plane() const;  // how many times likelier no plane, or another form, is than this pose
   bool shows_perspective() const;   // it explains them far better than an affine map
 };
 

@@ -238,7 +238,7 @@ std::vector<SeenPair> StereoSight::find_parts(const LearnedObjects& objects, con
     SeenPair pair{.left = whole_mark(cut, look), .right = std::nullopt};
     if (!holds(pair.left) || is_part_of_another(pair.left, left_segmentation().marks(), objects, object)) continue;
     pair.left.focal_px = model_.focal_px;
-    pair.likeness.other_outline = odds_of_other_outline(look.sample->plane, look.fit);
+    pair.likeness.other_form = odds_of_other_outline(look.sample->plane, look.fit);
     std::optional<PlanePose> pose = pose_in_plane(model_, *look.sample, look.fit);
     pair.plane = PlaneView{look.sample, std::move(look.fit), true, std::move(pose), true};
     out.push_back(std::move(pair));

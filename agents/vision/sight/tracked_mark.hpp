@@ -37,6 +37,7 @@ struct TrackedMark {
   double ground_doubt = 0;       // as it was found, or since
   cv::Point2d velocity_px = {};  // a second, in the left image
   double disparity_change_px = 0;
+  cv::Point2d middle_off_px = {};  // of what was told as its centre, from the centroid of its picture
   double range_mm = 0;
   double confidence = 0;
   KnownTwins others = {};

@@ -102,7 +102,7 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
 
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   if (pair.plane && pair.plane->is_part) {
-    const double of_part = 1 / (1 / if_part + pair.likeness.other_outline);
+    const double of_part = 1 / (1 / if_part + pair.likeness.other_form);
     return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
   }
   const double by_form = confidence_by_form(sight, object, pair);
