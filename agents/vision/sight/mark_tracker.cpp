@@ -261,6 +261,7 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
                           double in_whole, TrackSighting& out) const {
   const SeenPair& now = seen.pair;
   const std::optional<PlanePose> lies = track.plane.look(sight, object, now);
+  const bool is_triangular = is_triangle(outline_of(now.left.signature));
   std::optional<SeenRange> range;
   if (now.right) {
     const FacePlane plane = face_plane(sight.model(), now.left, *now.right);
@@ -269,13 +270,13 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
     out.yaw_deg = yaw_deg(plane);
   } else if (sight.is_cut_off(object, now.left)) {
     // Of a large triangle four poses look alike: its longer axis says more, which is as long at either tilt.
-    const bool by_axis = is_triangle(outline_of(now.left.signature));
-    range = range_by_size(sight.model(), object, now.left, lies && !by_axis ? &*lies : nullptr);
+    range = range_by_size(sight.model(), object, now.left, lies && !is_triangular ? &*lies : nullptr);
   }
   if (lies) out.pose = pose_of(sight.model(), *lies, range);
   if (now.left.tag) out.pose = pose_of(sight.model(), object, now, range);
   if (!range) return;
-  if (lies && lies->by_both && !lies->is_contradicted()) {
+  // A triangle that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
+  if (lies && lies->by_both && !lies->is_contradicted() && !is_triangular) {
     out.centre = middle_in_image(sight.model(), *lies, most_off_px(sight));
     out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
   }
