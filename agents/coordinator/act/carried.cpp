@@ -64,7 +64,7 @@ bool Carried::goes_low() const {
   });
 }
 
-// What nobody has seen for long, as what a hand took up and away, makes it travel no higher than usual.
+// An object that nobody has seen for long makes it travel no higher than usual: a hand may have taken it away.
 double Carried::height_over_all_mm() const {
   const double usual = options_.travel_height_mm;
   const double most = usual + most_above_cubes * domain_.cube_mm();

@@ -269,8 +269,8 @@ Task<bool> Pursuit::settles(Goal goal) {
     const std::uint64_t sights = surroundings_.scene().sightings().looks();
     const bool paused = now - last > options_.settle;
     const bool moves = surroundings_.scene().moved_within(sights - sights_before, objects);
-    // What happened in the pause was not seen, and what slips may fall: the time to settle begins anew. Eyes may always
-    // be as slow, and as unsure, as that.
+    // The time to settle begins anew after a pause, in which nobody looked, and while an object slips, which may fall.
+    // But only so often: some eyes are always as slow, or as noisy.
     const bool anew = (paused && pauses++ < most_pauses) || (moves && slips++ < most_slips);
     if (anew) {
       looks = 0;

@@ -18,7 +18,7 @@ constexpr double least_found = 0.3;
 constexpr Eigen::Index least_edges = 16;
 // The part of another outline that a homography must leave for the edges to show it.
 constexpr double least_left = 0.1;
-// Of what a number of a homography moves the edges by, for as much as the first one does.
+// A homography's number that moves the edges by less than this part of what the first one does counts as open.
 constexpr double least_taken_up = 0.01;
 // Neighbouring edges' errors correlate by at most this.
 constexpr double most_in_common = 0.9;
@@ -44,10 +44,8 @@ constexpr double rounding_spread = 0.1;
 constexpr double others_for_one = 0.005;
 constexpr double most_evidence = 50;
 
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 8, 0, PlaneOutline::count, 8>;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, PlaneOutline::count, 8>;
 using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, PlaneOutline::count, 1>;
-
-double size_px(const PlaneFit& fit) { return std::sqrt(std::abs(cv::determinant(fit.slope()))); }
 
 // How much of another outline the edges show.
 struct Shown {
@@ -65,16 +63,16 @@ double evidence_of(const Shown& shown, double systematic, double least, double m
 // How far the edges of the outermost border are off, without what a homography takes up.
 class EdgesOff {
  public:
-  EdgesOff(const PlaneOutline& outline, const PlaneFit& fit, std::size_t border)
-      : step_(2 * std::numbers::pi / static_cast<double>(border)),
-        off_(border),
-        turns_(border),
-        rounded_(border),
-        taken_up_(border, 8) {
-    const double bent = std::max(near_corner, near_corner_px / size_px(fit));
+  EdgesOff(const PlaneOutline& outline, const PlaneFit& fit)
+      : step_(2 * std::numbers::pi / static_cast<double>(outline.outermost)),
+        off_(outline.outermost),
+        turns_(outline.outermost),
+        rounded_(outline.outermost),
+        taken_up_(outline.outermost, 8) {
+    const double bent = std::max(near_corner, near_corner_px / fit.size_px());
     for (const PlaneEdge& edge : fit.edges) {
       const PlaneOutline::Point& point = outline.points[edge.point];
-      if (edge.point >= border || !edge.found || !edge.measures || point.from_bend < bent) continue;
+      if (edge.point >= outline.outermost || !edge.found || !edge.measures || point.from_bend < bent) continue;
       // A normal goes with the inverse transpose.
       const double off = edge.off_px * cv::norm(fit.slope_at(point.at).inv().t() * point.out);
       if (std::abs(off) < most_off) add(point, off, step_ * static_cast<double>(edge.point));
@@ -82,14 +80,11 @@ class EdgesOff {
     for (Column* column : {&off_, &turns_, &rounded_}) column->conservativeResize(count_);
     taken_up_.conservativeResize(count_, 8);
     if (count_ < least_edges) return;
-    // A circle leaves some of a homography's numbers open: what is hardly there takes up nothing.
+    // A circle leaves some of a homography's numbers open.
     Eigen::ColPivHouseholderQR<Columns> solved;
     solved.setThreshold(least_taken_up);
     solved.compute(taken_up_);
-    const Columns all = solved.householderQ() * Columns::Identity(count_, 8);
-    numbers_ = solved.rank();
-    taken_up_ = all;
-    taken_up_.rightCols(8 - numbers_).setZero();
+    taken_up_ = solved.householderQ() * Columns::Identity(count_, solved.rank());
     off_ = left_of(off_);
   }
   Eigen::Index count() const { return count_; }
@@ -136,16 +131,15 @@ class EdgesOff {
     }
     const double alike = squares > 0 ? std::clamp(beside / squares, 0.0, most_in_common) : 0;
     const double power = (1 - alike * alike) / (1 - 2 * alike * std::cos(waves * step_) + alike * alike);
-    return power * noise.squaredNorm() / static_cast<double>(count_ - numbers_ - 2);
+    return power * noise.squaredNorm() / static_cast<double>(count_ - taken_up_.cols() - 2);
   }
 
   const double step_;
   Eigen::Index count_ = 0;
-  Eigen::Index numbers_ = 0;  // that a homography has for such an outline
   Column off_;
   Column turns_;
-  Column rounded_;  // how far a round corner lies from the outline
-  Columns taken_up_;
+  Column rounded_;    // how far a round corner lies from the outline
+  Columns taken_up_;  // by a homography: orthonormal
 };
 
 // The crest of a regular polygon around a circle, whose radius is two standard deviations: the first term of the series
@@ -177,15 +171,14 @@ double evidence_of_rounding(const EdgesOff& edges) {
 
 double odds_of_other_outline(const PlaneOutline& outline, const PlaneFit& fit) {
   if (outline.outermost < least_edges) return 0;
-  const std::size_t border = outline.outermost;
-  const std::span<const PlaneOutline::Point> points(outline.points.data(), border);
+  const std::span<const PlaneOutline::Point> points(outline.points.data(), outline.outermost);
   const double half_side = std::ranges::max(points, {}, &PlaneOutline::Point::from_bend).from_bend;
   const bool is_round = std::isinf(half_side);
   if (!is_round && 2 * half_side < sides_in_radii * rounding_radius) return 0;
-  const EdgesOff edges(outline, fit, border);
-  const double least = std::max(static_cast<double>(least_edges), least_found * static_cast<double>(border));
+  const EdgesOff edges(outline, fit);
+  const double least = std::max(static_cast<double>(least_edges), least_found * static_cast<double>(outline.outermost));
   if (static_cast<double>(edges.count()) < least) return 0;
-  const double evidence = is_round ? evidence_of_polygon(edges, size_px(fit)) : evidence_of_rounding(edges);
+  const double evidence = is_round ? evidence_of_polygon(edges, fit.size_px()) : evidence_of_rounding(edges);
   return others_for_one * std::exp(std::min(evidence, most_evidence));
 }
 

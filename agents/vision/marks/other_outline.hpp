@@ -2,8 +2,8 @@
 
 // Whether another outline explains the edges of a mark better than the one that was registered with them (plane_fit).
 // Two kinds are tried: one that runs around a round outline in waves, as a polygon does, and one whose corners are
-// round where those of the outline are not. What a homography can take up, as a tilt, is taken out first. A cover or a
-// shadow moves edges in one place; that is neither.
+// round where those of the outline are not. First the part is removed that a homography explains, such as a tilt. A
+// cover or a shadow moves edges in one place; that is neither.
 //
 //   const double odds = odds_of_other_outline(sample.plane, fit);     // 1: it may as well be another one
 

@@ -39,7 +39,7 @@ std::optional<cv::Vec2d> print_beside(const PlaneOutline& outline, const PlaneOu
 Sides sides_of(const cv::Mat1b& pixels, const PlaneOutline& outline, const PlaneFit& fit) {
   Sides out;
   const cv::Point2d middle = fit.in_image(outline.middle);
-  const double depth = std::max(deep, deep_px / std::sqrt(std::abs(cv::determinant(fit.slope()))));
+  const double depth = std::max(deep, deep_px / fit.size_px());
   double ground = 0;
   double print = 0;
   int borders = 0;

@@ -115,8 +115,7 @@ class Registration {
                const PlaneSearch& search, const PlaneLens& lens)
       : image_(image), outline_(outline), search_(search), lens_(lens), sign_(tone == MarkTone::dark ? 1 : -1) {
     fit_.to_image = (1 / start(2, 2)) * start;
-    const cv::Matx22d slope = fit_.slope();
-    size_px_ = std::sqrt(std::abs(cv::determinant(slope)));
+    size_px_ = fit_.size_px();
     fit_.edges.resize((outline.points.size() + search.every - 1) / search.every);
     widths_px2_.resize(fit_.edges.size());
   }
@@ -211,7 +210,7 @@ class Registration {
     const Vector8 d = a.ldlt().solve(b);
     if (!d.allFinite()) return false;
     for (int i = 0; i < 8; ++i) fit_.to_image.val[i] += d[i];
-    const double size = std::sqrt(std::abs(cv::determinant(fit_.slope())));
+    const double size = fit_.size_px();
     if (!(size > size_px_ / 2) || !(size < 2 * size_px_)) return false;
     size_px_ = size;
     return true;

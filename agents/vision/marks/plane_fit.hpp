@@ -11,6 +11,7 @@
 // derivatives, each edge weighted by how far it is off (J. W. Tukey's biweight). A prior holds what a circle leaves
 // open, and bounds the perspective: no mark is as near as that.
 
+#include <cmath>
 #include <limits>
 
 #include "agents/vision/marks/mark_patch.hpp"
@@ -44,6 +45,8 @@ struct PlaneFit {
   // How places near the mark's centroid move: px a standard deviation.
   cv::Matx22d slope() const { return slope_at({0, 0}); }
   cv::Matx22d slope_at(const cv::Vec2d& plane) const;
+  // How many px a standard deviation of the mark is, by the area that it covers.
+  double size_px() const { return std::sqrt(std::abs(cv::determinant(slope()))); }
 };
 
 // The map between the two reaches, the seen one turned by so many of Reach::turns.

@@ -61,11 +61,9 @@ double slimness_of(const PlaneFit& fit) {
   return mark.slimness;
 }
 
-double size_px(const PlaneFit& fit) { return std::sqrt(std::abs(cv::determinant(fit.slope()))); }
-
 bool may_be(const PartLook& look) {
   return look.part.supported >= least_supported && look.part.contradicted <= most_contradicted &&
-         look.part.rms_px <= std::hypot(most_rms_px, most_rms_share * size_px(look.fit)) &&
+         look.part.rms_px <= std::hypot(most_rms_px, most_rms_share * look.fit.size_px()) &&
          look.part.supported_px >= least_supported_px && look.fit.middle_spread_px <= most_spread_px &&
          slimness_of(look.fit) >= least_slimness;
 }
@@ -90,14 +88,14 @@ bool may_be_told(const PartLook& look) {
 // With whatever larger it may be a part of.
 cv::Rect around(const PartLook& look) {
   constexpr double reach = 5;
-  const double half = reach * size_px(look.fit);
+  const double half = reach * look.fit.size_px();
   const cv::Point2d at = look.fit.in_image({0, 0});
   return {cvRound(at.x - half), cvRound(at.y - half), cvRound(2 * half), cvRound(2 * half)};
 }
 
 bool are_at_one_place(const PartLook& a, const PartLook& b) {
   const double apart = cv::norm(a.fit.in_image({0, 0}) - b.fit.in_image({0, 0}));
-  return apart < 1.5 * std::max(size_px(a.fit), size_px(b.fit));
+  return apart < 1.5 * std::max(a.fit.size_px(), b.fit.size_px());
 }
 
 // Of a mark that was turned away when it was learned, the template is stretched along one of two axes.

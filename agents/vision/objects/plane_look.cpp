@@ -90,7 +90,7 @@ double mean_level(const cv::Mat1b& pixels, const PlaneFit& fit, const cv::Vec2d&
 Weights flattened(const cv::Mat1b& pixels, const PlaneFit& fit, const PlaneOutline& outline,
                   const MarkTemplate& picture, const LocalLight& light) {
   Weights out{};
-  const double px = std::sqrt(std::abs(cv::determinant(fit.slope())));
+  const double px = fit.size_px();
   const int samples = std::clamp(cvCeil(px / template_scale), 1, 4);
   for (int y = 1; y < template_size - 1; ++y) {
     for (int x = 1; x < template_size - 1; ++x) {
@@ -198,7 +198,7 @@ std::optional<PlaneFit> fit_region(const ImageCut& cut, const LearnedSample& sam
 }
 
 bool is_outline_of(const PlaneFit& fit) {
-  const double size_px = std::sqrt(std::abs(cv::determinant(fit.slope())));
+  const double size_px = fit.size_px();
   return fit.supported >= least_supported && fit.rms_px <= std::hypot(most_rms_px, most_rms_share * size_px);
 }
 

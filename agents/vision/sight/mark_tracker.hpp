@@ -38,7 +38,7 @@ struct TrackSighting {
   // Not seen, but so shortly that its place is told as its motion predicts it.
   bool bridged = false;
   Time captured = {};                            // of the frame that says so
-  cv::Point2d centre;                            // in the left image, px; by a pair mostly the middle of its plane
+  cv::Point2d centre;                            // in the left image, px: of its plane, or of its picture
   std::optional<cv::Point2d> right_centre = {};  // the same in the right one, where that shows it
   double range_mm = 0;                           // by the pair, or by its size where the right image ends before it
   double range_spread_mm = 0;                    // a standard deviation; 0 where it is not seen

@@ -54,7 +54,7 @@ constexpr double clearly_worse = 4;
 constexpr double least_contradiction = 4;
 constexpr double clearly_contradicted = 15;
 // How many looks at what is in no plane, or of another form, there are for each one that a pose explains about as well.
-// What contradicts the pose of a pair is mostly how far the two images, and the template, are off from each other.
+// A pair's evidence counts less: most of it comes from errors between its two images, and of the template.
 constexpr double no_planes_for_one = 1e-6;
 constexpr double share_of_both = 0.2;
 // How far faces are turned from the axis of a camera that looks at them: a standard deviation.

@@ -14,9 +14,6 @@
 namespace pizarra::bench {
 namespace {
 
-constexpr double same_place_px = 5;
-constexpr double surely = 0.9;
-constexpr double sure_within_px = 1;
 constexpr int frames_a_second = 30;
 // Tilts between which the orientation is judged.
 constexpr double least_tilt_deg = 20;

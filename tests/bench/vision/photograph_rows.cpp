@@ -15,10 +15,6 @@
 namespace pizarra::bench {
 namespace {
 
-constexpr double same_place_px = 5;
-constexpr double surely = 0.9;
-constexpr double sure_within_px = 1;
-
 // Of marks that one who looks for them told.
 struct Told {
   int shown = 0;

@@ -15,6 +15,11 @@
 
 namespace pizarra::bench {
 
+// A position farther off is that of something else; a sure one may be off by so much; and so confident is sure.
+inline constexpr double same_place_px = 5;
+inline constexpr double sure_within_px = 1;
+inline constexpr double surely = 0.9;
+
 struct PhotographedMark {
   std::string name;    // circle ...; of a tag the shape in whose place it is
   cv::Point2d centre;  // of its centroid, px

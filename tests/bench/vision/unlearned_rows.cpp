@@ -92,7 +92,7 @@ void say(Figures& figures, const std::string& who, const UnlearnedShape& shape, 
 
 }  // namespace
 
-// What is no view of a mark for these cameras must hardly be taken for one.
+// The goals are for shapes that these cameras can tell from every view of a mark.
 void unlearned(VisionBench& bench) {
   const int scenes = std::max(1, bench.scenes / 10);
   camera::StereoModel single = scene_camera();
