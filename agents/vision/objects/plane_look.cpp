@@ -94,7 +94,7 @@ Weights flattened(const cv::Mat1b& pixels, const PlaneFit& fit, const PlaneOutli
   const int samples = std::clamp(cvCeil(px / template_scale), 1, 4);
   for (int y = 1; y < template_size - 1; ++y) {
     for (int x = 1; x < template_size - 1; ++x) {
-      const auto i = static_cast<std::size_t>(y * template_size + x);
+      const auto i = static_cast<std::size_t>(y) * template_size + static_cast<std::size_t>(x);
       if (!outline.near[i]) continue;
       const cv::Vec2d place((x - template_size / 2.0) / template_scale, (y - template_size / 2.0) / template_scale);
       const double level = mean_level(pixels, fit, place, samples);
@@ -116,9 +116,10 @@ struct Moments {
 std::optional<Moments> moments_of(const Weights& weights) {
   Moments out;
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  std::size_t i = 0;
   for (int row = 0; row < template_size; ++row) {
     for (int column = 0; column < template_size; ++column) {
-      const double w = weights[static_cast<std::size_t>(row * template_size + column)];
+      const double w = weights[i++];
       out.sum += w;
       x += w * column;
       y += w * row;

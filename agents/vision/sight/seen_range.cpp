@@ -106,12 +106,32 @@ SeenRange range_of_pose(const camera::StereoModel& model, const PlanePose& pose)
   return {range, std::hypot(pose.by_both ? 0 : spread_by_size * range, std::sqrt(variance))};
 }
 
-// A mark that is as high as it is wide is foreshortened along one line alone. So its larger principal standard
-// deviation is the size of its face, however it is tilted. Of one that is slim only a yaw is known.
-std::optional<SeenRange> range_of_shape(const camera::StereoModel& model, double face_mm, double front_slimness,
+// The larger principal standard deviation of a mark, px, if its face were parallel to the image. Beside the middle of
+// the image a face that looks at the camera is longer away from the middle than one that is parallel to the image.
+double longer_axis_px(const camera::StereoModel& model, const SeenMark& left) {
+  const Eigen::Vector2d sight((left.centre.x - model.centre_x_px) / model.focal_px,
+                              (left.centre.y - model.centre_y_px) / model.focal_px);
+  Eigen::Matrix2d spread;
+  spread << square(left.width_px), left.slant_px2, left.slant_px2, square(left.height_px);
+  spread -= sight * (sight.transpose() * spread) / (1 + sight.squaredNorm());
+  const double half_trace = spread.trace() / 2;
+  return std::sqrt(half_trace + std::sqrt(std::max(0.0, square(half_trace) - spread.determinant())));
+}
+
+// A mark that is as high as it is wide is foreshortened along one line alone. So its longer axis is the size of its
+// face, however it is tilted, up to what its axes differ by from the front: which of them is shortened is not known.
+std::optional<SeenRange> range_of_round(const camera::StereoModel& model, double face_mm, double front_slimness,
                                         const SeenMark& left) {
-  Unyawed look = unyawed(left, front_slimness);
-  if (front_slimness >= least_round) look.size_px = std::sqrt(spread_product_px2(left) / left.slimness);
+  const double longer_px = longer_axis_px(model, left);
+  if (longer_px <= 0) return std::nullopt;
+  const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / longer_px);
+  return SeenRange{mm, std::hypot(spread_by_size, std::log(front_slimness) / std::sqrt(12)) * mm};
+}
+
+// Of one that is slim only a yaw is known.
+std::optional<SeenRange> range_of_slim(const camera::StereoModel& model, double face_mm, double front_slimness,
+                                       const SeenMark& left) {
+  const Unyawed look = unyawed(left, front_slimness);
   if (look.size_px <= 0) return std::nullopt;
   const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / look.size_px);
   return SeenRange{mm, std::hypot(spread_by_size, look.spread) * mm};
@@ -159,7 +179,9 @@ std::optional<SeenRange> range_by_size(const camera::StereoModel& model, const L
   if (sized == object.samples.end()) return std::nullopt;
   if (left.tag) return range_of_tag(model, size_of(*sized), left);
   if (lies != nullptr) return range_of_pose(model, *lies);
-  return range_of_shape(model, size_of(*sized), front_slimness(object), left);
+  const double slimness = front_slimness(object);
+  const auto range = slimness >= least_round ? range_of_round : range_of_slim;
+  return range(model, size_of(*sized), slimness, left);
 }
 
 std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,

@@ -254,5 +254,28 @@ TEST(RangeBySize, OfATiltedShapeBeforeOneCameraIsWithinItsSpread) {
   }
 }
 
+// Beside the middle of the image it is longer than one that is parallel to the image.
+TEST(RangeBySize, OfATrackedTriangleThatLooksAtTheCameraFromBesideTheMiddleIsRight) {
+  Random random(3);
+  camera::StereoModel wide = wide_camera();
+  wide.focal_px = 500;
+  TiltedLooks looks(alone(wide));
+  looks.learn({.mark = "triangle", .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7}, random);
+  for (const double x_mm : {-340.0, 340.0}) {
+    for (const double yaw_deg : {-25.0, 25.0}) {
+      SCOPED_TRACE(fmt::format("x {} yaw {}", x_mm, yaw_deg));
+      const RangeView view{.mark = "triangle",
+                           .place = {x_mm, 60, 600},
+                           .yaw_deg = yaw_deg,
+                           .roll_deg = random.uniform(-180, 180),
+                           .noise = 2,
+                           .blur_px = 0.7};
+      const TrackSighting told = looks.track(view, 5, random);
+      ASSERT_TRUE(told.seen);
+      EXPECT_NEAR(told.range_mm / cv::norm(view.place), 1, 0.03);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pizarra::vision
