@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/vision/marks/cut_outline.hpp"
 #include "lisp/numbers.hpp"
 #include "lisp/plain_name.hpp"
 
@@ -99,7 +100,9 @@ void LearnedSample::set_picture(const MarkTemplate& new_picture) {
   picture = new_picture;
   for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = turned_signatures_of(picture, blurs[i]);
   std::ranges::transform(signatures.front().by_part, outlines.begin(), outline_of);
-  if (!tag) plane = plane_outline(picture);
+  if (tag) return;
+  plane = plane_outline(picture);
+  shows_cuts = pizarra::vision::shows_cuts(plane);
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

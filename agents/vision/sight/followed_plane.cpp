@@ -91,8 +91,8 @@ double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& 
   return for_told;
 }
 
-std::optional<PlanePose> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
-                                             const SeenPair& now) {
+std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
+                                                const SeenPair& now) {
   const std::optional<Seen> before = std::exchange(before_, std::nullopt);
   if (now.left.tag || now.left.contour.empty()) return std::nullopt;
   const LearnedSample* sample = before ? sample_numbered(object, before->sample) : nullptr;
@@ -112,7 +112,8 @@ std::optional<PlanePose> FollowedPlane::look(const StereoSight& sight, const Lea
   if (!pose) return std::nullopt;
   const double for_told = weigh_tilts(before, *pose);
   before_ = Seen{sample->number, now.left.centre, left->to_image, away_of(pose->turn), for_told};
-  return pose;
+  const bool in_all_images = pose->by_both == now.right.has_value();
+  return FollowedLook{*pose, in_all_images ? off_if_cut_px(*sample, *left, *pose) : std::nullopt};
 }
 
 }  // namespace pizarra::vision

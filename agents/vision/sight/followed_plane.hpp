@@ -5,7 +5,7 @@
 // outline moved by the mark's shift.
 //
 //   FollowedPlane plane;
-//   std::optional<PlanePose> pose = plane.look(sight, object, pair);     // each frame that shows the mark
+//   std::optional<FollowedLook> lies = plane.look(sight, object, pair);     // each frame that shows the mark
 //
 // An image without perspective allows two tilts. Which of them is likelier, frames say together.
 
@@ -17,11 +17,17 @@ namespace pizarra::vision {
 std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSample& sample, const SeenPair& pair,
                                      const PlaneFit& left, const PlaneSearch& search);
 
+struct FollowedLook {
+  PlanePose pose;
+  // How far off the centre may be, px, if a straight edge hides a part of the mark. Nothing where that would not show.
+  std::optional<double> off_if_cut_px;
+};
+
 class FollowedPlane {
  public:
   // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
   // tilt so far, its misfits those of all frames.
-  std::optional<PlanePose> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
+  std::optional<FollowedLook> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
 
  private:
   struct Seen {

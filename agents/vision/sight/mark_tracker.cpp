@@ -219,25 +219,35 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   return out;
 }
 
+// Where its outline would show what hides a part of it, that says more than how it moved.
+MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const TrackedMark& track,
+                                            const LearnedObject& object, SeenPair pair, bool is_followed) const {
+  SeenWhole out{std::move(pair), {}, {}, track.plane};
+  out.look = track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
+  out.lies = out.plane.look(sight, object, out.pair);
+  const std::optional<double> off_if_cut_px = out.lies ? out.lies->off_if_cut_px : std::nullopt;
+  if (!off_if_cut_px || !(out.look.whole || is_followed)) return out;
+  const double off_px = out.look.whole ? std::min(out.look.may_be_off_px, *off_if_cut_px) : *off_if_cut_px;
+  out.look = {.whole = true, .anew = !out.look.whole, .may_be_off_px = off_px, .face = out.look.face};
+  return out;
+}
+
 // Follows it, or looks for it elsewhere; nothing where it is not seen whole.
 std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, TrackedMark& track,
                                                        const LearnedObject& object) {
-  const auto look_at = [&](const SeenPair& pair) {
-    return track.whole.look_at(sight.model(), object, pair, captured_, most_off_px(sight), !track.left);
-  };
   std::optional<SeenPair> now = follow(sight, track, object);
   if (now && track.doubted_for > Duration()) come_back(sight, track, object, *now);
   // It may be followed out of the area.
   if (now && !sight.holds(now->left)) now.reset();
-  Wholeness::Look look{.whole = false};
-  if (now) look = look_at(*now);
-  if (!look.whole) note_loss(track, object, &sight);
-  if (!now) {
+  std::optional<SeenWhole> seen;
+  if (now) seen = look_at(sight, track, object, std::move(*now), true);
+  if (!seen || !seen->look.whole) note_loss(track, object, &sight);
+  if (!seen) {
     now = search(sight, track, object);
-    if (now) look = look_at(*now);
+    if (now) seen = look_at(sight, track, object, std::move(*now), false);
   }
-  if (!look.whole) return std::nullopt;
-  return SeenWhole{std::move(*now), look};
+  if (seen && !seen->look.whole) seen.reset();
+  return seen;
 }
 
 // That it is the object, and whole.
@@ -250,7 +260,8 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
   if (!now.left.tag) told = confidence_if_off(told, seen.look.may_be_off_px, most_off_px(sight));
   const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
   if (!known) track.ground_doubt = ground_doubt(sight, now);
-  told = confidence_if_off(told, track.ground_doubt, 1);
+  const bool shows_all = seen.lies && seen.lies->off_if_cut_px;
+  if (!shows_all) told = confidence_if_off(told, track.ground_doubt, 1);
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
   if (track.is_doubted(now, captured_)) told = std::min(told, trust_in_another);
   return {told, in_whole};
@@ -260,23 +271,24 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
 void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedObject& object, const SeenWhole& seen,
                           double in_whole, TrackSighting& out) const {
   const SeenPair& now = seen.pair;
-  const std::optional<PlanePose> lies = track.plane.look(sight, object, now);
+  const PlanePose* lies = seen.lies ? &seen.lies->pose : nullptr;
+  track.plane = seen.plane;
   const bool is_triangular = is_triangle(outline_of(now.left.signature));
   std::optional<SeenRange> range;
   if (now.right) {
     const FacePlane plane = face_plane(sight.model(), now.left, *now.right);
-    range = range_by_pair(sight, now.left, *now.right, in_whole, lies && lies->by_both ? &*lies : nullptr);
+    range = range_by_pair(sight, now.left, *now.right, in_whole, lies != nullptr && lies->by_both ? lies : nullptr);
     out.right_centre = now.right->centre;
     out.yaw_deg = yaw_deg(plane);
   } else if (sight.is_cut_off(object, now.left)) {
     // Of a large triangle four poses look alike: its longer axis says more, which is as long at either tilt.
-    range = range_by_size(sight.model(), object, now.left, lies && !is_triangular ? &*lies : nullptr);
+    range = range_by_size(sight.model(), object, now.left, is_triangular ? nullptr : lies);
   }
-  if (lies) out.pose = pose_of(sight.model(), *lies, range);
+  if (lies != nullptr) out.pose = pose_of(sight.model(), *lies, range);
   if (now.left.tag) out.pose = pose_of(sight.model(), object, now, range);
   if (!range) return;
   // A triangle that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
-  if (lies && lies->by_both && !lies->is_contradicted() && !is_triangular) {
+  if (lies != nullptr && lies->by_both && !lies->is_contradicted() && !is_triangular) {
     out.centre = middle_in_image(sight.model(), *lies, most_off_px(sight));
     out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
   }

@@ -94,7 +94,11 @@ class MarkTracker {
   struct SeenWhole {
     SeenPair pair;
     Wholeness::Look look;
+    std::optional<FollowedLook> lies;
+    FollowedPlane plane;
   };
+  SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object, SeenPair pair,
+                    bool is_followed) const;
   std::optional<SeenWhole> see(StereoSight& sight, TrackedMark& track, const LearnedObject& object);
   struct Confidence {
     double told;

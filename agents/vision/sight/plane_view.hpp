@@ -29,4 +29,8 @@ std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const L
 // Of its likest sample, without its pose; nothing of a tag, and where there are too few edges.
 std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark);
 
+// How far off the centre may be, px, if a straight edge hides a part of the mark. Nothing where such an edge may not
+// show, and where the edges are hardly those of this pose.
+std::optional<double> off_if_cut_px(const LearnedSample& sample, const PlaneFit& fit, const PlanePose& pose);
+
 }  // namespace pizarra::vision

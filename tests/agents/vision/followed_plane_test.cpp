@@ -115,6 +115,55 @@ TEST_P(Posed, MarksAreTrackedByOneCamera) {
   }
 }
 
+// A way of three seconds on which it leans, turns, moves, goes away and comes back.
+std::vector<RangeView> way_of(const std::string& mark, Random& random) {
+  const double towards = random.uniform(0, 2 * CV_PI);
+  const double spun = random.uniform(-2, 2);
+  const double rolled_deg = random.uniform(-60, 60);
+  const cv::Point3d to(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(-80, 80));
+  std::vector<RangeView> out(90, view_of(mark));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double part = std::sin(CV_PI * static_cast<double>(i) / static_cast<double>(out.size() - 1));
+    const double tilt_deg = 45 * part;
+    out[i].yaw_deg = tilt_deg * std::cos(towards + spun * part);
+    out[i].pitch_deg = tilt_deg * std::sin(towards + spun * part);
+    out[i].roll_deg = rolled_deg * part;
+    out[i].place += part * to;
+  }
+  return out;
+}
+
+class ShowsCuts : public testing::TestWithParam<std::tuple<const char*, bool>> {};
+
+// However it leans: a straight edge that hid a part of it would show.
+TEST_P(ShowsCuts, IsToldSurelyWhileItLeansAndTurns) {
+  const auto [mark, by_pair] = GetParam();
+  Random random = Random(14).split(mark);
+  TiltedLooks looks(by_pair ? pair() : one_camera());
+  looks.learn(view_of(mark), random);
+  int all = 0;
+  int seen = 0;
+  int sure = 0;
+  for (int way = 0; way < 6; ++way) {
+    const std::vector<RangeView> views = way_of(mark, random);
+    const std::vector<TrackSighting> told = looks.follow(views, random);
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      ++all;
+      if (!told[i].seen) continue;
+      ++seen;
+      EXPECT_LT(cv::norm(told[i].centre - looks.middle_of(views[i])), 1);
+      sure += told[i].confidence >= 0.9 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(seen, 0.98 * all);
+  EXPECT_GE(sure, 0.95 * seen);
+}
+
+INSTANTIATE_TEST_SUITE_P(Marks, ShowsCuts, testing::Combine(testing::Values("circle", "cross"), testing::Bool()),
+                         [](const auto& one) {
+                           return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
+                         });
+
 // A triangle is told by the centroid.
 class PosedInBothImages : public testing::TestWithParam<const char*> {};
 

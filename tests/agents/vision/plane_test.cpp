@@ -51,6 +51,22 @@ TEST(PlaneOutline, BendsWhereTheShapeHasCornersThoughTheTemplateRoundsThem) {
   EXPECT_EQ(bends_of(learned(cross, random).plane), cross.size());
 }
 
+// A circle, or near enough.
+Corners many_corners() {
+  Corners out;
+  for (int i = 0; i < 40; ++i) out.emplace_back(24 * std::cos(i * CV_PI / 20), 24 * std::sin(i * CV_PI / 20));
+  return out;
+}
+
+TEST(PlaneOutline, ShowsACutWhereTheRestIsNoViewOfTheWhole) {
+  Random random(16);
+  EXPECT_TRUE(learned(many_corners(), random).shows_cuts);
+  EXPECT_TRUE(learned(cross, random).shows_cuts);
+  EXPECT_FALSE(learned(square, random).shows_cuts);
+  EXPECT_FALSE(learned({{-21, 12}, {21, 12}, {0, -24}}, random).shows_cuts);
+  EXPECT_FALSE(learned({{-22, 15}, {25, 12}, {16, -14}, {-19, -17}}, random).shows_cuts);
+}
+
 // A mark seems narrower on the side that lies in the shade.
 TEST(PlaneOutline, IsAsWideAsItIsHighThoughLightFallsFromOneSide) {
   Random random(15);

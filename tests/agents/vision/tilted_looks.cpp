@@ -28,15 +28,20 @@ Result<FoundMark> TiltedLooks::find(const RangeView& view, Side side, Random& ra
   return MarkFinder(objects).find(sight, *objects.find(view.mark), Time());
 }
 
-TrackSighting TiltedLooks::track(const RangeView& view, int frames, Random& random) const {
+std::vector<TrackSighting> TiltedLooks::follow(const std::vector<RangeView>& views, Random& random) const {
   MarkTracker tracker(objects);
-  tracker.add(*objects.find(view.mark)).value();
-  TrackSighting out;
-  for (int i = 0; i < frames; ++i) {
+  tracker.add(*objects.find(views.front().mark)).value();
+  std::vector<TrackSighting> out;
+  Time now;
+  for (const RangeView& view : views) {
     StereoSight sight = sight_of(view, Side::both, random);
-    out = tracker.update(sight, Time() + i * std::chrono::milliseconds(33)).front();
+    out.push_back(tracker.update(sight, now += std::chrono::milliseconds(33)).front());
   }
   return out;
+}
+
+TrackSighting TiltedLooks::track(const RangeView& view, int frames, Random& random) const {
+  return follow(std::vector<RangeView>(static_cast<std::size_t>(frames), view), random).back();
 }
 
 }  // namespace pizarra::vision

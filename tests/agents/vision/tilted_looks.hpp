@@ -7,6 +7,8 @@
 //   looks.learn({.mark = "tag", .place = {0, 0, 500}}, random);
 //   Result<FoundMark> found = looks.find({.mark = "tag", .place = {0, 0, 700}, .yaw_deg = 50}, Side::both, random);
 
+#include <vector>
+
 #include "agents/vision/sight/mark_finder.hpp"
 #include "tests/agents/vision/range_views.hpp"
 
@@ -23,6 +25,8 @@ class TiltedLooks {
 
   // As the last of so many frames tells it.
   TrackSighting track(const RangeView& view, int frames, Random& random) const;
+  // One after the other, 30 a second.
+  std::vector<TrackSighting> follow(const std::vector<RangeView>& views, Random& random) const;
   // Where the mark's middle is, in the left image or the right one.
   cv::Point2d middle_of(const RangeView& view, bool right = false) const { return views_.seen_at(view.place, right); }
 
