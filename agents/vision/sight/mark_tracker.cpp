@@ -272,6 +272,8 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
                           double in_whole, TrackSighting& out) const {
   const SeenPair& now = seen.pair;
   const PlanePose* lies = seen.lies ? &seen.lies->pose : nullptr;
+  // In one of the images it is registered with something else, or in part.
+  if (lies != nullptr && lies->by_both && lies->is_contradicted()) lies = nullptr;
   track.plane = seen.plane;
   const bool is_triangular = is_triangle(outline_of(now.left.signature));
   std::optional<SeenRange> range;
@@ -288,7 +290,7 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
   if (now.left.tag) out.pose = pose_of(sight.model(), object, now, range);
   if (!range) return;
   // A triangle that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
-  if (lies != nullptr && lies->by_both && !lies->is_contradicted() && !is_triangular) {
+  if (lies != nullptr && lies->by_both && !is_triangular) {
     out.centre = middle_in_image(sight.model(), *lies, most_off_px(sight));
     out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
   }

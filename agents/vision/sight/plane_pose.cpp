@@ -211,7 +211,8 @@ std::vector<SolvedPlane> explained(const camera::StereoModel& model, const Plane
   if (by_both) {
     both = solve_plane(edges.points(), std::span(guesses).first(std::min<std::size_t>(1, guesses.size())), errors);
   }
-  const bool is_explained = !both.empty() && both.front().misfit < static_cast<double>(edges.points().size());
+  const double free_misfit = errors.weight * edges.scatter().squares / 2;
+  const bool is_explained = !both.empty() && both.front().misfit - free_misfit < clearly_contradicted;
   return is_explained ? both : solve_plane(edges.points(), guesses, errors);
 }
 
