@@ -16,6 +16,10 @@ constexpr int margin_px = 16;
 constexpr double turned_anew_rad = 0.15;
 constexpr double of_average = 0.2;
 constexpr double most_certain = 20;
+// So much of an outline that goes on is there at least, and so far off its centre may be. Of what is recognised besides
+// less is asked.
+constexpr double least_going_on = 0.95;
+constexpr double most_off_if_cut_px = 0.5;
 
 cv::Matx33d shift_by(cv::Point2d way) { return {1, 0, way.x, 0, 1, way.y, 0, 0, 1}; }
 
@@ -91,16 +95,28 @@ double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& 
   return for_told;
 }
 
+std::optional<PlaneFit> FollowedPlane::fit_on(const StereoSight& sight, const LearnedSample& sample,
+                                              const SeenMark& left) const {
+  const cv::Matx33d start = moved(before_->to_image, before_->centre, left.centre);
+  return OutlineInImage(sight.left(), sight.noise(), sample, left).fit_from(start, to_follow);
+}
+
+bool FollowedPlane::goes_on(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const {
+  const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
+  if (sample == nullptr || !sample->shows_cuts) return false;
+  const std::optional<PlaneFit> fit = fit_on(sight, *sample, left);
+  const std::optional<PlanePose> pose = fit ? pose_in_plane(sight.model(), *sample, *fit) : std::nullopt;
+  const std::optional<double> off_px = pose ? off_if_cut_px(*sample, *fit, *pose) : std::nullopt;
+  return off_px && *off_px < most_off_if_cut_px && fit->supported > least_going_on;
+}
+
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
                                                 const SeenPair& now) {
+  const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
+  std::optional<PlaneFit> left;
+  if (sample != nullptr && !now.left.contour.empty()) left = fit_on(sight, *sample, now.left);
   const std::optional<Seen> before = std::exchange(before_, std::nullopt);
   if (now.left.tag || now.left.contour.empty()) return std::nullopt;
-  const LearnedSample* sample = before ? sample_numbered(object, before->sample) : nullptr;
-  std::optional<PlaneFit> left;
-  if (sample != nullptr) {
-    const cv::Matx33d start = moved(before->to_image, before->centre, now.left.centre);
-    left = OutlineInImage(sight.left(), sight.noise(), *sample, now.left).fit_from(start, to_follow);
-  }
   if (!left) {
     sample = match_of(now.left, object, now.likeness.turn).sample;
     if (sample == nullptr || sample->tag) return std::nullopt;

@@ -28,8 +28,13 @@ class FollowedPlane {
   // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
   // tilt so far, its misfits those of all frames.
   std::optional<FollowedLook> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
+  // The outline of the last frame is registered with this mark as well, all of it: it is the same mark, however aslant
+  // it is by now. Only of a form that shows cuts.
+  bool goes_on(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const;
 
  private:
+  std::optional<PlaneFit> fit_on(const StereoSight& sight, const LearnedSample& sample, const SeenMark& left) const;
+
   struct Seen {
     int sample;  // its number
     cv::Point2d centre;

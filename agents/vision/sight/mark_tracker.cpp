@@ -109,7 +109,10 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
   if (!left) return std::nullopt;
-  const std::optional<Likeness> likely = recognise(*left, objects_, object, track.turn);
+  const std::optional<int> turn = track.likeness ? std::optional(track.likeness->turn) : std::nullopt;
+  std::optional<Likeness> likely = recognise(*left, objects_, object, turn);
+  // It may be too much aslant to be told from what is nothing learned.
+  if (!likely && track.plane.goes_on(sight, object, *left)) likely = track.likeness;
   if (!likely) return std::nullopt;
   out.left = std::move(*left);
   out.likeness = *likely;
@@ -310,7 +313,9 @@ TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
   SeenPair& now = seen->pair;
   TrackSighting out{
       .name = track.name, .captured = captured_, .centre = now.left.centre, .yaw_deg = {}, .contour = now.left.contour};
-  track.turn = now.likeness.turn;
+  track.likeness = now.likeness;
+  // It may be forgotten by the next frame.
+  track.likeness->second = nullptr;
   const Confidence confidence = confidence_in(sight, track, *object, *seen);
   out.confidence = confidence.told;
   if (now.likeness.second != nullptr) out.second = now.likeness.second->name;

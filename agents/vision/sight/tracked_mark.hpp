@@ -29,7 +29,7 @@ struct TrackedMark {
   std::optional<SeenMark> left = {};
   std::optional<SeenMark> right = {};
   std::optional<LitMark> lit = {};
-  std::optional<int> turn = {};  // Likeness::turn
+  std::optional<Likeness> likeness = {};
   Time seen_at = {};
   bool missed = false;  // in the frame before this one
   Wholeness whole = {};
