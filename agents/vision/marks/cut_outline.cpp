@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pizarra::vision {
 namespace {
 
 using Border = std::vector<cv::Point2d>;
 
-// An edge hides so much of the area. The rest differs from each affine view of the whole by so much at least, a root
-// mean square in standard deviations of the mark: of a circle by 0.11, of a cross by 0.16, of a square and a triangle
-// by 0.03 and 0.04, which is what the template rounds.
+// An edge hides this share of the area. The rest must differ from each affine view of the whole by this much at least,
+// a root mean square in standard deviations of the mark. A circle's rest differs by 0.11, a cross' by 0.16. The rest of
+// a square or a triangle differs by 0.03 to 0.04, because the template rounds corners. The bound lies between.
 constexpr double share_cut_off = 0.1;
 constexpr double least_of_cut = 0.07;
 constexpr std::size_t every = 3;  // of the outline's places
+constexpr int directions = 24;
 constexpr int halvings = 12;
 constexpr double longest_step = 0.1;  // standard deviations of the mark
 
@@ -64,16 +66,23 @@ Border without(const Border& whole, const cv::Vec2d& towards, double share) {
 
 }  // namespace
 
-bool shows_cuts(const PlaneOutline& outline) {
+bool form_shows_cuts(const PlaneOutline& outline) {
   Border whole;
   for (std::size_t i = 0; i < outline.outermost; ++i) {
     whole.emplace_back(outline.points[i].at[0], outline.points[i].at[1]);
   }
   if (whole.empty()) return false;
-  // An edge along one of its own shows least.
+  const auto is_shown_from = [&](const cv::Vec2d& towards) {
+    const std::optional<Reach> rest = reach_of(without(whole, towards, share_cut_off));
+    return rest && fit_reach(*rest, outline.reach).error >= least_of_cut;
+  };
+  // From everywhere, and along its own edges: of a convex form these show least.
+  for (int i = 0; i < directions; ++i) {
+    const double turn = 2 * std::numbers::pi * i / directions;
+    if (!is_shown_from({std::cos(turn), std::sin(turn)})) return false;
+  }
   for (std::size_t i = 0; i < outline.outermost; i += every) {
-    const std::optional<Reach> rest = reach_of(without(whole, outline.points[i].out, share_cut_off));
-    if (!rest || fit_reach(*rest, outline.reach).error < least_of_cut) return false;
+    if (!is_shown_from(outline.points[i].out)) return false;
   }
   return true;
 }

@@ -4,13 +4,13 @@
 // circle. But a square without a strip along one side is a tilted square, and a triangle without one is a smaller
 // triangle.
 //
-//   sample.shows_cuts = shows_cuts(sample.plane);      // each registered outline is then one of the whole mark
+//   if (form_shows_cuts(sample.plane)) ...      // a straight edge over a part of it shows in its outline
 
 #include "agents/vision/marks/plane_outline.hpp"
 
 namespace pizarra::vision {
 
 // False without an outline.
-bool shows_cuts(const PlaneOutline& outline);
+bool form_shows_cuts(const PlaneOutline& outline);
 
 }  // namespace pizarra::vision

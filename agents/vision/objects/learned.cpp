@@ -102,7 +102,7 @@ void LearnedSample::set_picture(const MarkTemplate& new_picture) {
   std::ranges::transform(signatures.front().by_part, outlines.begin(), outline_of);
   if (tag) return;
   plane = plane_outline(picture);
-  shows_cuts = pizarra::vision::shows_cuts(plane);
+  shows_cuts = form_shows_cuts(plane);
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "agents/vision/objects/mark_match.hpp"
+#include "agents/vision/sight/follow_mark.hpp"
+#include "agents/vision/sight/whole_outline.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -16,10 +18,6 @@ constexpr int margin_px = 16;
 constexpr double turned_anew_rad = 0.15;
 constexpr double of_average = 0.2;
 constexpr double most_certain = 20;
-// So much of an outline that goes on is there at least, and so far off its centre may be. Of what is recognised besides
-// less is asked.
-constexpr double least_going_on = 0.95;
-constexpr double most_off_if_cut_px = 0.5;
 
 cv::Matx33d shift_by(cv::Point2d way) { return {1, 0, way.x, 0, 1, way.y, 0, 0, 1}; }
 
@@ -103,11 +101,10 @@ std::optional<PlaneFit> FollowedPlane::fit_on(const StereoSight& sight, const Le
 
 bool FollowedPlane::goes_on(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const {
   const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
-  if (sample == nullptr || !sample->shows_cuts) return false;
+  if (sample == nullptr) return false;
   const std::optional<PlaneFit> fit = fit_on(sight, *sample, left);
   const std::optional<PlanePose> pose = fit ? pose_in_plane(sight.model(), *sample, *fit) : std::nullopt;
-  const std::optional<double> off_px = pose ? off_if_cut_px(*sample, *fit, *pose) : std::nullopt;
-  return off_px && *off_px < most_off_if_cut_px && fit->supported > least_going_on;
+  return pose && shows_all({*sample, *fit, nullptr, *pose}, px_in(sight.left(), 1));
 }
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
@@ -115,6 +112,7 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
   std::optional<PlaneFit> left;
   if (sample != nullptr && !now.left.contour.empty()) left = fit_on(sight, *sample, now.left);
+  const bool goes_on = left.has_value();
   const std::optional<Seen> before = std::exchange(before_, std::nullopt);
   if (now.left.tag || now.left.contour.empty()) return std::nullopt;
   if (!left) {
@@ -128,8 +126,9 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   if (!pose) return std::nullopt;
   const double for_told = weigh_tilts(before, *pose);
   before_ = Seen{sample->number, now.left.centre, left->to_image, away_of(pose->turn), for_told};
-  const bool in_all_images = pose->by_both == now.right.has_value();
-  return FollowedLook{*pose, in_all_images ? off_if_cut_px(*sample, *left, *pose) : std::nullopt};
+  const bool in_all_images = right.has_value() == now.right.has_value();
+  const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose};
+  return FollowedLook{*pose, in_all_images && shows_all(seen, px_in(sight.left(), 1)), goes_on};
 }
 
 }  // namespace pizarra::vision

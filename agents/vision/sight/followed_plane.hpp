@@ -19,8 +19,8 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
 
 struct FollowedLook {
   PlanePose pose;
-  // How far off the centre may be, px, if a straight edge hides a part of the mark. Nothing where that would not show.
-  std::optional<double> off_if_cut_px;
+  bool shows_all;  // whole_outline.hpp
+  bool goes_on;    // from the outline of the last frame
 };
 
 class FollowedPlane {

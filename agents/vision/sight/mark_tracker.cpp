@@ -111,8 +111,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
   if (!left) return std::nullopt;
   const std::optional<int> turn = track.likeness ? std::optional(track.likeness->turn) : std::nullopt;
   std::optional<Likeness> likely = recognise(*left, objects_, object, turn);
-  // It may be too much aslant to be told from what is nothing learned.
-  if (!likely && track.plane.goes_on(sight, object, *left)) likely = track.likeness;
+  if (!likely) likely = likeness_by_outline(sight, track, object, *left);
   if (!likely) return std::nullopt;
   out.left = std::move(*left);
   out.likeness = *likely;
@@ -126,6 +125,18 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
     if (partner != nullptr) out.right = *partner;
   }
   if (out.right && !is_whole(sight.model(), object, out.left, *out.right)) return std::nullopt;
+  return out;
+}
+
+// Seen far aslant a mark may not be recognised. Its outline may still be.
+std::optional<Likeness> MarkTracker::likeness_by_outline(const StereoSight& sight, const TrackedMark& track,
+                                                         const LearnedObject& object, const SeenMark& mark) const {
+  const auto is_it = [&](const LearnedObject& other) {
+    return !same_name(other.name, object.name) && is_recognised(mark, objects_, other);
+  };
+  if (!track.plane.goes_on(sight, object, mark) || std::ranges::any_of(objects_.all(), is_it)) return std::nullopt;
+  std::optional<Likeness> out = track.likeness;
+  if (out) out->second = objects_.find(track.second);
   return out;
 }
 
@@ -222,16 +233,20 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   return out;
 }
 
-// Where its outline would show what hides a part of it, that says more than how it moved.
+// The outline of a form that shows cuts decides whether it is whole. Of other forms motion and size decide.
 MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const TrackedMark& track,
-                                            const LearnedObject& object, SeenPair pair, bool is_followed) const {
+                                            const LearnedObject& object, SeenPair pair) const {
   SeenWhole out{std::move(pair), {}, {}, track.plane};
   out.look = track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
   out.lies = out.plane.look(sight, object, out.pair);
-  const std::optional<double> off_if_cut_px = out.lies ? out.lies->off_if_cut_px : std::nullopt;
-  if (!off_if_cut_px || !(out.look.whole || is_followed)) return out;
-  const double off_px = out.look.whole ? std::min(out.look.may_be_off_px, *off_if_cut_px) : *off_if_cut_px;
-  out.look = {.whole = true, .anew = !out.look.whole, .may_be_off_px = off_px, .face = out.look.face};
+  if (!out.lies || !out.lies->shows_all || out.look.elsewhere) return out;
+  if (!out.look.whole && !out.lies->goes_on) return out;
+  // Before one camera its centroid is told, and not its middle.
+  const cv::Point2d middle = middle_in_image(sight.model(), out.lies->pose, most_off_px(sight));
+  const double off_px = out.pair.right ? 0 : cv::norm(middle - out.pair.left.centre);
+  out.look.may_be_off_px = out.look.whole ? std::min(out.look.may_be_off_px, off_px) : off_px;
+  out.look.anew = out.look.anew || !out.look.whole;
+  out.look.whole = true;
   return out;
 }
 
@@ -243,11 +258,11 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
   // It may be followed out of the area.
   if (now && !sight.holds(now->left)) now.reset();
   std::optional<SeenWhole> seen;
-  if (now) seen = look_at(sight, track, object, std::move(*now), true);
+  if (now) seen = look_at(sight, track, object, std::move(*now));
   if (!seen || !seen->look.whole) note_loss(track, object, &sight);
   if (!seen) {
     now = search(sight, track, object);
-    if (now) seen = look_at(sight, track, object, std::move(*now), false);
+    if (now) seen = look_at(sight, track, object, std::move(*now));
   }
   if (seen && !seen->look.whole) seen.reset();
   return seen;
@@ -263,7 +278,7 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
   if (!now.left.tag) told = confidence_if_off(told, seen.look.may_be_off_px, most_off_px(sight));
   const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
   if (!known) track.ground_doubt = ground_doubt(sight, now);
-  const bool shows_all = seen.lies && seen.lies->off_if_cut_px;
+  const bool shows_all = seen.lies && seen.lies->shows_all;
   if (!shows_all) told = confidence_if_off(told, track.ground_doubt, 1);
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
   if (track.is_doubted(now, captured_)) told = std::min(told, trust_in_another);
@@ -314,8 +329,9 @@ TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
   TrackSighting out{
       .name = track.name, .captured = captured_, .centre = now.left.centre, .yaw_deg = {}, .contour = now.left.contour};
   track.likeness = now.likeness;
-  // It may be forgotten by the next frame.
+  // The second object may be forgotten before the next frame: its name is kept.
   track.likeness->second = nullptr;
+  track.second = now.likeness.second != nullptr ? now.likeness.second->name : "";
   const Confidence confidence = confidence_in(sight, track, *object, *seen);
   out.confidence = confidence.told;
   if (now.likeness.second != nullptr) out.second = now.likeness.second->name;

@@ -97,8 +97,10 @@ class MarkTracker {
     std::optional<FollowedLook> lies;
     FollowedPlane plane;
   };
-  SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object, SeenPair pair,
-                    bool is_followed) const;
+  SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object,
+                    SeenPair pair) const;
+  std::optional<Likeness> likeness_by_outline(const StereoSight& sight, const TrackedMark& track,
+                                              const LearnedObject& object, const SeenMark& mark) const;
   std::optional<SeenWhole> see(StereoSight& sight, TrackedMark& track, const LearnedObject& object);
   struct Confidence {
     double told;

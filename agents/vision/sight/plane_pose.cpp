@@ -211,8 +211,10 @@ std::vector<SolvedPlane> explained(const camera::StereoModel& model, const Plane
   if (by_both) {
     both = solve_plane(edges.points(), std::span(guesses).first(std::min<std::size_t>(1, guesses.size())), errors);
   }
-  const double free_misfit = errors.weight * edges.scatter().squares / 2;
-  const bool is_explained = !both.empty() && both.front().misfit - free_misfit < clearly_contradicted;
+  const double weight = edges.scatter().weight_of_explanations();
+  const double free_misfit = weight * edges.scatter().squares / 2;
+  const auto told = [&](const SolvedPlane& plane) { return weight / errors.weight * plane.misfit; };
+  const bool is_explained = !both.empty() && told(both.front()) - free_misfit < clearly_contradicted;
   return is_explained ? both : solve_plane(edges.points(), guesses, errors);
 }
 

@@ -3,13 +3,6 @@
 #include "agents/vision/objects/mark_match.hpp"
 
 namespace pizarra::vision {
-namespace {
-
-// What is likelier than that to be no view of the outline says nothing of what hides a part of it.
-constexpr double least_odds = 1e-3;
-
-}  // namespace
-
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
                                        const PlaneFit& left, const PlaneFit* right) {
   // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
@@ -29,11 +22,6 @@ std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& ob
   PlaneView out{sample, std::move(*fit), agrees, std::nullopt};
   if (agrees) out.ground = look_at_ground(cut, sample->plane, out.fit);
   return out;
-}
-
-std::optional<double> off_if_cut_px(const LearnedSample& sample, const PlaneFit& fit, const PlanePose& pose) {
-  if (!sample.shows_cuts || pose.odds_of_no_plane() > least_odds) return std::nullopt;
-  return off_if_bent_px(sample.plane, fit);
 }
 
 }  // namespace pizarra::vision

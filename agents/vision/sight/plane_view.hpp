@@ -19,6 +19,7 @@ struct PlaneView {
   std::optional<PlanePose> pose;  // where they agree, once it was solved
   bool is_part = false;           // something hides the rest: the fit goes by what is seen of the outline
   OutlineGround ground = {};      // of a whole that agrees
+  bool shows_all = false;         // whole_outline.hpp
 };
 
 // How the sample's plane lies by the fit in the left image, and by that in the right one where it is there; nothing
@@ -28,9 +29,5 @@ std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const L
 
 // Of its likest sample, without its pose; nothing of a tag, and where there are too few edges.
 std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark);
-
-// How far off the centre may be, px, if a straight edge hides a part of the mark. Nothing where such an edge may not
-// show, and where the edges are hardly those of this pose.
-std::optional<double> off_if_cut_px(const LearnedSample& sample, const PlaneFit& fit, const PlanePose& pose);
 
 }  // namespace pizarra::vision

@@ -29,7 +29,8 @@ struct TrackedMark {
   std::optional<SeenMark> left = {};
   std::optional<SeenMark> right = {};
   std::optional<LitMark> lit = {};
-  std::optional<Likeness> likeness = {};
+  std::optional<Likeness> likeness = {};  // without the second object
+  std::string second = {};                // that one's name, where there is one
   Time seen_at = {};
   bool missed = false;  // in the frame before this one
   Wholeness whole = {};

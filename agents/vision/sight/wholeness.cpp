@@ -59,12 +59,7 @@ double confidence_in_print(double confidence, const SeenPair& pair) {
   return 1 / (1 / confidence + faint_others_for_one_mark / usual_turn(*pair.plane->pose));
 }
 
-// Nothing where it may not show.
-std::optional<double> off_if_cut_px(const SeenPair& pair) {
-  const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
-  const bool in_all_images = plane != nullptr && plane->pose && plane->pose->by_both == pair.right.has_value();
-  return in_all_images ? off_if_cut_px(*plane->sample, plane->fit, *plane->pose) : std::nullopt;
-}
+bool shows_all(const SeenPair& pair) { return pair.plane && pair.plane->shows_all; }
 
 // By one camera: a look that is slimmer than the mark is one of all of it, tilted, or of a part of it; perspective says
 // how likely either is. Of what no edges registered nobody knows.
@@ -77,7 +72,7 @@ double confidence_before_one(const LearnedObject& object, const SeenPair& pair, 
   const auto if_off = [&](double off_px) {
     return confidence_if_off(of_whole, std::max(bent_px, off_px), most_off_px);
   };
-  if (off_if_cut_px(pair)) return if_off(0);
+  if (shows_all(pair)) return if_off(0);
   double covered = 1;
   double covered_of_smaller = 1;
   if (plane != nullptr && plane->pose) {
@@ -104,8 +99,8 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
   if (!pair.right) return confidence_before_one(object, pair, most_off_px(sight), on_even_ground);
-  const double by_size_px = may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left);
-  const double off_px = std::min(by_size_px, off_if_cut_px(pair).value_or(by_size_px));
+  if (shows_all(pair)) return confidence_if_off(of_whole, 0, most_off_px(sight));
+  const double off_px = may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left);
   return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
 
@@ -115,8 +110,8 @@ double confidence_at_first(const StereoSight& sight, const LearnedObject& object
     return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
   }
   const double by_form = confidence_by_form(sight, object, pair);
-  // Whatever lies beside it.
-  if (off_if_cut_px(pair)) return by_form;
+  // Then the ground beside it says nothing.
+  if (shows_all(pair)) return by_form;
   const double doubt = ground_doubt(sight, pair);
   if (pair.right || pair.left.tag || !pair.plane) return confidence_if_off(by_form, doubt, 1);
   const double in_shadow = shadow_share * confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);
@@ -147,7 +142,8 @@ Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const Learn
   const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
     if (!whole || as_large) return true;
     const WholeMark::Look look = whole->look_at(mark, captured, most_off_px, out.smaller);
-    return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
+    out.elsewhere = out.elsewhere || (look == WholeMark::Look::unlike && !lost);
+    return look != WholeMark::Look::covered && !out.elsewhere;
   };
   out.whole = is_it(left_, now.left) && (!now.right || is_it(right_, *now.right));
   out.hardly_covered = !out.whole && out.smaller && out.may_be_off_px <= most_off_px;
@@ -165,8 +161,10 @@ Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const Learn
 void Wholeness::follow(const SeenPair& now, const Look& look, Time captured) {
   if (look.anew) {
     left_.reset();
-    right_.reset();
-    face_.reset();
+    if (now.right) {
+      right_.reset();
+      face_.reset();
+    }
   }
   // A part of what was lost or is covered, or a copy of another size: none is what it looks like while it is whole.
   if (now.left.tag || (!left_ && look.smaller) || look.hardly_covered) return;

@@ -21,6 +21,7 @@ class Wholeness {
  public:
   struct Look {
     bool whole = true;
+    bool elsewhere = false;       // of another size, far from where it was foreseen
     bool smaller = false;         // than the pair saw it
     bool hardly_covered = false;  // so little that the centre is hardly off
     bool anew = false;            // what was remembered was covered

@@ -51,16 +51,17 @@ TEST(PlaneOutline, BendsWhereTheShapeHasCornersThoughTheTemplateRoundsThem) {
   EXPECT_EQ(bends_of(learned(cross, random).plane), cross.size());
 }
 
-// A circle, or near enough.
-Corners many_corners() {
+Corners circle() {
   Corners out;
-  for (int i = 0; i < 40; ++i) out.emplace_back(24 * std::cos(i * CV_PI / 20), 24 * std::sin(i * CV_PI / 20));
+  for (int i = 0; i < 180; ++i) {
+    out.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
+  }
   return out;
 }
 
 TEST(PlaneOutline, ShowsACutWhereTheRestIsNoViewOfTheWhole) {
   Random random(16);
-  EXPECT_TRUE(learned(many_corners(), random).shows_cuts);
+  EXPECT_TRUE(learned(circle(), random).shows_cuts);
   EXPECT_TRUE(learned(cross, random).shows_cuts);
   EXPECT_FALSE(learned(square, random).shows_cuts);
   EXPECT_FALSE(learned({{-21, 12}, {21, 12}, {0, -24}}, random).shows_cuts);
@@ -129,15 +130,6 @@ TEST(Plane, IsTurnedAboutAsFarOffAsItsSpreadsSay) {
   }
 }
 
-Corners circle() {
-  Corners out;
-  for (int i = 0; i < 180; ++i) {
-    out.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
-  }
-  return out;
-}
-
-// Blur moves an arc inwards, and motion blurs two sides of it alone: that looks like a tilt of five degrees.
 // As a camera so far to the right of the left one shows it, its edges found to 0.15 px.
 PlaneFit fit_of(const camera::StereoModel& model, const LearnedSample& sample, const cv::Matx33d& turn,
                 const cv::Vec3d& place, double beside_mm, Random& random) {
@@ -171,7 +163,7 @@ TEST(Plane, ByAPairIsNeverAnotherThanTheOneThatBothImagesShow) {
   Random random(17);
   camera::StereoModel pair = one_camera();
   pair.base_line_mm = 80;
-  for (const Corners& shape : {many_corners(), cross, square, Corners{{-21, 12}, {21, 12}, {0, -24}}}) {
+  for (const Corners& shape : {circle(), cross, square, Corners{{-21, 12}, {21, 12}, {0, -24}}}) {
     const LearnedSample sample = learned(shape, random);
     for (int i = 0; i < 2000; ++i) {
       const double towards = random.uniform(0, 2 * CV_PI);
@@ -188,6 +180,7 @@ TEST(Plane, ByAPairIsNeverAnotherThanTheOneThatBothImagesShow) {
   }
 }
 
+// Blur moves an arc inwards, and motion blurs two sides of it alone: that looks like a tilt of five degrees.
 TEST(Plane, OfACircleThatMovesFacesTheCamera) {
   Random random(19);
   const LearnedSample sample = learned(circle(), random);

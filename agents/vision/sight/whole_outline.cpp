@@ -1,0 +1,37 @@
+#include "agents/vision/sight/whole_outline.hpp"
+
+namespace pizarra::vision {
+namespace {
+
+// The pose may be another form, or no plane, with this probability at most.
+constexpr double most_odds = 1e-3;
+// At least this share of the outer border must be registered.
+constexpr double least_registered = 0.95;
+// Edges that are off together may put the centre off by this much at most, as a part of what may be told surely.
+constexpr double most_bent = 0.5;
+
+double registered_share(const PlaneOutline& outline, const PlaneFit& fit) {
+  int all = 0;
+  int registered = 0;
+  for (const PlaneEdge& edge : fit.edges) {
+    if (!edge.counts || edge.point >= outline.outermost || outline.points[edge.point].is_rounded()) continue;
+    ++all;
+    registered += edge.is_border ? 1 : 0;
+  }
+  return all == 0 ? 0 : static_cast<double>(registered) / all;
+}
+
+bool shows_all(const PlaneOutline& outline, const PlaneFit& fit, double most_off_px) {
+  return registered_share(outline, fit) >= least_registered && off_if_bent_px(outline, fit) < most_bent * most_off_px;
+}
+
+}  // namespace
+
+bool shows_all(const RegisteredOutline& seen, double most_off_px) {
+  const PlaneOutline& outline = seen.sample.plane;
+  if (!seen.sample.shows_cuts || seen.pose.is_contradicted() || seen.pose.odds_of_no_plane() > most_odds) return false;
+  return shows_all(outline, seen.left, most_off_px) &&
+         (seen.right == nullptr || shows_all(outline, *seen.right, most_off_px));
+}
+
+}  // namespace pizarra::vision
