@@ -188,6 +188,7 @@ TEST(RealExecutor, OffloadedWorkAfterWorkNeedsNoNewThreadEachTime) {
 }
 
 struct Crowd {
+  std::size_t offloaded = 0;
   std::atomic<std::size_t> begun = 0;
   std::atomic<std::size_t> inside = 0;
   std::atomic<std::size_t> most_inside = 0;
@@ -205,6 +206,7 @@ Task<void> join(Executor& executor, std::shared_ptr<Crowd> crowd) {
     while (!crowd->may_leave && !cancelled()) std::this_thread::yield();
     --crowd->inside;
   };
+  ++crowd->offloaded;
   co_await executor.offload(work, 0ms);
 }
 
@@ -228,7 +230,7 @@ TEST(RealExecutor, OffloadedWorkWhoseTurnNeverCameLearnsOfTheEndToo) {
     RealExecutor executor;
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < works; ++i) jobs.push_back(executor.spawn(join(executor, crowd)));
-    executor.run_until([&] { return crowd->begun == WorkerPool::most_threads; });
+    executor.run_until([&] { return crowd->begun == WorkerPool::most_threads && crowd->offloaded == works; });
   }
   EXPECT_EQ(crowd->begun, works);
   EXPECT_EQ(crowd->inside, 0);
