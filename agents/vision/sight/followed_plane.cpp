@@ -99,12 +99,12 @@ std::optional<PlaneFit> FollowedPlane::fit_on(const StereoSight& sight, const Le
   return OutlineInImage(sight.left(), sight.noise(), sample, left).fit_from(start, to_follow);
 }
 
-bool FollowedPlane::goes_on(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const {
+bool FollowedPlane::recognises(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const {
   const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
   if (sample == nullptr) return false;
   const std::optional<PlaneFit> fit = fit_on(sight, *sample, left);
   const std::optional<PlanePose> pose = fit ? pose_in_plane(sight.model(), *sample, *fit) : std::nullopt;
-  return pose && shows_all({*sample, *fit, nullptr, *pose}, px_in(sight.left(), 1));
+  return pose && shows_all({*sample, *fit, nullptr, *pose, false}, px_in(sight.left(), 1));
 }
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
@@ -126,9 +126,8 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   if (!pose) return std::nullopt;
   const double for_told = weigh_tilts(before, *pose);
   before_ = Seen{sample->number, now.left.centre, left->to_image, away_of(pose->turn), for_told};
-  const bool in_all_images = right.has_value() == now.right.has_value();
-  const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose};
-  return FollowedLook{*pose, in_all_images && shows_all(seen, px_in(sight.left(), 1)), goes_on};
+  const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose, now.right.has_value()};
+  return FollowedLook{*pose, shows_all(seen, px_in(sight.left(), 1)), goes_on};
 }
 
 }  // namespace pizarra::vision

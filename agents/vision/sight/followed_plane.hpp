@@ -28,9 +28,8 @@ class FollowedPlane {
   // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
   // tilt so far, its misfits those of all frames.
   std::optional<FollowedLook> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
-  // The outline of the last frame is registered with this mark as well, all of it: it is the same mark, however aslant
-  // it is by now. Only of a form that shows cuts.
-  bool goes_on(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const;
+  // By its outline, which goes on from the last frame and shows all of it, however far aslant the mark is by now.
+  bool recognises(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const;
 
  private:
   std::optional<PlaneFit> fit_on(const StereoSight& sight, const LearnedSample& sample, const SeenMark& left) const;

@@ -155,10 +155,10 @@ void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, 
   std::optional<PlanePose>& pose = pair.plane->pose;
   pose = pose_in_plane(sight.model(), sample, pair.plane->fit, right ? &*right : nullptr);
   if (pose) pair.likeness.other_form += pose->odds_of_no_plane();
-  const bool in_all_images = right.has_value() == pair.right.has_value();
   const double most_px = most_off_px(sight);
-  if (pose && in_all_images) {
-    pair.plane->shows_all = shows_all({sample, pair.plane->fit, right ? &*right : nullptr, *pose}, most_px);
+  if (pose) {
+    const RegisteredOutline seen{sample, pair.plane->fit, right ? &*right : nullptr, *pose, pair.right.has_value()};
+    pair.plane->shows_all = shows_all(seen, most_px);
   }
   // In one of both images it is registered with something else, or in part.
   if (pose && pose->by_both && pose->is_contradicted()) pose.reset();

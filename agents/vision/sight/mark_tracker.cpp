@@ -134,7 +134,7 @@ std::optional<Likeness> MarkTracker::likeness_by_outline(const StereoSight& sigh
   const auto is_it = [&](const LearnedObject& other) {
     return !same_name(other.name, object.name) && is_recognised(mark, objects_, other);
   };
-  if (!track.plane.goes_on(sight, object, mark) || std::ranges::any_of(objects_.all(), is_it)) return std::nullopt;
+  if (!track.plane.recognises(sight, object, mark) || std::ranges::any_of(objects_.all(), is_it)) return std::nullopt;
   std::optional<Likeness> out = track.likeness;
   if (out) out->second = objects_.find(track.second);
   return out;

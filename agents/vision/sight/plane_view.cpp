@@ -3,6 +3,7 @@
 #include "agents/vision/objects/mark_match.hpp"
 
 namespace pizarra::vision {
+
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
                                        const PlaneFit& left, const PlaneFit* right) {
   // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.

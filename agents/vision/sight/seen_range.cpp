@@ -180,8 +180,8 @@ std::optional<SeenRange> range_by_size(const camera::StereoModel& model, const L
   if (left.tag) return range_of_tag(model, size_of(*sized), left);
   if (lies != nullptr) return range_of_pose(model, *lies);
   const double slimness = front_slimness(object);
-  const auto range = slimness >= least_round ? range_of_round : range_of_slim;
-  return range(model, size_of(*sized), slimness, left);
+  if (slimness >= least_round) return range_of_round(model, size_of(*sized), slimness, left);
+  return range_of_slim(model, size_of(*sized), slimness, left);
 }
 
 std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,

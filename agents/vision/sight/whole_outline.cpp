@@ -30,8 +30,9 @@ bool shows_all(const PlaneOutline& outline, const PlaneFit& fit, double most_off
 bool shows_all(const RegisteredOutline& seen, double most_off_px) {
   const PlaneOutline& outline = seen.sample.plane;
   if (!seen.sample.shows_cuts || seen.pose.is_contradicted() || seen.pose.odds_of_no_plane() > most_odds) return false;
-  return shows_all(outline, seen.left, most_off_px) &&
-         (seen.right == nullptr || shows_all(outline, *seen.right, most_off_px));
+  if (!shows_all(outline, seen.left, most_off_px)) return false;
+  if (!seen.right_shows_mark) return true;
+  return seen.right != nullptr && shows_all(outline, *seen.right, most_off_px);
 }
 
 }  // namespace pizarra::vision

@@ -68,4 +68,18 @@ LearnedSample learned(const Corners& plane, Random& random, double light) {
   return out;
 }
 
+Corners circle() {
+  Corners out;
+  for (int i = 0; i < 180; ++i) {
+    out.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
+  }
+  return out;
+}
+
+double degrees_between(const cv::Matx33d& a, const cv::Matx33d& b) {
+  const cv::Vec3d one(a(0, 2), a(1, 2), a(2, 2));
+  const cv::Vec3d other(b(0, 2), b(1, 2), b(2, 2));
+  return std::acos(std::min(1.0, one.dot(other))) * 180 / CV_PI;
+}
+
 }  // namespace pizarra::vision

@@ -19,9 +19,12 @@ using Corners = std::vector<cv::Point2d>;
 inline constexpr double half_mm = 20;
 extern const Corners square;
 extern const Corners cross;
+Corners circle();
 
 camera::StereoModel one_camera();
 cv::Matx33d turned_about(const cv::Vec3d& rad);
+// Of the ways that two planes face.
+double degrees_between(const cv::Matx33d& a, const cv::Matx33d& b);
 // Dark on light, each pixel the mean of what it covers, drawn so many times finer.
 cv::Mat1b filled(const Corners& corners, Random& random, double noise = 1, int finer = 8);
 Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d& place);

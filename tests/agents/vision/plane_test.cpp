@@ -34,12 +34,6 @@ std::optional<Registered> registered(const cv::Mat1b& image, const LearnedSample
   return std::nullopt;
 }
 
-double degrees_between(const cv::Matx33d& a, const cv::Matx33d& b) {
-  const cv::Vec3d one(a(0, 2), a(1, 2), a(2, 2));
-  const cv::Vec3d other(b(0, 2), b(1, 2), b(2, 2));
-  return std::acos(std::min(1.0, one.dot(other))) * 180 / CV_PI;
-}
-
 std::size_t bends_of(const PlaneOutline& outline) {
   return static_cast<std::size_t>(
       std::ranges::count_if(outline.points, [](const PlaneOutline::Point& point) { return point.from_bend == 0; }));
@@ -49,14 +43,6 @@ TEST(PlaneOutline, BendsWhereTheShapeHasCornersThoughTheTemplateRoundsThem) {
   Random random(14);
   EXPECT_EQ(bends_of(learned(square, random).plane), square.size());
   EXPECT_EQ(bends_of(learned(cross, random).plane), cross.size());
-}
-
-Corners circle() {
-  Corners out;
-  for (int i = 0; i < 180; ++i) {
-    out.push_back(half_mm * cv::Point2d(std::cos(i * CV_PI / 90), std::sin(i * CV_PI / 90)));
-  }
-  return out;
 }
 
 TEST(PlaneOutline, ShowsACutWhereTheRestIsNoViewOfTheWhole) {
@@ -127,56 +113,6 @@ TEST(Plane, IsTurnedAboutAsFarOffAsItsSpreadsSay) {
     const double off = angles_in_spreads(shape, random);
     EXPECT_GT(off, 0.5);
     EXPECT_LT(off, 1.5);
-  }
-}
-
-// As a camera so far to the right of the left one shows it, its edges found to 0.15 px.
-PlaneFit fit_of(const camera::StereoModel& model, const LearnedSample& sample, const cv::Matx33d& turn,
-                const cv::Vec3d& place, double beside_mm, Random& random) {
-  const double unit_mm = sample.face_mm();
-  const cv::Vec2d middle = sample.plane.middle;
-  const cv::Matx33d lens(model.focal_px, 0, model.centre_x_px, 0, model.focal_px, model.centre_y_px, 0, 0, 1);
-  const cv::Matx33d in_plane(unit_mm, 0, -unit_mm * middle[0], 0, unit_mm, -unit_mm * middle[1], 0, 0, 1);
-  cv::Matx33d axes = turn;
-  for (int i = 0; i < 3; ++i) axes(i, 2) = place[i] - (i == 0 ? beside_mm : 0);
-  PlaneFit out{.to_image = lens * axes * in_plane, .edges = {}, .rms_px = 0.15, .supported = 1};
-  for (std::size_t i = 0; i < sample.plane.points.size(); ++i) {
-    const PlaneOutline::Point& point = sample.plane.points[i];
-    const cv::Vec2d normal = cv::normalize(out.slope_at(point.at).inv().t() * point.out);
-    const double off_px = 0.15 * random.normal();
-    const cv::Point2d at = out.in_image(point.at) + off_px * cv::Point2d(normal);
-    out.edges.push_back({.found = true,
-                         .point = i,
-                         .at = at,
-                         .normal = normal,
-                         .off_px = off_px,
-                         .is_border = true,
-                         .counts = true,
-                         .measures = true,
-                         .is_straight = true});
-  }
-  return out;
-}
-
-// From where the left image alone begins, the solution may end beside that by both.
-TEST(Plane, ByAPairIsNeverAnotherThanTheOneThatBothImagesShow) {
-  Random random(17);
-  camera::StereoModel pair = one_camera();
-  pair.base_line_mm = 80;
-  for (const Corners& shape : {circle(), cross, square, Corners{{-21, 12}, {21, 12}, {0, -24}}}) {
-    const LearnedSample sample = learned(shape, random);
-    for (int i = 0; i < 2000; ++i) {
-      const double towards = random.uniform(0, 2 * CV_PI);
-      const double tilt = random.uniform(20, 55) * CV_PI / 180;
-      const cv::Matx33d turn = turned_about({tilt * std::cos(towards), tilt * std::sin(towards), 0}) *
-                               turned_about({0, 0, random.uniform(-CV_PI, CV_PI)});
-      const cv::Vec3d place(random.uniform(-150, 150), random.uniform(-100, 100), random.uniform(420, 700));
-      const PlaneFit left = fit_of(pair, sample, turn, place, 0, random);
-      const PlaneFit right = fit_of(pair, sample, turn, place, pair.base_line_mm, random);
-      const std::optional<PlanePose> pose = plane_pose(pair, sample.plane, left, {sample.face_mm(), 1}, &right);
-      ASSERT_TRUE(pose);
-      ASSERT_LT(degrees_between(pose->turn, turn), 8) << i;
-    }
   }
 }
 

@@ -213,7 +213,7 @@ SeenPair as_followed(const StereoSight& sight, const LearnedObject& object, cons
 }
 
 // But for what may be covered: whether a face seen aslant is, may depend on a thousandth of its height, and the two
-// ways of measuring it then differ. So do the two ways of registering its outline, a little.
+// ways of measuring it then differ. FIND and TRACK also register its outline a little differently.
 TEST(Likeness, OfTrackingIsThatOfFindingAndNoOtherObjectIsNearerThanTheSecond) {
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
