@@ -5,9 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "agents/vision/marks/outline_bends.hpp"
-
 namespace pizarra::vision {
 namespace {
 
@@ -103,12 +100,12 @@ double bent_px(const PlaneFit& fit, const PlaneOutline::Point& point, double cur
 
 void note_shifts(const PlaneOutline& outline, std::span<const double> widths_px2, PlaneFit& fit) {
   const Blur blur(fit.edges, widths_px2);
-  const std::vector<BendsAround> bends = bends_around(outline);
   for (PlaneEdge& edge : fit.edges) {
     const PlaneOutline::Point& point = outline.points[edge.point];
-    edge.is_straight = is_clear_of_bends(fit, point, bends[edge.point], edge.normal, blur);
+    const BendsAround& bends = outline.bends[edge.point];
+    edge.is_straight = is_clear_of_bends(fit, point, bends, edge.normal, blur);
     if (!edge.is_border || !edge.is_straight) continue;
-    const double bent = bent_px(fit, point, bends[edge.point].curvature, edge.normal, blur);
+    const double bent = bent_px(fit, point, bends.curvature, edge.normal, blur);
     edge.at += bent * cv::Point2d(edge.normal[0], edge.normal[1]);
   }
 }

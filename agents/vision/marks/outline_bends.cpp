@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 
 namespace pizarra::vision {
 namespace {
@@ -17,7 +16,7 @@ constexpr double gap = 2.5;
 
 class ClosedBorder {
  public:
-  explicit ClosedBorder(std::span<const PlaneOutline::Point> points)
+  explicit ClosedBorder(std::span<const OutlinePoint> points)
       : points_(points), size_(static_cast<int>(points.size())) {}
 
   std::vector<BendsAround> bends() const {
@@ -59,14 +58,13 @@ class ClosedBorder {
     const bool ground_is_left = along[0] * out[1] - along[1] * out[0] > 0;
     return length > 0 ? (ground_is_left ? -turn : turn) / length : 0;
   }
-  const std::span<const PlaneOutline::Point> points_;
+  const std::span<const OutlinePoint> points_;
   const int size_;
 };
 
 }  // namespace
 
-std::vector<BendsAround> bends_around(const PlaneOutline& outline) {
-  const std::span<const PlaneOutline::Point> points(outline.points);
+std::vector<BendsAround> bends_around(std::span<const OutlinePoint> points) {
   double usual = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < points.size(); ++i) usual = std::min(usual, cv::norm(points[i].at - points[i - 1].at));
   std::vector<BendsAround> out;

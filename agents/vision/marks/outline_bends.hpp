@@ -2,12 +2,13 @@
 
 // Where an outline bends, as each place of it sees it: how the border goes on beyond the next bends, and how it curves.
 //
-//   const std::vector<BendsAround> bends = bends_around(outline);       // of outline.points, in their order
+//   const std::vector<BendsAround> bends = bends_around(outline.points);       // in their order
 
 #include <array>
+#include <span>
 #include <vector>
 
-#include "agents/vision/marks/plane_outline.hpp"
+#include "agents/vision/marks/outline_point.hpp"
 
 namespace pizarra::vision {
 
@@ -23,6 +24,6 @@ struct BendsAround {
   double curvature = 0;
 };
 
-std::vector<BendsAround> bends_around(const PlaneOutline& outline);
+std::vector<BendsAround> bends_around(std::span<const OutlinePoint> points);
 
 }  // namespace pizarra::vision

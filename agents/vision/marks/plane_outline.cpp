@@ -6,6 +6,8 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/marks/outline_sides.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -291,6 +293,8 @@ PlaneOutline plane_outline(const MarkTemplate& levels) {
     }
     if (&border == &borders.front()) out.outermost = out.points.size();
   }
+  number_sides(out.points);
+  out.bends = bends_around(out.points);
   cv::Mat1b mark(template_size, template_size);
   std::ranges::transform(levels, mark.begin(), [](std::uint8_t level) -> std::uint8_t { return level >= 8 ? 1 : 0; });
   cv::dilate(mark, mark, cv::Mat(), {-1, -1}, beside);

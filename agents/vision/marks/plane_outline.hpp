@@ -12,6 +12,7 @@
 
 #include "agents/vision/image/contour.hpp"
 #include "agents/vision/marks/mark_signature.hpp"
+#include "agents/vision/marks/outline_bends.hpp"
 
 namespace pizarra::vision {
 
@@ -37,19 +38,12 @@ ReachFit fit_reach(const Reach& seen, const Reach& learned);
 
 struct PlaneOutline {
   static constexpr int count = 96;
-  struct Point {
-    cv::Vec2d at;
-    cv::Vec2d out;       // a unit vector towards the ground
-    double from_corner;  // along the border: from a sharp corner
-    double from_bend;    // from any corner, the template's rounded ones too
-    // The template rounds the border so far on either side of a corner.
-    static constexpr double rounded_reach = 0.25;
-    bool is_rounded() const { return from_bend <= rounded_reach; }
-  };
-  std::vector<Point> points;  // evenly along all borders
-  std::size_t outermost = 0;  // so many of them, the first ones, along the outermost border
-  cv::Vec2d middle;           // of the area within them, which no light shifts as it may the centroid of the levels
-  Reach reach;                // of the outermost border
+  using Point = OutlinePoint;
+  std::vector<Point> points;            // evenly along all borders
+  std::vector<BendsAround> bends = {};  // of the points, in their order
+  std::size_t outermost = 0;            // so many of them, the first ones, along the outermost border
+  cv::Vec2d middle;  // of the area within them, which no light shifts as it may the centroid of the levels
+  Reach reach;       // of the outermost border
   // Of the template's pixels those that are of the mark, or of the ground right beside it.
   std::array<bool, template_size * template_size> near{};
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "agents/vision/marks/cut_outline.hpp"
 #include "lisp/numbers.hpp"
 #include "lisp/plain_name.hpp"
 
@@ -102,7 +101,6 @@ void LearnedSample::set_picture(const MarkTemplate& new_picture) {
   std::ranges::transform(signatures.front().by_part, outlines.begin(), outline_of);
   if (tag) return;
   plane = plane_outline(picture);
-  shows_cuts = form_shows_cuts(plane);
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

@@ -55,7 +55,6 @@ struct LearnedSample {
   // Of `picture`, by the part of a step that it is turned: between samples a corner's point may hide.
   std::array<MarkOutline, TurnedSignatures::parts> outlines;
   PlaneOutline plane = {};  // of `picture`
-  bool shows_cuts = false;  // no straight edge hides a part of it unseen (cut_outline.hpp)
 
   bool size_guessed() const { return size_by == SizeBy::guessed || size_by == SizeBy::guessed_face; }
   // The size of its face as it was seen, where that is known: to a pair of cameras a guess is nothing.

@@ -104,7 +104,9 @@ bool FollowedPlane::recognises(const StereoSight& sight, const LearnedObject& ob
   if (sample == nullptr) return false;
   const std::optional<PlaneFit> fit = fit_on(sight, *sample, left);
   const std::optional<PlanePose> pose = fit ? pose_in_plane(sight.model(), *sample, *fit) : std::nullopt;
-  return pose && shows_all({*sample, *fit, nullptr, *pose, false}, px_in(sight.left(), 1));
+  if (!pose) return false;
+  const double most_off_px = px_in(sight.left(), 1);
+  return off_by_outline_px({*sample, *fit, nullptr, *pose, false}, most_off_px).value_or(most_off_px) < most_off_px;
 }
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
@@ -127,7 +129,7 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   const double for_told = weigh_tilts(before, *pose);
   before_ = Seen{sample->number, now.left.centre, left->to_image, away_of(pose->turn), for_told};
   const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose, now.right.has_value()};
-  return FollowedLook{*pose, shows_all(seen, px_in(sight.left(), 1)), goes_on};
+  return FollowedLook{*pose, off_by_outline_px(seen, px_in(sight.left(), 1)), goes_on};
 }
 
 }  // namespace pizarra::vision

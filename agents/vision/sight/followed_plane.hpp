@@ -19,8 +19,8 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
 
 struct FollowedLook {
   PlanePose pose;
-  bool shows_all;  // whole_outline.hpp
-  bool goes_on;    // from the outline of the last frame
+  std::optional<double> may_be_off_px;  // whole_outline.hpp
+  bool goes_on;                         // from the outline of the last frame
 };
 
 class FollowedPlane {

@@ -158,7 +158,7 @@ void MarkFinder::look_at_plane(StereoSight& sight, const LearnedObject& object, 
   const double most_px = most_off_px(sight);
   if (pose) {
     const RegisteredOutline seen{sample, pair.plane->fit, right ? &*right : nullptr, *pose, pair.right.has_value()};
-    pair.plane->shows_all = shows_all(seen, most_px);
+    pair.plane->may_be_off_px = off_by_outline_px(seen, most_px);
   }
   // In one of both images it is registered with something else, or in part.
   if (pose && pose->by_both && pose->is_contradicted()) pose.reset();

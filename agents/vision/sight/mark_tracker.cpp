@@ -233,19 +233,20 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   return out;
 }
 
-// The outline of a form that shows cuts decides whether it is whole. Of other forms motion and size decide.
+// Motion and size say whether it is whole; so does its outline, where that goes on from the last frame.
 MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const TrackedMark& track,
                                             const LearnedObject& object, SeenPair pair) const {
-  SeenWhole out{std::move(pair), {}, {}, track.plane};
+  SeenWhole out{std::move(pair), {}, {}, {}, track.plane};
   out.look = track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
   out.lies = out.plane.look(sight, object, out.pair);
-  if (!out.lies || !out.lies->shows_all || out.look.elsewhere) return out;
-  if (!out.look.whole && !out.lies->goes_on) return out;
+  if (!out.lies || !out.lies->may_be_off_px || out.look.elsewhere) return out;
   // Before one camera its centroid is told, and not its middle.
   const cv::Point2d middle = middle_in_image(sight.model(), out.lies->pose, most_off_px(sight));
-  const double off_px = out.pair.right ? 0 : cv::norm(middle - out.pair.left.centre);
-  out.look.may_be_off_px = out.look.whole ? std::min(out.look.may_be_off_px, off_px) : off_px;
-  out.look.anew = out.look.anew || !out.look.whole;
+  const double beside_px = out.pair.right ? 0 : cv::norm(middle - out.pair.left.centre);
+  out.off_by_outline_px = *out.lies->may_be_off_px + beside_px;
+  if (out.look.whole || !out.lies->goes_on || *out.off_by_outline_px > most_off_px(sight)) return out;
+  out.look.may_be_off_px = *out.off_by_outline_px;
+  out.look.anew = true;
   out.look.whole = true;
   return out;
 }
@@ -275,11 +276,12 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
   count_twins(sight, track, object, now);
   const double of_whole = now.likeness.confidence();
   double told = of_whole;
-  if (!now.left.tag) told = confidence_if_off(told, seen.look.may_be_off_px, most_off_px(sight));
+  const double most_px = most_off_px(sight);
+  if (!now.left.tag) told = confidence_if_off(told, seen.look.may_be_off_px, most_px);
   const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
   if (!known) track.ground_doubt = ground_doubt(sight, now);
-  const bool shows_all = seen.lies && seen.lies->shows_all;
-  if (!shows_all) told = confidence_if_off(told, track.ground_doubt, 1);
+  told = confidence_if_off(told, track.ground_doubt, 1);
+  if (seen.off_by_outline_px) told = std::max(told, confidence_if_off(of_whole, *seen.off_by_outline_px, most_px));
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
   if (track.is_doubted(now, captured_)) told = std::min(told, trust_in_another);
   return {told, in_whole};

@@ -95,6 +95,7 @@ class MarkTracker {
     SeenPair pair;
     Wholeness::Look look;
     std::optional<FollowedLook> lies;
+    std::optional<double> off_by_outline_px;  // how far off the centre may be
     FollowedPlane plane;
   };
   SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object,

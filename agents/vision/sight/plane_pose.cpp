@@ -46,8 +46,6 @@ constexpr double full_scale = 250;
 constexpr double usual_pull_px = 0.2;
 constexpr double pull_spread_px = 0.2;
 constexpr double side_spread_px = 0.12;
-// One side of a mark turns by no more than this.
-constexpr double turn_of_side_rad = 0.8;
 // By how much worse another explanation must be.
 constexpr double clearly_worse = 4;
 // With so much more misfit than any homography a pose is none.
@@ -136,12 +134,6 @@ class PoseEdges {
     scatter_.squares += edge.off_px * edge.off_px;
     if (before != nullptr) scatter_.beside += edge.off_px * before->off_px;
     ++scatter_.edges;
-    const bool is_same_side = before != nullptr && is_clipped(*before) == is_clipped(edge) &&
-                              edge.normal.dot(side_) > std::cos(turn_of_side_rad);
-    if (!is_same_side) {
-      side_ = edge.normal;
-      ++sides_;
-    }
     const double darker = edge.inner < edge.outer ? -1 : 1;
     const cv::Vec2d p = outline_.points[edge.point].at - outline_.middle;
     points_.push_back(
@@ -150,7 +142,7 @@ class PoseEdges {
          Vector2d(edge.normal[0], edge.normal[1]) * model_.focal_px,
          beside_mm,
          is_clipped(edge) ? darker : 0,
-         sides_});
+         outline_.points[edge.point].side});
   }
   const camera::StereoModel& model_;
   const PlaneOutline& outline_;
@@ -158,8 +150,6 @@ class PoseEdges {
   const Which which_;
   std::vector<PlanePoint> points_;
   Scatter scatter_;
-  cv::Vec2d side_;  // the normal where it begins
-  int sides_ = 0;
 };
 
 cv::Point2d in_image(const camera::StereoModel& model, const cv::Vec3d& place_mm) {
@@ -198,6 +188,27 @@ PlaneTilt tilt_of(const camera::StereoModel& model, const SolvedPlane& solved, d
 SolvedPlane refined(const SolvedPlane& by_all, const PoseEdges& best, const PlaneErrors& errors) {
   const std::vector<SolvedPlane> out = solve_plane(best.points(), std::span(&by_all.pose, 1), errors);
   return out.empty() ? by_all : out.front();
+}
+
+// Along the longer axis.
+double longest_variance(const Eigen::Matrix2d& covariance) {
+  const double half = covariance.trace() / 2;
+  return half + std::sqrt(std::max(0.0, half * half - covariance.determinant()));
+}
+
+double off_if_hidden_px(const camera::StereoModel& model, const PoseEdges& edges, const PlaneErrors& errors,
+                        const PlaneGuess& pose) {
+  const Eigen::Vector3d& at = pose.place;
+  Eigen::Matrix<double, 2, 3> in_image;
+  in_image << 1, 0, -at.x() / at.z(), 0, 1, -at.y() / at.z();
+  in_image *= model.focal_px / at.z();
+  double most = 0;
+  for (const PlaneMove& move : moves_without_sides(edges.points(), pose, errors)) {
+    const Eigen::Matrix2d covariance = in_image * move.covariance * in_image.transpose();
+    const double variance = longest_variance(covariance);
+    most = std::max(most, (in_image * move.by).squaredNorm() + variance);
+  }
+  return std::sqrt(most);
 }
 
 // The likelier one first; nothing where the edges are no plane's.
@@ -258,13 +269,22 @@ std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const Plan
   const double weight = explaining.scatter().weight_of_explanations();
   const auto told = [&](const SolvedPlane& solved) {
     const double misfit = weight / errors.weight * solved.misfit;
-    return tilt_of(model, by_both ? solved : refined(solved, best, of_best), misfit);
+    const SolvedPlane finest = by_both ? solved : refined(solved, best, of_best);
+    PlaneTilt tilt = tilt_of(model, finest, misfit);
+    tilt.off_if_hidden_px = off_if_hidden_px(model, best, of_best, finest.pose);
+    return tilt;
   };
-  PlanePose out{told(both.front()), told(both.back())};
+  const PlaneTilt likelier = told(both.front());
+  PlanePose out{likelier, both.size() > 1 ? told(both.back()) : likelier};
   out.by_both = by_both;
   if (!by_both) out.affine_misfit = affine_misfit(edges.points(), errors, weight);
   out.free_misfit = weight * explaining.scatter().squares / 2;
   return out;
+}
+
+double PlanePose::off_if_hidden_px() const {
+  const bool either = share_of_other() > least_share_of_other;
+  return either ? std::max(PlaneTilt::off_if_hidden_px, other.off_if_hidden_px) : PlaneTilt::off_if_hidden_px;
 }
 
 cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& pose, double most_off_px) {

@@ -23,6 +23,9 @@ struct PlaneTilt {
   cv::Matx33d turn;                        // the mark's axes: right, down and away from who sees it from the front
   Eigen::Matrix<double, 6, 6> covariance;  // of the place, mm, then of the turn about the camera's axes, rad
   double misfit = 0;                       // how badly it explains the edges: half of the squared deviations
+  // How far off the centroid may be in the left image, if what hides one of the mark's sides was taken for that side:
+  // the most by any side, a root mean square.
+  double off_if_hidden_px = 0;
 };
 
 struct PlanePose : PlaneTilt {
@@ -36,6 +39,7 @@ struct PlanePose : PlaneTilt {
   bool is_contradicted() const;     // another homography explains the edges far better
   double odds_of_no_plane() const;  // how many times likelier no plane, or another form, is than this pose
   bool shows_perspective() const;   // it explains them far better than an affine map
+  double off_if_hidden_px() const;  // the greater one of both tilts, where both may be it
 };
 
 struct PlaneFace {

@@ -112,6 +112,11 @@ std::optional<Equations> equations_of(std::span<const PlanePoint> points, const 
   return out;
 }
 
+// Neighbours on the border.
+bool are_pulled_alike(const PlanePoint& one, const PlanePoint& next) {
+  return one.side == next.side && one.beside_mm == next.beside_mm && one.pulled == next.pulled;
+}
+
 // The covariance of an error that all pulled points of a side share.
 NumbersMatrix shared_by_sides(std::span<const PlanePoint> points, const PlaneGuess& pose, const PlaneErrors& errors,
                               const NumbersMatrix& covariance) {
@@ -120,7 +125,7 @@ NumbersMatrix shared_by_sides(std::span<const PlanePoint> points, const PlaneGue
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::optional<PointError> error = error_of(points[i], pose);
     if (error) by_side += errors.weight * points[i].pulled * error->by;
-    if (i + 1 < points.size() && points[i + 1].side == points[i].side) continue;
+    if (i + 1 < points.size() && are_pulled_alike(points[i], points[i + 1])) continue;
     const Numbers moved_by_side = errors.side_spread_px * (covariance * by_side);
     out += moved_by_side * moved_by_side.transpose();
     by_side.setZero();
@@ -190,6 +195,44 @@ std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::sp
     if (one) out.push_back(*one);
   }
   std::ranges::sort(out, {}, &SolvedPlane::misfit);
+  return out;
+}
+
+std::vector<PlaneMove> moves_without_sides(std::span<const PlanePoint> points, const PlaneGuess& pose,
+                                           const PlaneErrors& errors) {
+  // The place, the turn and the size: what else there is of the form is known too well to matter.
+  constexpr int moved_numbers = 7;
+  using Moved = Eigen::Matrix<double, moved_numbers, 1>;
+  struct Side {
+    Eigen::Matrix<double, moved_numbers, moved_numbers> normal = decltype(normal)::Zero();
+    Moved right = Moved::Zero();
+  };
+  std::vector<Side> sides;
+  for (const PlanePoint& point : points) {
+    const std::optional<PointError> error = error_of(point, pose);
+    if (!error) return {};
+    const Moved by = error->by.head<moved_numbers>();
+    if (point.side >= sides.size()) sides.resize(point.side + 1);
+    Side& side = sides[point.side];
+    side.normal.noalias() += errors.weight * by * by.transpose();
+    side.right += errors.weight * error->off * by;
+  }
+  Equations known;
+  add_known(known, pose, errors);
+  Side all{known.normal.topLeftCorner<moved_numbers, moved_numbers>(), known.right.head<moved_numbers>()};
+  for (const Side& side : sides) {
+    all.normal += side.normal;
+    all.right += side.right;
+  }
+  std::vector<PlaneMove> out;
+  out.reserve(sides.size());
+  for (const Side& side : sides) {
+    const Eigen::LLT<decltype(side.normal)> rest(all.normal - side.normal);
+    Eigen::Matrix<double, moved_numbers, 4> of_place = decltype(of_place)::Identity();
+    of_place.col(3) = all.right - side.right;
+    rest.solveInPlace(of_place);
+    out.push_back({of_place.topRightCorner<3, 1>(), of_place.topLeftCorner<3, 3>()});
+  }
   return out;
 }
 

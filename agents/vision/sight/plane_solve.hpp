@@ -26,7 +26,7 @@ struct PlanePoint {
   Eigen::Vector2d normal;  // times the focal length, so that an error along it is in px
   double beside_mm = 0;    // how far to the right of the left camera the one stands that sees it
   double pulled = 0;       // 1 or -1 where a clipped edge pulls it, along the normal or against it
-  int side = 0;            // of the plane's border: what is pulled on one side is pulled alike
+  std::size_t side = 0;    // of the plane's border: what is pulled on one side, by one camera, is pulled alike
 };
 
 struct PlaneGuess {
@@ -61,6 +61,15 @@ std::vector<PlaneGuess> plane_guesses(const camera::StereoModel& model, cv::Poin
 
 std::vector<SolvedPlane> solve_plane(std::span<const PlanePoint> points, std::span<const PlaneGuess> guesses,
                                      const PlaneErrors& errors);
+
+// How the plane's origin moves where the points of a side are left out, and how sure its place is then, mm.
+struct PlaneMove {
+  Eigen::Vector3d by;
+  Eigen::Matrix3d covariance;
+};
+// For each side, from the pose that all points say: one Gauss-Newton step.
+std::vector<PlaneMove> moves_without_sides(std::span<const PlanePoint> points, const PlaneGuess& pose,
+                                           const PlaneErrors& errors);
 
 // How far the point is seen from where the pose puts it, along its normal, px.
 double off_px(const PlanePoint& point, const PlaneGuess& pose);

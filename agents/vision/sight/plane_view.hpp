@@ -19,7 +19,8 @@ struct PlaneView {
   std::optional<PlanePose> pose;  // where they agree, once it was solved
   bool is_part = false;           // something hides the rest: the fit goes by what is seen of the outline
   OutlineGround ground = {};      // of a whole that agrees
-  bool shows_all = false;         // whole_outline.hpp
+  // How far off the centre may be if a part is hidden (whole_outline.hpp).
+  std::optional<double> may_be_off_px = {};
 };
 
 // How the sample's plane lies by the fit in the left image, and by that in the right one where it is there; nothing

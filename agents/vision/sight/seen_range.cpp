@@ -147,6 +147,15 @@ SeenRange range_by_centres(const StereoSight& sight, const SeenMark& left, const
   return {range - tilt.mm, range * std::sqrt(variance_px2 / square(disparity) + square(tilt.part_spread))};
 }
 
+// The edge of a shadow over the mark moves its centroids, in one image more than in the other, and no spread shows
+// that. The edges of the mark stay where they are. So what the centroids are farther off from these than noise explains
+// is added to the spread of theirs.
+SeenRange with_unexplained(const SeenRange& by_centres, const SeenRange& by_edges) {
+  const double noise = square(by_centres.spread_mm) + square(by_edges.spread_mm);
+  const double unexplained = std::max(0.0, square(by_centres.mm - by_edges.mm) - noise);
+  return {by_centres.mm, std::sqrt(square(by_centres.spread_mm) + unexplained)};
+}
+
 // By inverse variances.
 SeenRange mean_of(const SeenRange& a, const SeenRange& b) {
   const double share = square(b.spread_mm) / (square(a.spread_mm) + square(b.spread_mm));
@@ -162,7 +171,11 @@ SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const Se
                         double confidence_in_whole, const PlanePose* lies) {
   const camera::StereoModel& model = sight.model();
   const SeenRange by_centres = range_by_centres(sight, left, right);
-  const SeenRange out = lies != nullptr ? mean_of(by_centres, range_of_pose(model, *lies)) : by_centres;
+  SeenRange out = by_centres;
+  if (lies != nullptr) {
+    const SeenRange by_edges = range_of_pose(model, *lies);
+    out = mean_of(with_unexplained(by_centres, by_edges), by_edges);
+  }
   double variance_px2 = square(model.deviations.disparity_px);
   // A cover's edge is taken for the mark's own: it moves the centroids, and the plane as well.
   if (confidence_in_whole < clearly_whole) variance_px2 += square(disparity_if_covered_px(left, right));

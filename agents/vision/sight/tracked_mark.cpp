@@ -55,10 +55,11 @@ void TrackedMark::lose() {
 // A cover that hid it for a while may go on hiding it for as long.
 bool TrackedMark::is_doubted(const SeenPair& now, Time captured) {
   if (!before) return false;
-  const Time foreseen_until = std::min(captured, before->seen_at + longest_bridge);
-  const cv::Point2d motion = before->expected(foreseen_until) - before->left->centre;
-  const bool is_there =
-      before->left->box.contains(now.left.centre) || before->left->box.contains(now.left.centre - motion);
+  // What moved may have turned aside since.
+  const double way_px = seconds_between(before->seen_at, captured) * cv::norm(before->velocity_px);
+  const cv::Point2d off = now.left.centre - before->left->centre;
+  const cv::Point2d on_its_way = std::min(1.0, way_px / std::max(1e-9, cv::norm(off))) * off;
+  const bool is_there = before->left->box.contains(now.left.centre - on_its_way);
   const bool begins = doubted_for <= Duration();
   if (begins && !is_there) {
     doubted_for = std::clamp(captured - before->seen_at, longest_bridge, longest_doubt);

@@ -21,18 +21,20 @@ double registered_share(const PlaneOutline& outline, const PlaneFit& fit) {
   return all == 0 ? 0 : static_cast<double>(registered) / all;
 }
 
-bool shows_all(const PlaneOutline& outline, const PlaneFit& fit, double most_off_px) {
+bool is_registered(const PlaneOutline& outline, const PlaneFit& fit, double most_off_px) {
   return registered_share(outline, fit) >= least_registered && off_if_bent_px(outline, fit) < most_bent * most_off_px;
 }
 
 }  // namespace
 
-bool shows_all(const RegisteredOutline& seen, double most_off_px) {
+std::optional<double> off_by_outline_px(const RegisteredOutline& seen, double most_off_px) {
   const PlaneOutline& outline = seen.sample.plane;
-  if (!seen.sample.shows_cuts || seen.pose.is_contradicted() || seen.pose.odds_of_no_plane() > most_odds) return false;
-  if (!shows_all(outline, seen.left, most_off_px)) return false;
-  if (!seen.right_shows_mark) return true;
-  return seen.right != nullptr && shows_all(outline, *seen.right, most_off_px);
+  if (seen.pose.is_contradicted() || seen.pose.odds_of_no_plane() > most_odds) return std::nullopt;
+  if (!is_registered(outline, seen.left, most_off_px)) return std::nullopt;
+  if (seen.right_shows_mark && (seen.right == nullptr || !is_registered(outline, *seen.right, most_off_px))) {
+    return std::nullopt;
+  }
+  return seen.pose.off_if_hidden_px();
 }
 
 }  // namespace pizarra::vision

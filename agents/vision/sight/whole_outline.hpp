@@ -1,9 +1,13 @@
 #pragma once
 
-// Whether the registered outline of a mark says that the mark is whole. A straight edge that hides a part of a form
-// that shows cuts (cut_outline.hpp) leaves edges that are off together, or none.
+// How far off a mark's centre may be because a straight edge hides a part of the mark, by its registered outline. A
+// cover's edge may be taken for the side that it hides. The other sides say where the mark's middle is then.
 //
-//   view.shows_all = shows_all({sample, left_fit, right_fit, pose, by_both}, px_in(sight.left(), 1));
+//   view.may_be_off_px = off_by_outline_px({sample, left_fit, right_fit, pose, by_both}, px_in(sight.left(), 1));
+//
+// The edges of one side after another are left out of the fit. What that moves the middle by, and how sure the middle
+// is then, says how far it may be off. So nothing is asked of the form: a circle's other sides say it well, as do a
+// square's before a pair. Before one camera the other sides of a square leave its tilt open.
 
 #include "agents/vision/sight/plane_view.hpp"
 
@@ -17,7 +21,8 @@ struct RegisteredOutline {
   bool right_shows_mark;  // then its outline must be registered there too
 };
 
-// `most_off_px`: how far off a centre may be that is told surely. Always false of a form that shows no cuts.
-bool shows_all(const RegisteredOutline& seen, double most_off_px);
+// In the left image, about a standard deviation. Nothing where the outline is not registered all around, or is none of
+// the mark's: then it says nothing. `most_off_px`: how far off a centre may be that is told surely.
+std::optional<double> off_by_outline_px(const RegisteredOutline& seen, double most_off_px);
 
 }  // namespace pizarra::vision

@@ -59,20 +59,24 @@ double confidence_in_print(double confidence, const SeenPair& pair) {
   return 1 / (1 / confidence + faint_others_for_one_mark / usual_turn(*pair.plane->pose));
 }
 
-bool shows_all(const SeenPair& pair) { return pair.plane && pair.plane->shows_all; }
+// In an object that nothing covers.
+double confidence_in_object(const LearnedObject& object, const SeenPair& pair) {
+  const double by_likeness = pair.likeness.confidence();
+  if (pair.left.tag || pair.right || !pair.plane) return by_likeness;
+  const double most = most_by_plane(*pair.plane, pair.left.slimness / front_slimness(object));
+  return confidence_in_print(std::min(by_likeness, most), pair);
+}
 
 // By one camera: a look that is slimmer than the mark is one of all of it, tilted, or of a part of it; perspective says
 // how likely either is. Of what no edges registered nobody knows.
 double confidence_before_one(const LearnedObject& object, const SeenPair& pair, double most_off_px, const Odds& odds) {
   const double slimness = front_slimness(object);
   const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
-  const double most = plane != nullptr ? most_by_plane(*plane, pair.left.slimness / slimness) : 1;
-  const double of_whole = confidence_in_print(std::min(pair.likeness.confidence(), most), pair);
+  const double of_whole = confidence_in_object(object, pair);
   const double bent_px = plane != nullptr ? off_if_bent_px(plane->sample->plane, plane->fit) : 0;
   const auto if_off = [&](double off_px) {
     return confidence_if_off(of_whole, std::max(bent_px, off_px), most_off_px);
   };
-  if (shows_all(pair)) return if_off(0);
   double covered = 1;
   double covered_of_smaller = 1;
   if (plane != nullptr && plane->pose) {
@@ -99,19 +103,13 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
   if (!pair.right) return confidence_before_one(object, pair, most_off_px(sight), on_even_ground);
-  if (shows_all(pair)) return confidence_if_off(of_whole, 0, most_off_px(sight));
   const double off_px = may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left);
   return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
 
-double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
-  if (pair.plane && pair.plane->is_part) {
-    const double of_part = 1 / (1 / if_part + pair.likeness.other_form);
-    return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
-  }
+// By its form, and by the ground beside it, which may hide a part.
+double confidence_by_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   const double by_form = confidence_by_form(sight, object, pair);
-  // Then the ground beside it says nothing.
-  if (shows_all(pair)) return by_form;
   const double doubt = ground_doubt(sight, pair);
   if (pair.right || pair.left.tag || !pair.plane) return confidence_if_off(by_form, doubt, 1);
   const double in_shadow = shadow_share * confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);
@@ -119,6 +117,17 @@ double confidence_at_first(const StereoSight& sight, const LearnedObject& object
   const OutlineGround& ground = pair.plane->ground;
   const double by_ground = confidence_if_off(by_form, std::min(doubt, ground.doubt), 1);
   return std::lerp(std::max(by_ground, in_shadow), by_form, ground.light);
+}
+
+double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+  if (pair.plane && pair.plane->is_part) {
+    const double of_part = 1 / (1 / if_part + pair.likeness.other_form);
+    return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
+  }
+  const double by_look = confidence_by_look(sight, object, pair);
+  if (!pair.plane || !pair.plane->may_be_off_px) return by_look;
+  const double of_whole = confidence_in_object(object, pair);
+  return std::max(by_look, confidence_if_off(of_whole, *pair.plane->may_be_off_px, most_off_px(sight)));
 }
 
 Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& now,

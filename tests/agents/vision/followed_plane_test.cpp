@@ -157,10 +157,10 @@ SeenOnWays follow_ways(const TiltedLooks& looks, const std::string& mark, double
   return out;
 }
 
-class ShowsCuts : public testing::TestWithParam<std::tuple<const char*, bool>> {};
+class WholeByOutline : public testing::TestWithParam<std::tuple<const char*, bool>> {};
 
-// However it leans: a straight edge that hid a part of it would show.
-TEST_P(ShowsCuts, IsToldSurelyWhileItLeansAndTurns) {
+// However it leans: without any one of its sides, the others say where its middle is.
+TEST_P(WholeByOutline, IsToldSurelyWhileItLeansAndTurns) {
   const auto [mark, by_pair] = GetParam();
   Random random = Random(14).split(mark);
   TiltedLooks looks(by_pair ? pair() : one_camera());
@@ -191,14 +191,14 @@ std::vector<RangeView> covered_way_of(const TiltedLooks& looks, const std::strin
   return out;
 }
 
-TEST_P(ShowsCuts, IsNotToldSurelyElsewhereWhileAStraightEdgeHidesAPart) {
+TEST_P(WholeByOutline, IsNotToldSurelyElsewhereWhileAStraightEdgeHidesAPart) {
   const auto [mark, by_pair] = GetParam();
   Random random = Random(16).split(mark);
   TiltedLooks looks(by_pair ? pair() : one_camera());
   looks.learn(view_of(mark), random);
   int sure = 0;
   int far_off = 0;
-  for (int way = 0; way < campaign(8, 100); ++way) {
+  for (int way = 0; way < campaign(24, 100); ++way) {
     const std::vector<RangeView> views = covered_way_of(looks, mark, random);
     const std::vector<TrackSighting> told = looks.follow(views, random);
     for (std::size_t i = 0; i < told.size(); ++i) {
@@ -207,12 +207,12 @@ TEST_P(ShowsCuts, IsNotToldSurelyElsewhereWhileAStraightEdgeHidesAPart) {
       far_off += cv::norm(told[i].centre - looks.middle_of(views[i])) > 1 ? 1 : 0;
     }
   }
-  EXPECT_GT(sure, 200);
+  EXPECT_GT(sure, 400);
   EXPECT_LE(far_off, sure / 300);
 }
 
 // So far that FIND would not recognise it.
-TEST(Followed, AMarkThatShowsCutsIsSeenByOneCameraHoweverFarItLeans) {
+TEST(Followed, ACircleOrACrossIsSeenByOneCameraHoweverFarItLeans) {
   for (const char* mark : {"circle", "cross"}) {
     SCOPED_TRACE(mark);
     Random random = Random(15).split(mark);
@@ -223,7 +223,11 @@ TEST(Followed, AMarkThatShowsCutsIsSeenByOneCameraHoweverFarItLeans) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Marks, ShowsCuts, testing::Combine(testing::Values("circle", "cross"), testing::Bool()),
+// One camera does not know a square or a triangle from one that is covered along a side.
+INSTANTIATE_TEST_SUITE_P(Marks, WholeByOutline,
+                         testing::Values(std::tuple("circle", false), std::tuple("cross", false),
+                                         std::tuple("circle", true), std::tuple("cross", true),
+                                         std::tuple("square", true), std::tuple("triangle", true)),
                          [](const auto& one) {
                            return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
                          });

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "tests/agents/vision/range_views.hpp"
+#include "agents/vision/sight/seen_range.hpp"
+#include "tests/agents/vision/tilted_looks.hpp"
 #include "tests/campaign.hpp"
 
 namespace pizarra::vision {
@@ -123,6 +124,29 @@ TEST(Spread, IsThatOfATagsCornersToo) {
     ASSERT_GT(ranges.told(), 2 * looks / 3);
     EXPECT_GE(ranges.percent_within_two(), 90);
     EXPECT_GT(ranges.rms_off(), 0.4);
+  }
+}
+
+// As the edge of a shadow moves it: the edges of the mark are where they were.
+TEST(RangeByPair, IsThatOfTheEdgesWhereTheCentroidsAreElsewhere) {
+  Random random = Random(2026).split("shadowed");
+  TiltedLooks looks({.width = 640, .height = 480, .focal_px = 700, .centre_x_px = 319.5, .centre_y_px = 239.5});
+  looks.learn({.mark = "square", .place = {0, 0, 600}, .noise = 2, .blur_px = 0.7}, random);
+  for (int i = 0; i < 10; ++i) {
+    const RangeView view{.mark = "square",
+                         .place = {random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(500, 700)},
+                         .yaw_deg = random.uniform(-30, 30),
+                         .roll_deg = random.uniform(-40, 40),
+                         .noise = 2,
+                         .blur_px = 0.7};
+    StereoSight sight = looks.sight_of(view, TiltedLooks::Side::both, random);
+    const Result<FoundMark> found = MarkFinder(looks.objects).find(sight, *looks.objects.find("square"), Time());
+    ASSERT_TRUE(found && found->pair.plane && found->pair.plane->pose && found->pair.right);
+    SeenMark moved = found->pair.left;
+    moved.centre.x += 1;
+    const SeenRange told = range_by_pair(sight, moved, *found->pair.right, 1, &*found->pair.plane->pose);
+    EXPECT_LT(std::abs(told.mm - cv::norm(view.place)), 2 * told.spread_mm);
+    EXPECT_LT(std::abs(told.mm - cv::norm(view.place)), 1);
   }
 }
 

@@ -241,8 +241,7 @@ TEST(Likeness, OfTrackingIsThatOfFindingAndNoOtherObjectIsNearerThanTheSecond) {
     const double by_form = confidence_by_form(drawn.sight, object, followed);
     const double when_found = confidence_if_off(by_form, ground_doubt(drawn.sight, *found), 1);
     const double again = confidence_at_first(drawn.sight, object, followed);
-    EXPECT_LT(std::min(std::abs(tracked.confidence - when_found), std::abs(tracked.confidence - again)),
-              object.samples.front().shows_cuts ? 0.03 : 0.005);
+    EXPECT_LT(std::min(std::abs(tracked.confidence - when_found), std::abs(tracked.confidence - again)), 0.03);
     // Following cuts the mark out of the image by another threshold.
     EXPECT_NEAR(followed.likeness.confidence(), by_find.confidence(), 0.02);
     EXPECT_NEAR(tracked.margin, by_find.margin(), 0.01);

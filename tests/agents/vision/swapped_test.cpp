@@ -94,6 +94,31 @@ TEST_P(Swapped, WhatWasPutElsewhereIsSureAgainWhenItHasBeenFollowedForAWhile) {
   }
 }
 
+TEST_P(Swapped, WhatMovedWhenItWasHiddenIsSureWhereverItMayHaveGoneSince) {
+  constexpr double step_mm = 4;
+  constexpr int hidden_frames = 10;
+  for (const double aside_deg : {0.0, 60.0, 120.0}) {
+    SCOPED_TRACE(aside_deg);
+    tracker.clear();
+    EXPECT_TRUE(tracker.add(*learned_cell().find(name())));
+    scene.blots.clear();
+    SceneFace tracked = face_at(-70, -40);
+    for (int frame = 0; frame < 6; ++frame) {
+      scene.faces = {tracked = face_at(-70 + frame * step_mm, -40)};
+      EXPECT_TRUE(is_at(see(), tracked));
+    }
+    hide(tracked);
+    for (int frame = 0; frame < hidden_frames; ++frame) EXPECT_FALSE(see().seen);
+    scene.blots.clear();
+    const double aside = aside_deg * CV_PI / 180;
+    const double way_mm = 0.9 * hidden_frames * step_mm;
+    scene.faces = {face_at(tracked.place.x + way_mm * std::cos(aside), tracked.place.y + way_mm * std::sin(aside))};
+    const TrackSighting sighting = see();
+    EXPECT_TRUE(is_at(sighting, scene.faces[0]));
+    EXPECT_GT(sighting.confidence, surely);
+  }
+}
+
 // As far from the learned size as it may be and be the object for a pair, which knows its size; and for one camera. A
 // smaller mark where the tracked one rested may be that one, covered.
 TEST_P(Swapped, ACopyOfAnotherSizeIsFoundAgain) {

@@ -23,6 +23,7 @@ class TiltedLooks {
   void learn(const RangeView& view, Random& random);
   Result<FoundMark> find(const RangeView& view, Side side, Random& random) const;
 
+  StereoSight sight_of(const RangeView& view, Side side, Random& random) const;
   // As the last of so many frames tells it.
   TrackSighting track(const RangeView& view, int frames, Random& random) const;
   // One after the other, 30 a second.
@@ -34,8 +35,6 @@ class TiltedLooks {
   LearnedObjects objects;
 
  private:
-  StereoSight sight_of(const RangeView& view, Side side, Random& random) const;
-
   const RangeViews views_;
 };
 

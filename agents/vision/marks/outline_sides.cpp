@@ -1,0 +1,31 @@
+#include "agents/vision/marks/outline_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra::vision {
+namespace {
+
+// The cosine of how much the ways may differ that points of one side look, and how far they are from one line, in
+// standard deviations of the mark.
+constexpr double same_way = 0.95;
+constexpr double same_line = 0.2;
+
+}  // namespace
+
+// From the middle of each side on, where no corner turns the border.
+void number_sides(std::vector<OutlinePoint>& points) {
+  std::vector<OutlinePoint*> by_corners;
+  for (OutlinePoint& point : points) by_corners.push_back(&point);
+  std::ranges::stable_sort(by_corners, std::ranges::greater(), &OutlinePoint::from_bend);
+  std::vector<const OutlinePoint*> middles;
+  for (OutlinePoint* point : by_corners) {
+    const auto side = std::ranges::find_if(middles, [&](const OutlinePoint* middle) {
+      return middle->out.dot(point->out) > same_way && std::abs(middle->out.dot(point->at - middle->at)) < same_line;
+    });
+    point->side = static_cast<std::size_t>(side - middles.begin());
+    if (side == middles.end()) middles.push_back(point);
+  }
+}
+
+}  // namespace pizarra::vision
