@@ -81,8 +81,8 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
 double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& pose) {
   double for_best = pose.other.misfit - pose.misfit;
   if (before) {
-    const double best_off = cv::norm(away_of(pose.turn) - before->away);
-    const double other_off = cv::norm(away_of(pose.other.turn) - before->away);
+    const double best_off = cv::norm(away_of(pose.turn) - away_of(before->turn));
+    const double other_off = cv::norm(away_of(pose.other.turn) - away_of(before->turn));
     const double anew = std::min(1.0, std::min(best_off, other_off) / turned_anew_rad);
     const double until_now = other_off < best_off ? -before->for_told : before->for_told;
     for_best = std::lerp(1 - of_average, 1, anew) * until_now + std::lerp(of_average, 1, anew) * for_best;
@@ -124,10 +124,11 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   }
   if (!left) return std::nullopt;
   const std::optional<PlaneFit> right = fit_in_right(sight, *sample, now, *left, to_follow_in_right);
-  std::optional<PlanePose> pose = pose_in_plane(sight.model(), *sample, *left, right ? &*right : nullptr);
+  std::optional<PlanePose> pose = pose_in_plane(sight.model(), *sample, *left, right ? &*right : nullptr,
+                                                before && goes_on ? std::optional(before->turn) : std::nullopt);
   if (!pose) return std::nullopt;
   const double for_told = weigh_tilts(before, *pose);
-  before_ = Seen{sample->number, now.left.centre, left->to_image, away_of(pose->turn), for_told};
+  before_ = Seen{sample->number, now.left.centre, left->to_image, pose->turn, for_told};
   const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose, now.right.has_value()};
   return FollowedLook{*pose, off_by_outline_px(seen, px_in(sight.left(), 1)), goes_on};
 }

@@ -38,7 +38,7 @@ class FollowedPlane {
     int sample;  // its number
     cv::Point2d centre;
     cv::Matx33d to_image;  // in the left image
-    cv::Vec3d away;        // the way the face looked that was told
+    cv::Matx33d turn;      // of the face, as it was told
     double for_told;       // how much all frames speak for that rather than for the other tilt
   };
   static double weigh_tilts(const std::optional<Seen>& before, PlanePose& pose);

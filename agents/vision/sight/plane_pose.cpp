@@ -219,8 +219,11 @@ std::vector<SolvedPlane> explained(const camera::StereoModel& model, const Plane
   const std::vector<PlaneGuess> guesses = plane_guesses(model, left.in_image(outline.middle), slope);
   // Two images tell the tilts apart: the first guess most often ends at the right one.
   std::vector<SolvedPlane> both;
-  if (by_both) {
-    both = solve_plane(edges.points(), std::span(guesses).first(std::min<std::size_t>(1, guesses.size())), errors);
+  if (by_both && !guesses.empty()) {
+    PlaneGuess first = guesses.front();
+    if (face.turned_before)
+      first.turn = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(face.turned_before->val);
+    both = solve_plane(edges.points(), std::span(&first, 1), errors);
   }
   const double weight = edges.scatter().weight_of_explanations();
   const double free_misfit = weight * edges.scatter().squares / 2;

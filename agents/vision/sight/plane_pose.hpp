@@ -45,6 +45,8 @@ struct PlanePose : PlaneTilt {
 struct PlaneFace {
   double unit_mm;       // how long a standard deviation of the mark is
   double slimness = 1;  // from the front: how much of its own stretch the outline leaves out
+  // How it was turned in the frame before, where both images of a pair registered it: where to begin.
+  std::optional<cv::Matx33d> turned_before = {};
 };
 
 // Nothing where the edges are no plane's in front of it. `right`: in the right image, where that shows it; then the

@@ -5,11 +5,12 @@
 namespace pizarra::vision {
 
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
-                                       const PlaneFit& left, const PlaneFit* right) {
+                                       const PlaneFit& left, const PlaneFit* right,
+                                       const std::optional<cv::Matx33d>& turned_before) {
   // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
   const double unit_mm = sample.face_mm();
   if (unit_mm <= 0 || sample.slimness < least_round) return std::nullopt;
-  return plane_pose(model, sample.plane, left, {unit_mm, sample.slimness}, right);
+  return plane_pose(model, sample.plane, left, {unit_mm, sample.slimness, turned_before}, right);
 }
 
 std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark) {

@@ -26,7 +26,8 @@ struct PlaneView {
 // How the sample's plane lies by the fit in the left image, and by that in the right one where it is there; nothing
 // where its size is not known.
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
-                                       const PlaneFit& left, const PlaneFit* right = nullptr);
+                                       const PlaneFit& left, const PlaneFit* right = nullptr,
+                                       const std::optional<cv::Matx33d>& turned_before = {});
 
 // Of its likest sample, without its pose; nothing of a tag, and where there are too few edges.
 std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark);
