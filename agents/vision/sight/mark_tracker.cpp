@@ -28,9 +28,21 @@ constexpr double trust_in_another = 0.5;
 // With more of them a track begins among objects that look alike.
 constexpr double least_twins = 0.1;
 
+// Before one camera: the standard deviation of a mark, as a part of its distance. A larger mark is so near that the
+// pose of a face which looks at the camera, in uneven light, puts the middle beside by more than the centroid is.
+constexpr double largest_told_by_pose = 0.04;
+
 // Below this doubt about the ground around it, nothing covered the mark. Whether something covers it later, its size
 // and its motion tell.
 constexpr double little_doubt = 0.5;
+
+// Whether the centre told is where the pose puts the mark's middle; else it is the centroid of its picture. A triangle
+// that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
+bool tells_middle(const StereoSight& sight, const PlanePose& lies, const SeenPair& pair) {
+  if (is_triangle(outline_of(pair.left.signature))) return false;
+  if (pair.right) return lies.by_both;
+  return std::hypot(pair.left.width_px, pair.left.height_px) < largest_told_by_pose * sight.model().focal_px;
+}
 
 }  // namespace
 
@@ -240,10 +252,9 @@ MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const Trac
   out.look = track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
   out.lies = out.plane.look(sight, object, out.pair);
   if (!out.lies || !out.lies->may_be_off_px || out.look.elsewhere) return out;
-  // Before one camera its centroid is told, and not its middle.
   const cv::Point2d middle = middle_in_image(sight.model(), out.lies->pose, most_off_px(sight));
-  const double beside_px = out.pair.right ? 0 : cv::norm(middle - out.pair.left.centre);
-  out.off_by_outline_px = *out.lies->may_be_off_px + beside_px;
+  const bool is_beside = !out.pair.right && !tells_middle(sight, out.lies->pose, out.pair);
+  out.off_by_outline_px = *out.lies->may_be_off_px + (is_beside ? cv::norm(middle - out.pair.left.centre) : 0);
   if (out.look.whole || !out.lies->goes_on || *out.off_by_outline_px > most_off_px(sight)) return out;
   out.look.may_be_off_px = *out.off_by_outline_px;
   out.look.anew = true;
@@ -309,10 +320,9 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
   if (lies != nullptr) out.pose = pose_of(sight.model(), *lies, range);
   if (now.left.tag) out.pose = pose_of(sight.model(), object, now, range);
   if (!range) return;
-  // A triangle that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
-  if (lies != nullptr && lies->by_both && !is_triangular) {
+  if (lies != nullptr && tells_middle(sight, *lies, now)) {
     out.centre = middle_in_image(sight.model(), *lies, most_off_px(sight));
-    out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
+    if (now.right) out.right_centre = out.centre - cv::Point2d(disparity_px(sight.model(), lies->place_mm[2]), 0);
   }
   track.middle_off_px = out.centre - now.left.centre;
   out.seen = true;

@@ -232,6 +232,27 @@ INSTANTIATE_TEST_SUITE_P(Marks, WholeByOutline,
                            return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
                          });
 
+// Not by the centroid of their pictures, which uneven light and a tilt move.
+TEST(Followed, ASquareOrACrossIsToldByItsMiddleByOneCamera) {
+  for (const char* mark : {"square", "cross"}) {
+    SCOPED_TRACE(mark);
+    Random random = Random(17).split(mark);
+    TiltedLooks looks(one_camera());
+    looks.learn(view_of(mark), random);
+    double squares = 0;
+    constexpr int all = 20;
+    for (int i = 0; i < all; ++i) {
+      RangeView view = tilted(mark, random);
+      view.light_slope = {0.5, 0};
+      const TrackSighting told = looks.track(view, 8, random);
+      ASSERT_TRUE(told.seen);
+      const cv::Point2d off = told.centre - looks.middle_of(view);
+      squares += off.dot(off);
+    }
+    EXPECT_LT(std::sqrt(squares / all), 0.1);
+  }
+}
+
 // A triangle is told by the centroid.
 class PosedInBothImages : public testing::TestWithParam<const char*> {};
 
