@@ -6,6 +6,7 @@
 
 #include "agents/vision/objects/mark_match.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
+#include "agents/vision/sight/outline_mark.hpp"
 #include "agents/vision/sight/whole_outline.hpp"
 
 namespace pizarra::vision {
@@ -62,6 +63,16 @@ class OutlineInImage {
   const ImageCut cut_;
 };
 
+// Where its outline is registered all around.
+std::optional<SeenMark> registered(const cv::Mat& grey, double noise, const LearnedSample& sample, SeenMark last,
+                                   cv::Point2d motion, const cv::Matx33d& start) {
+  move_by(last, motion);
+  if ((last.box & cv::Rect({}, grey.size())) != last.box) return std::nullopt;
+  const std::optional<PlaneFit> fit = OutlineInImage(grey, noise, sample, last).fit_from(start, to_follow);
+  if (!fit || !is_registered(sample.plane, *fit, px_in(grey, 1))) return std::nullopt;
+  return mark_by_outline(last, sample.plane, *fit);
+}
+
 const LearnedSample* sample_numbered(const LearnedObject& object, int number) {
   const auto found = std::ranges::find(object.samples, number, &LearnedSample::number);
   return found == object.samples.end() ? nullptr : &*found;
@@ -106,7 +117,32 @@ bool FollowedPlane::recognises(const StereoSight& sight, const LearnedObject& ob
   const std::optional<PlanePose> pose = fit ? pose_in_plane(sight.model(), *sample, *fit) : std::nullopt;
   if (!pose) return false;
   const double most_off_px = px_in(sight.left(), 1);
-  return off_by_outline_px({*sample, *fit, nullptr, *pose, false}, most_off_px).value_or(most_off_px) < most_off_px;
+  const std::optional<double> off_px = off_by_outline_px({*sample, *fit, nullptr, *pose, false}, most_off_px);
+  // What may hide a part, both images of a pair say.
+  return off_px && (before_->to_right || *off_px < most_off_px);
+}
+
+std::optional<SeenMark> FollowedPlane::follow_in_right(const StereoSight& sight, const LearnedObject& object,
+                                                       const SeenMark& right, cv::Point2d expected) const {
+  const LearnedSample* sample = before_ && before_->to_right ? sample_numbered(object, before_->sample) : nullptr;
+  if (sample == nullptr) return std::nullopt;
+  const cv::Matx33d start = moved(*before_->to_right, right.centre, expected);
+  return registered(sight.right(), sight.noise(), *sample, right, expected - right.centre, start);
+}
+
+std::optional<SeenPair> FollowedPlane::follow(const StereoSight& sight, const LearnedObject& object,
+                                              const SeenMark& left, const SeenMark* right, cv::Point2d motion,
+                                              std::optional<double> disparity_px) const {
+  const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
+  if (sample == nullptr) return std::nullopt;
+  const cv::Matx33d start = moved(before_->to_image, left.centre, left.centre + motion);
+  std::optional<SeenMark> now = registered(sight.left(), sight.noise(), *sample, left, motion, start);
+  if (!now) return std::nullopt;
+  SeenPair out{.left = std::move(*now), .right = std::nullopt, .by_outline = true};
+  if (right != nullptr && disparity_px) {
+    out.right = follow_in_right(sight, object, *right, out.left.centre - cv::Point2d(*disparity_px, 0));
+  }
+  return out;
 }
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
@@ -128,7 +164,8 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
                                                 before && goes_on ? std::optional(before->turn) : std::nullopt);
   if (!pose) return std::nullopt;
   const double for_told = weigh_tilts(before, *pose);
-  before_ = Seen{sample->number, now.left.centre, left->to_image, pose->turn, for_told};
+  const std::optional<cv::Matx33d> to_right = right ? std::optional(right->to_image) : std::nullopt;
+  before_ = Seen{sample->number, now.left.centre, left->to_image, to_right, pose->turn, for_told};
   const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose, now.right.has_value()};
   return FollowedLook{*pose, off_by_outline_px(seen, px_in(sight.left(), 1)), goes_on};
 }

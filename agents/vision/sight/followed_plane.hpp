@@ -28,6 +28,12 @@ class FollowedPlane {
   // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
   // tilt so far, its misfits those of all frames.
   std::optional<FollowedLook> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
+  // Of what no region of the image shows: by its outline, where that goes on from the last frame, moved by `motion`,
+  // and is registered all around. In the right image where it was by then, and is registered there too.
+  std::optional<SeenPair> follow(const StereoSight& sight, const LearnedObject& object, const SeenMark& left,
+                                 const SeenMark* right, cv::Point2d motion, std::optional<double> disparity_px) const;
+  std::optional<SeenMark> follow_in_right(const StereoSight& sight, const LearnedObject& object, const SeenMark& right,
+                                          cv::Point2d expected) const;
   // By its outline, which goes on from the last frame and shows all of it, however far aslant the mark is by now.
   bool recognises(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const;
 
@@ -38,8 +44,9 @@ class FollowedPlane {
     int sample;  // its number
     cv::Point2d centre;
     cv::Matx33d to_image;  // in the left image
-    cv::Matx33d turn;      // of the face, as it was told
-    double for_told;       // how much all frames speak for that rather than for the other tilt
+    std::optional<cv::Matx33d> to_right;
+    cv::Matx33d turn;  // of the face, as it was told
+    double for_told;   // how much all frames speak for that rather than for the other tilt
   };
   static double weigh_tilts(const std::optional<Seen>& before, PlanePose& pose);
 

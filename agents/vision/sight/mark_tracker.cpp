@@ -120,11 +120,10 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
   }
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
-  if (!left) return std::nullopt;
   const std::optional<int> turn = track.likeness ? std::optional(track.likeness->turn) : std::nullopt;
-  std::optional<Likeness> likely = recognise(*left, objects_, object, turn);
-  if (!likely) likely = likeness_by_outline(sight, track, object, *left);
-  if (!likely) return std::nullopt;
+  std::optional<Likeness> likely = left ? recognise(*left, objects_, object, turn) : std::nullopt;
+  if (left && !likely) likely = likeness_by_outline(sight, track, object, *left);
+  if (!likely) return follow_by_outline(sight, track, object);
   out.left = std::move(*left);
   out.likeness = *likely;
   if (disparity) {
@@ -137,6 +136,24 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
     if (partner != nullptr) out.right = *partner;
   }
   if (out.right && !is_whole(sight.model(), object, out.left, *out.right)) return std::nullopt;
+  if (!out.right && disparity) {
+    const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
+    out.right = track.plane.follow_in_right(sight, object, *track.right, expected);
+    out.by_outline = out.right.has_value();
+  }
+  return out;
+}
+
+std::optional<SeenPair> MarkTracker::follow_by_outline(const StereoSight& sight, const TrackedMark& track,
+                                                       const LearnedObject& object) const {
+  if (!track.surest) return std::nullopt;
+  const SeenMark* right = track.right ? &*track.right : nullptr;
+  const cv::Point2d motion = track.expected(captured_) - track.left->centre;
+  const std::optional<double> disparity = track.expected_disparity_px(captured_);
+  std::optional<SeenPair> out = track.plane.follow(sight, object, *track.left, right, motion, disparity);
+  if (!out) return std::nullopt;
+  out->likeness = *track.surest;
+  out->likeness.second = objects_.find(track.second);
   return out;
 }
 
@@ -249,7 +266,9 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
 MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const TrackedMark& track,
                                             const LearnedObject& object, SeenPair pair) const {
   SeenWhole out{std::move(pair), {}, {}, {}, track.plane};
-  out.look = track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
+  out.look = out.pair.by_outline
+                 ? Wholeness::Look{.whole = false}
+                 : track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
   out.lies = out.plane.look(sight, object, out.pair);
   if (!out.lies || !out.lies->may_be_off_px || out.look.elsewhere) return out;
   const cv::Point2d middle = middle_in_image(sight.model(), out.lies->pose, most_off_px(sight));
@@ -271,6 +290,7 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
   if (now && !sight.holds(now->left)) now.reset();
   std::optional<SeenWhole> seen;
   if (now) seen = look_at(sight, track, object, std::move(*now));
+  if (seen && seen->pair.by_outline && !seen->look.whole) seen.reset();
   if (!seen || !seen->look.whole) note_loss(track, object, &sight);
   if (!seen) {
     now = search(sight, track, object);
@@ -294,6 +314,9 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
   told = confidence_if_off(told, track.ground_doubt, 1);
   if (seen.off_by_outline_px) told = std::max(told, confidence_if_off(of_whole, *seen.off_by_outline_px, most_px));
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
+  // Without a side, a triangle has two: what hides a part of another one as well is seen in the region alone.
+  const bool may_be_cut = now.by_outline && is_triangle(outline_of(now.left.signature));
+  if (may_be_cut) told = std::min(told, trust_in_another);
   if (track.is_doubted(now, captured_)) told = std::min(told, trust_in_another);
   return {told, in_whole};
 }
@@ -310,7 +333,7 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
   std::optional<SeenRange> range;
   if (now.right) {
     const FacePlane plane = face_plane(sight.model(), now.left, *now.right);
-    range = range_by_pair(sight, now.left, *now.right, in_whole, lies != nullptr && lies->by_both ? lies : nullptr);
+    range = range_by_pair(sight, now, in_whole, lies != nullptr && lies->by_both ? lies : nullptr);
     out.right_centre = now.right->centre;
     out.yaw_deg = yaw_deg(plane);
   } else if (sight.is_cut_off(object, now.left)) {
@@ -329,7 +352,11 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
   out.range_mm = range->mm;
   out.range_spread_mm = range->spread_mm;
   track.range_mm = range->mm;
-  track.whole.follow(now, seen.look, captured_);
+  if (now.by_outline) {
+    track.whole.wait(captured_);
+  } else {
+    track.whole.follow(now, seen.look, captured_);
+  }
 }
 
 TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
@@ -344,6 +371,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
   // The second object may be forgotten before the next frame: its name is kept.
   track.likeness->second = nullptr;
   track.second = now.likeness.second != nullptr ? now.likeness.second->name : "";
+  if (!track.surest || track.surest->confidence() < track.likeness->confidence()) track.surest = track.likeness;
   const Confidence confidence = confidence_in(sight, track, *object, *seen);
   out.confidence = confidence.told;
   if (now.likeness.second != nullptr) out.second = now.likeness.second->name;

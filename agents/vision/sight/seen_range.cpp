@@ -167,14 +167,16 @@ SeenRange mean_of(const SeenRange& a, const SeenRange& b) {
 
 }  // namespace
 
-SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const SeenMark& right,
-                        double confidence_in_whole, const PlanePose* lies) {
+SeenRange range_by_pair(const StereoSight& sight, const SeenPair& pair, double confidence_in_whole,
+                        const PlanePose* lies) {
   const camera::StereoModel& model = sight.model();
+  const SeenMark& left = pair.left;
+  const SeenMark& right = *pair.right;
   const SeenRange by_centres = range_by_centres(sight, left, right);
   SeenRange out = by_centres;
   if (lies != nullptr) {
     const SeenRange by_edges = range_of_pose(model, *lies);
-    out = mean_of(with_unexplained(by_centres, by_edges), by_edges);
+    out = pair.by_outline ? by_edges : mean_of(with_unexplained(by_centres, by_edges), by_edges);
   }
   double variance_px2 = square(model.deviations.disparity_px);
   // A cover's edge is taken for the mark's own: it moves the centroids, and the plane as well.
@@ -202,7 +204,7 @@ std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject&
   const PlanePose* lies = pair.plane && pair.plane->pose ? &*pair.plane->pose : nullptr;
   if (!pair.right) return range_by_size(sight.model(), object, pair.left, lies);
   const double in_whole = confidence_in_whole(confidence, pair.left.tag ? 1 : pair.likeness.confidence());
-  return range_by_pair(sight, pair.left, *pair.right, in_whole, lies != nullptr && lies->by_both ? lies : nullptr);
+  return range_by_pair(sight, pair, in_whole, lies != nullptr && lies->by_both ? lies : nullptr);
 }
 
 }  // namespace pizarra::vision

@@ -31,9 +31,9 @@ struct SeenRange {
 };
 
 // `confidence_in_whole`: that nothing covers a part of it. `lies`: how its plane lies by both images, where that is
-// known; then its range counts too.
-SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const SeenMark& right,
-                        double confidence_in_whole, const PlanePose* lies);
+// known; then its range counts too, alone where no regions show the mark. Only of a pair whose right image shows it.
+SeenRange range_by_pair(const StereoSight& sight, const SeenPair& pair, double confidence_in_whole,
+                        const PlanePose* lies);
 
 // The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how large it looks and how large it
 // was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with

@@ -21,11 +21,11 @@ double registered_share(const PlaneOutline& outline, const PlaneFit& fit) {
   return all == 0 ? 0 : static_cast<double>(registered) / all;
 }
 
+}  // namespace
+
 bool is_registered(const PlaneOutline& outline, const PlaneFit& fit, double most_off_px) {
   return registered_share(outline, fit) >= least_registered && off_if_bent_px(outline, fit) < most_bent * most_off_px;
 }
-
-}  // namespace
 
 std::optional<double> off_by_outline_px(const RegisteredOutline& seen, double most_off_px) {
   const PlaneOutline& outline = seen.sample.plane;

@@ -21,6 +21,9 @@ struct RegisteredOutline {
   bool right_shows_mark;  // then its outline must be registered there too
 };
 
+// All around, and by edges that no straight one has bent.
+bool is_registered(const PlaneOutline& outline, const PlaneFit& fit, double most_off_px);
+
 // In the left image, about a standard deviation. Nothing where the outline is not registered all around, or is none of
 // the mark's: then it says nothing. `most_off_px`: how far off a centre may be that is told surely.
 std::optional<double> off_by_outline_px(const RegisteredOutline& seen, double most_off_px);

@@ -232,6 +232,33 @@ INSTANTIATE_TEST_SUITE_P(Marks, WholeByOutline,
                            return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
                          });
 
+// What is as dark as the mark and touches it belongs to its region, a line from the mark to the image's border here.
+// Its outline is registered all the same.
+TEST(Followed, AMarkIsSeenByAPairThoughNoRegionShowsItAlone) {
+  for (const char* mark : {"circle", "square", "cross"}) {
+    SCOPED_TRACE(mark);
+    Random random = Random(18).split(mark);
+    TiltedLooks looks(pair());
+    looks.learn(view_of(mark), random);
+    RangeView view = view_of(mark);
+    view.yaw_deg = 15;
+    std::vector<RangeView> views(4, view);
+    constexpr double line_px = 300;
+    const double px_a_mm = looks.camera.focal_px / view.place.z;
+    view.cover = bench::placed(bench::box(line_px, 4), looks.middle_of(view) + cv::Point2d(line_px / 2, 0), 1, 0);
+    view.cover_level = 40;
+    view.cover_disparity_px = px_a_mm * looks.camera.base_line_mm;
+    views.resize(12, view);
+    const std::vector<TrackSighting> told = looks.follow(views, random);
+    for (std::size_t i = 4; i < told.size(); ++i) {
+      ASSERT_TRUE(told[i].seen) << i;
+      EXPECT_GT(told[i].confidence, 0.9);
+      EXPECT_LT(cv::norm(told[i].centre - looks.middle_of(view)), 0.3);
+      EXPECT_LT(std::abs(told[i].range_mm - cv::norm(view.place)), 3 * told[i].range_spread_mm);
+    }
+  }
+}
+
 // Not by the centroid of their pictures, which uneven light and a tilt move.
 TEST(Followed, ASquareOrACrossIsToldByItsMiddleByOneCamera) {
   for (const char* mark : {"square", "cross"}) {

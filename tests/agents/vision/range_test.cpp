@@ -142,9 +142,9 @@ TEST(RangeByPair, IsThatOfTheEdgesWhereTheCentroidsAreElsewhere) {
     StereoSight sight = looks.sight_of(view, TiltedLooks::Side::both, random);
     const Result<FoundMark> found = MarkFinder(looks.objects).find(sight, *looks.objects.find("square"), Time());
     ASSERT_TRUE(found && found->pair.plane && found->pair.plane->pose && found->pair.right);
-    SeenMark moved = found->pair.left;
-    moved.centre.x += 1;
-    const SeenRange told = range_by_pair(sight, moved, *found->pair.right, 1, &*found->pair.plane->pose);
+    SeenPair moved = found->pair;
+    moved.left.centre.x += 1;
+    const SeenRange told = range_by_pair(sight, moved, 1, &*found->pair.plane->pose);
     EXPECT_LT(std::abs(told.mm - cv::norm(view.place)), 2 * told.spread_mm);
     EXPECT_LT(std::abs(told.mm - cv::norm(view.place)), 1);
   }
