@@ -122,7 +122,10 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
   const std::optional<int> turn = track.likeness ? std::optional(track.likeness->turn) : std::nullopt;
   std::optional<Likeness> likely = left ? recognise(*left, objects_, object, turn) : std::nullopt;
-  if (left && !likely) likely = likeness_by_outline(sight, track, object, *left);
+  if (left && !likely) {
+    if (is_another(*left, object)) return std::nullopt;
+    likely = likeness_by_outline(sight, track, object, *left);
+  }
   if (!likely) return follow_by_outline(sight, track, object);
   out.left = std::move(*left);
   out.likeness = *likely;
@@ -157,13 +160,16 @@ std::optional<SeenPair> MarkTracker::follow_by_outline(const StereoSight& sight,
   return out;
 }
 
+bool MarkTracker::is_another(const SeenMark& mark, const LearnedObject& object) const {
+  return std::ranges::any_of(objects_.all(), [&](const LearnedObject& other) {
+    return !same_name(other.name, object.name) && is_recognised(mark, objects_, other);
+  });
+}
+
 // Seen far aslant a mark may not be recognised. Its outline may still be.
 std::optional<Likeness> MarkTracker::likeness_by_outline(const StereoSight& sight, const TrackedMark& track,
                                                          const LearnedObject& object, const SeenMark& mark) const {
-  const auto is_it = [&](const LearnedObject& other) {
-    return !same_name(other.name, object.name) && is_recognised(mark, objects_, other);
-  };
-  if (!track.plane.recognises(sight, object, mark) || std::ranges::any_of(objects_.all(), is_it)) return std::nullopt;
+  if (!track.plane.recognises(sight, object, mark)) return std::nullopt;
   std::optional<Likeness> out = track.likeness;
   if (out) out->second = objects_.find(track.second);
   return out;
