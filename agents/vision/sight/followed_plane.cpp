@@ -63,16 +63,6 @@ class OutlineInImage {
   const ImageCut cut_;
 };
 
-// Where its outline is registered all around.
-std::optional<SeenMark> registered(const cv::Mat& grey, double noise, const LearnedSample& sample, SeenMark last,
-                                   cv::Point2d motion, const cv::Matx33d& start) {
-  move_by(last, motion);
-  if ((last.box & cv::Rect({}, grey.size())) != last.box) return std::nullopt;
-  const std::optional<PlaneFit> fit = OutlineInImage(grey, noise, sample, last).fit_from(start, to_follow);
-  if (!fit || !is_registered(sample.plane, *fit, px_in(grey, 1))) return std::nullopt;
-  return mark_by_outline(last, sample.plane, *fit);
-}
-
 const LearnedSample* sample_numbered(const LearnedObject& object, int number) {
   const auto found = std::ranges::find(object.samples, number, &LearnedSample::number);
   return found == object.samples.end() ? nullptr : &*found;
@@ -126,23 +116,14 @@ std::optional<SeenMark> FollowedPlane::follow_in_right(const StereoSight& sight,
                                                        const SeenMark& right, cv::Point2d expected) const {
   const LearnedSample* sample = before_ && before_->to_right ? sample_numbered(object, before_->sample) : nullptr;
   if (sample == nullptr) return std::nullopt;
+  SeenMark last = right;
+  move_by(last, expected - right.centre);
+  if ((last.box & cv::Rect({}, sight.right().size())) != last.box) return std::nullopt;
   const cv::Matx33d start = moved(*before_->to_right, right.centre, expected);
-  return registered(sight.right(), sight.noise(), *sample, right, expected - right.centre, start);
-}
-
-std::optional<SeenPair> FollowedPlane::follow(const StereoSight& sight, const LearnedObject& object,
-                                              const SeenMark& left, const SeenMark* right, cv::Point2d motion,
-                                              std::optional<double> disparity_px) const {
-  const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
-  if (sample == nullptr) return std::nullopt;
-  const cv::Matx33d start = moved(before_->to_image, left.centre, left.centre + motion);
-  std::optional<SeenMark> now = registered(sight.left(), sight.noise(), *sample, left, motion, start);
-  if (!now) return std::nullopt;
-  SeenPair out{.left = std::move(*now), .right = std::nullopt, .by_outline = true};
-  if (right != nullptr && disparity_px) {
-    out.right = follow_in_right(sight, object, *right, out.left.centre - cv::Point2d(*disparity_px, 0));
-  }
-  return out;
+  const std::optional<PlaneFit> fit =
+      OutlineInImage(sight.right(), sight.noise(), *sample, last).fit_from(start, to_follow);
+  if (!fit || !is_registered(sample->plane, *fit, px_in(sight.right(), 1))) return std::nullopt;
+  return mark_by_outline(last, sample->plane, *fit);
 }
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,

@@ -28,10 +28,8 @@ class FollowedPlane {
   // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
   // tilt so far, its misfits those of all frames.
   std::optional<FollowedLook> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
-  // Of what no region of the image shows: by its outline, where that goes on from the last frame, moved by `motion`,
-  // and is registered all around. In the right image where it was by then, and is registered there too.
-  std::optional<SeenPair> follow(const StereoSight& sight, const LearnedObject& object, const SeenMark& left,
-                                 const SeenMark* right, cv::Point2d motion, std::optional<double> disparity_px) const;
+  // In the right image, of which no region shows it alone: by its outline, where that goes on there from the last
+  // frame, moved to where it is expected, and is registered all around.
   std::optional<SeenMark> follow_in_right(const StereoSight& sight, const LearnedObject& object, const SeenMark& right,
                                           cv::Point2d expected) const;
   // By its outline, which goes on from the last frame and shows all of it, however far aslant the mark is by now.

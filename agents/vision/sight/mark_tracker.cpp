@@ -120,13 +120,11 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
   }
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
+  if (!left) return std::nullopt;
   const std::optional<int> turn = track.likeness ? std::optional(track.likeness->turn) : std::nullopt;
-  std::optional<Likeness> likely = left ? recognise(*left, objects_, object, turn) : std::nullopt;
-  if (left && !likely) {
-    if (is_another(*left, object)) return std::nullopt;
-    likely = likeness_by_outline(sight, track, object, *left);
-  }
-  if (!likely) return follow_by_outline(sight, track, object);
+  std::optional<Likeness> likely = recognise(*left, objects_, object, turn);
+  if (!likely) likely = likeness_by_outline(sight, track, object, *left);
+  if (!likely) return std::nullopt;
   out.left = std::move(*left);
   out.likeness = *likely;
   if (disparity) {
@@ -147,29 +145,13 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
   return out;
 }
 
-std::optional<SeenPair> MarkTracker::follow_by_outline(const StereoSight& sight, const TrackedMark& track,
-                                                       const LearnedObject& object) const {
-  if (!track.surest) return std::nullopt;
-  const SeenMark* right = track.right ? &*track.right : nullptr;
-  const cv::Point2d motion = track.expected(captured_) - track.left->centre;
-  const std::optional<double> disparity = track.expected_disparity_px(captured_);
-  std::optional<SeenPair> out = track.plane.follow(sight, object, *track.left, right, motion, disparity);
-  if (!out) return std::nullopt;
-  out->likeness = *track.surest;
-  out->likeness.second = objects_.find(track.second);
-  return out;
-}
-
-bool MarkTracker::is_another(const SeenMark& mark, const LearnedObject& object) const {
-  return std::ranges::any_of(objects_.all(), [&](const LearnedObject& other) {
-    return !same_name(other.name, object.name) && is_recognised(mark, objects_, other);
-  });
-}
-
 // Seen far aslant a mark may not be recognised. Its outline may still be.
 std::optional<Likeness> MarkTracker::likeness_by_outline(const StereoSight& sight, const TrackedMark& track,
                                                          const LearnedObject& object, const SeenMark& mark) const {
-  if (!track.plane.recognises(sight, object, mark)) return std::nullopt;
+  const auto is_it = [&](const LearnedObject& other) {
+    return !same_name(other.name, object.name) && is_recognised(mark, objects_, other);
+  };
+  if (!track.plane.recognises(sight, object, mark) || std::ranges::any_of(objects_.all(), is_it)) return std::nullopt;
   std::optional<Likeness> out = track.likeness;
   if (out) out->second = objects_.find(track.second);
   return out;
@@ -377,7 +359,6 @@ TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
   // The second object may be forgotten before the next frame: its name is kept.
   track.likeness->second = nullptr;
   track.second = now.likeness.second != nullptr ? now.likeness.second->name : "";
-  if (!track.surest || track.surest->confidence() < track.likeness->confidence()) track.surest = track.likeness;
   const Confidence confidence = confidence_in(sight, track, *object, *seen);
   out.confidence = confidence.told;
   if (now.likeness.second != nullptr) out.second = now.likeness.second->name;

@@ -100,9 +100,6 @@ class MarkTracker {
   };
   SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object,
                     SeenPair pair) const;
-  bool is_another(const SeenMark& mark, const LearnedObject& object) const;  // that was learned
-  std::optional<SeenPair> follow_by_outline(const StereoSight& sight, const TrackedMark& track,
-                                            const LearnedObject& object) const;
   std::optional<Likeness> likeness_by_outline(const StereoSight& sight, const TrackedMark& track,
                                               const LearnedObject& object, const SeenMark& mark) const;
   std::optional<SeenWhole> see(StereoSight& sight, TrackedMark& track, const LearnedObject& object);

@@ -31,7 +31,6 @@ struct TrackedMark {
   std::optional<LitMark> lit = {};
   std::optional<Likeness> likeness = {};  // without the second object
   std::string second = {};                // that one's name, where there is one
-  std::optional<Likeness> surest = {};    // since it was found: what is followed stays what it is
   Time seen_at = {};
   bool missed = false;  // in the frame before this one
   Wholeness whole = {};

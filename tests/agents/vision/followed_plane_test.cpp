@@ -232,9 +232,9 @@ INSTANTIATE_TEST_SUITE_P(Marks, WholeByOutline,
                            return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
                          });
 
-// What is as dark as the mark and touches it belongs to its region, a line from the mark to the image's border here.
-// Its outline is registered all the same.
-TEST(Followed, AMarkIsSeenByAPairThoughNoRegionShowsItAlone) {
+// What is as dark as the mark and touches it belongs to its region: here a line from the mark on, in the right image
+// alone. The outline is registered there all the same.
+TEST(Followed, AMarkIsSeenByAPairThoughNoRegionOfTheRightImageShowsItAlone) {
   for (const char* mark : {"circle", "square", "cross"}) {
     SCOPED_TRACE(mark);
     Random random = Random(18).split(mark);
@@ -244,10 +244,11 @@ TEST(Followed, AMarkIsSeenByAPairThoughNoRegionShowsItAlone) {
     view.yaw_deg = 15;
     std::vector<RangeView> views(4, view);
     constexpr double line_px = 300;
-    const double px_a_mm = looks.camera.focal_px / view.place.z;
-    view.cover = bench::placed(bench::box(line_px, 4), looks.middle_of(view) + cv::Point2d(line_px / 2, 0), 1, 0);
+    constexpr double beside_px = 60;
+    const cv::Point2d middle = looks.middle_of(view) + cv::Point2d(beside_px + line_px / 2, 0);
+    view.cover = bench::placed(bench::box(line_px, 4), middle, 1, 0);
     view.cover_level = 40;
-    view.cover_disparity_px = px_a_mm * looks.camera.base_line_mm;
+    view.cover_disparity_px = beside_px + looks.camera.focal_px * looks.camera.base_line_mm / view.place.z;
     views.resize(12, view);
     const std::vector<TrackSighting> told = looks.follow(views, random);
     for (std::size_t i = 4; i < told.size(); ++i) {
