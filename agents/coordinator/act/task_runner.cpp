@@ -14,7 +14,7 @@ namespace {
 // How near a held object's mark is to where it should be.
 constexpr double held_mm = 25;
 constexpr int held_looks = 12;
-// Where the arm does not reach as high as it should, it goes inwards by as much, and tries again.
+// Where the arm does not reach as high as it should, it goes inwards or outwards by as much, and tries again.
 constexpr double retreat_mm = 20;
 constexpr double height_tolerance_mm = 2;
 constexpr int most_rises = 30;  // every second one of them after a retreat
@@ -112,18 +112,24 @@ Task<Result<void>> TaskRunner::release() {
   co_return Result<void>();
 }
 
-// Far out it goes up as far as it can first, over what stands behind, and then on from nearer to its foot.
+// Far out it goes up as far as it can first, over what stands behind, and then on from nearer to its foot. Where it
+// comes no nearer, as beside its foot, it goes on from farther out.
 Task<Result<void>> TaskRunner::go_up(double missing_mm, double height_mm) {
-  const ServoCommand inwards{0, ServoCommand::Motion::extend, -retreat_mm};
+  double aside_mm = -retreat_mm;
+  std::optional<Eigen::Vector3d> before;
   for (int i = 0; i < most_rises; ++i) {
     const ServoCommand::Motion motion = missing_mm > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
     const ServoCommand command{0, motion, std::abs(missing_mm)};
     Result<void> moved = co_await arm_.perform(command);
     const bool too_high = !moved && missing_mm > 0 && is_beyond_reach(moved.error());
-    if (too_high) moved = co_await arm_.perform(inwards);
+    const ServoCommand aside{0, ServoCommand::Motion::extend, aside_mm};
+    if (too_high) moved = co_await arm_.perform(aside);
     if (!moved) co_return moved;
     const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
     if (!grip) co_return fail(grip);
+    const bool rests = before && (*grip - *before).norm() < height_tolerance_mm;
+    if (rests) aside_mm = -aside_mm;
+    before = *grip;
     missing_mm = height_mm - grip->z();
     if (std::abs(missing_mm) <= height_tolerance_mm) co_return Result<void>();
   }
