@@ -276,9 +276,11 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   if (name == "ready") to = {370, 0, 410};
   if (name == "move-v") to.z() += amount;
   if (to.z() < std::min(lowest_mm, grip.z())) co_return fail("stopped", "the arm feels a collision", operation);
+  const bool is_near = std::hypot(grip.x(), grip.y()) < nearest_mm;
+  if (is_near && to.z() > grip.z() && name == "move-v") co_return fail("unreachable", "beside its foot", operation);
   if (name == "move-h") to.y() += amount;
-  if (name == "extend") to += operation[2].number() * out;
-  if (name == "retract") to -= operation[1].number() * out;
+  if (name == "extend" && !(is_near && operation[2].number() < 0)) to += operation[2].number() * out;
+  if (name == "retract" && !is_near) to -= operation[1].number() * out;
   if (name == "turn-wrist") turn_tool(amount);
   if (name == "turn") {
     const double radius = std::hypot(grip.x(), grip.y());

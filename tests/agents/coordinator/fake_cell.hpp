@@ -78,6 +78,7 @@ class FakeCell {
   std::string held;                    // between the fingers
   double lowest_mm = 0;                // what is in the way stops the arm on its way further down,
   double jam_mm = 0;                   // and the fingers there at this opening; everywhere, where nothing is in the way
+  double nearest_mm = 0;               // nearer to its foot the arm comes neither up nor inwards
   std::optional<double> stuck_mm;      // what the gripper's sensor says, however far the fingers are open
   std::string refusal;                 // the symbol with which the robot refuses to move, such as halted
   std::optional<Datum> refused_about;  // what that failure is about, in place of the operation

@@ -15,6 +15,13 @@ TEST_F(Coordinator, BuildsWhatIsWanted) {
     EXPECT_GT(cell.times_told("(servo " + std::to_string(state) + " ? ? ? ?)"), 0);
 }
 
+TEST_F(Coordinator, GoesOutwardsWhereTheArmComesNeitherUpNorInwards) {
+  cell.nearest_mm = 475;
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+}
+
 TEST_F(Coordinator, MovesNothingForWhatHoldsAlready) {
   want("(goal (on-table circle))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 20s));
