@@ -147,22 +147,18 @@ SeenRange range_by_centres(const StereoSight& sight, const SeenMark& left, const
   return {range - tilt.mm, range * std::sqrt(variance_px2 / square(disparity) + square(tilt.part_spread))};
 }
 
-// The edge of a shadow over the mark moves its centroids, in one image more than in the other, and no spread shows
-// that. The edges of the mark stay where they are. So what the centroids are farther off from these than noise explains
-// is added to the spread of theirs.
-SeenRange with_unexplained(const SeenRange& by_centres, const SeenRange& by_edges) {
+// By inverse variances. The edge of a shadow over the mark moves its centroids, in one image more than in the other, and
+// no spread shows that. The mark's edges stay where they are. So what the ranges differ by beyond noise is added to the
+// spread of the centroids', and so much of it to the mean's as these still count for.
+SeenRange mean_of(const SeenRange& by_centres, const SeenRange& by_edges) {
   const double noise = square(by_centres.spread_mm) + square(by_edges.spread_mm);
   const double unexplained = std::max(0.0, square(by_centres.mm - by_edges.mm) - noise);
-  return {by_centres.mm, std::sqrt(square(by_centres.spread_mm) + unexplained)};
-}
-
-// By inverse variances.
-SeenRange mean_of(const SeenRange& a, const SeenRange& b) {
-  const double share = square(b.spread_mm) / (square(a.spread_mm) + square(b.spread_mm));
-  const double of_a = share * a.spread_mm;
-  const double of_b = (1 - share) * b.spread_mm;
-  return {share * a.mm + (1 - share) * b.mm,
-          std::sqrt(square(of_a) + square(of_b) + 2 * in_common_of_ranges * of_a * of_b)};
+  const double share = square(by_edges.spread_mm) / (noise + unexplained);
+  const double of_centres = share * by_centres.spread_mm;
+  const double of_edges = (1 - share) * by_edges.spread_mm;
+  return {share * by_centres.mm + (1 - share) * by_edges.mm,
+          std::sqrt(square(of_centres) + square(of_edges) + 2 * in_common_of_ranges * of_centres * of_edges +
+                    share * unexplained)};
 }
 
 }  // namespace
@@ -176,7 +172,7 @@ SeenRange range_by_pair(const StereoSight& sight, const SeenPair& pair, double c
   SeenRange out = by_centres;
   if (lies != nullptr) {
     const SeenRange by_edges = range_of_pose(model, *lies);
-    out = pair.by_outline ? by_edges : mean_of(with_unexplained(by_centres, by_edges), by_edges);
+    out = pair.right_by_outline ? by_edges : mean_of(by_centres, by_edges);
   }
   double variance_px2 = square(model.deviations.disparity_px);
   // A cover's edge is taken for the mark's own: it moves the centroids, and the plane as well.
