@@ -159,21 +159,14 @@ std::vector<PartLook> look_for_parts(const ImageCut& cut, const EdgeChains& edge
 
 SeenMark whole_mark(const ImageCut& cut, const PartLook& look) {
   SeenMark out;
-  set_place(out, look.fit, look.sample->plane.middle);
+  set_outline(out, look.fit, *look.sample);
   out.tone = look.sample->tone;
   out.mark_level = look.part.ink;
   out.ground_level = look.part.ground;
   out.flattened = true;
-  const double size2 = std::abs(cv::determinant(look.fit.slope()));
-  out.area_px = look.sample->area_px * size2 / (look.sample->height_px * look.sample->height_px);
   out.roundness = look.sample->roundness;
   out.noise = cut.noise;
   out.signature = look.sample->signatures.front().unturned();
-  for (const PlaneOutline::Point& point : look.sample->plane.points) {
-    out.contour.emplace_back(look.fit.in_image(point.at));
-  }
-  out.box = cv::boundingRect(out.contour);
-  out.perimeter_px = static_cast<int>(out.contour.size());
   return out;
 }
 

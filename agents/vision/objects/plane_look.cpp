@@ -190,6 +190,23 @@ void set_place(SeenMark& mark, const PlaneFit& fit, const cv::Vec2d& middle) {
   mark.slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));
 }
 
+void set_outline(SeenMark& mark, const PlaneFit& fit, const LearnedSample& sample) {
+  const PlaneOutline& outline = sample.plane;
+  set_place(mark, fit, outline.middle);
+  const double size = fit.size_px() / sample.height_px;
+  mark.area_px = sample.area_px * size * size;
+  mark.contour.clear();
+  for (std::size_t i = 0; i < outline.outermost; ++i) {
+    const cv::Point from = fit.in_image(outline.points[i].at);
+    const cv::Point to = fit.in_image(outline.points[(i + 1) % outline.outermost].at);
+    cv::LineIterator pixel(from, to);
+    // The last one is the first of the next line.
+    for (int k = 0; k + 1 < pixel.count; ++k, ++pixel) mark.contour.push_back(pixel.pos());
+  }
+  mark.box = cv::boundingRect(mark.contour);
+  mark.perimeter_px = static_cast<int>(mark.contour.size());
+}
+
 std::optional<PlaneFit> fit_region(const ImageCut& cut, const LearnedSample& sample, const Reach& region) {
   if (sample.tag || sample.plane.points.empty()) return std::nullopt;
   const ReachFit turned = fit_reach(region, sample.plane.reach);

@@ -27,6 +27,10 @@ bool is_outline_of(const PlaneFit& fit);
 // slimness.
 void set_place(SeenMark& mark, const PlaneFit& fit, const cv::Vec2d& middle);
 
+// As the sample's outline says that it looks, whatever region of the image shows it: its place, its area, and every
+// pixel around it.
+void set_outline(SeenMark& mark, const PlaneFit& fit, const LearnedSample& sample);
+
 // Nothing where the region's outline is not that of the sample, however it is seen.
 std::optional<PlaneLook> seen_in_plane(const ImageCut& cut, const LearnedSample& sample, const LevelRegion& region);
 

@@ -6,7 +6,6 @@
 
 #include "agents/vision/objects/mark_match.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
-#include "agents/vision/sight/outline_mark.hpp"
 #include "agents/vision/sight/whole_outline.hpp"
 
 namespace pizarra::vision {
@@ -108,7 +107,7 @@ bool FollowedPlane::recognises(const StereoSight& sight, const LearnedObject& ob
   if (!pose) return false;
   const double most_off_px = px_in(sight.left(), 1);
   const std::optional<double> off_px = off_by_outline_px({*sample, *fit, nullptr, *pose, false}, most_off_px);
-  // What may hide a part, both images of a pair say.
+  // Whether something hides a part is asked of both images of a pair later.
   return off_px && (before_->to_right || *off_px < most_off_px);
 }
 
@@ -123,7 +122,8 @@ std::optional<SeenMark> FollowedPlane::follow_in_right(const StereoSight& sight,
   const std::optional<PlaneFit> fit =
       OutlineInImage(sight.right(), sight.noise(), *sample, last).fit_from(start, to_follow);
   if (!fit || !is_registered(sample->plane, *fit, px_in(sight.right(), 1))) return std::nullopt;
-  return mark_by_outline(last, sample->plane, *fit);
+  set_outline(last, *fit, *sample);
+  return last;
 }
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,

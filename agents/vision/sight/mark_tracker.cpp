@@ -44,6 +44,12 @@ bool tells_middle(const StereoSight& sight, const PlanePose& lies, const SeenPai
   return std::hypot(pair.left.width_px, pair.left.height_px) < largest_told_by_pose * sight.model().focal_px;
 }
 
+SeenPair left_alone(SeenPair pair) {
+  pair.right.reset();
+  pair.right_by_outline = false;
+  return pair;
+}
+
 }  // namespace
 
 Result<void> MarkTracker::add(const LearnedObject& object, std::optional<cv::Point2d> seen_last) {
@@ -118,31 +124,32 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const TrackedMar
     const cv::Point motion = track.expected(captured_) - track.left->centre;
     return sight.follow(*object.tag(), area_around_tag(track.left->box + motion), disparity);
   }
-  SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
   if (!left) return std::nullopt;
   const std::optional<int> turn = track.likeness ? std::optional(track.likeness->turn) : std::nullopt;
   std::optional<Likeness> likely = recognise(*left, objects_, object, turn);
   if (!likely) likely = likeness_by_outline(sight, track, object, *left);
   if (!likely) return std::nullopt;
-  out.left = std::move(*left);
-  out.likeness = *likely;
-  if (disparity) {
-    const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
-    out.right = follow_mark(sight.right(), sight.noise(), *track.right, expected);
-  }
-  if (!out.right || !are_partners(out.left, *out.right)) {
-    out.right.reset();
-    const SeenMark* partner = find_partner(out.left, sight.right_segmentation().marks(), disparity);
-    if (partner != nullptr) out.right = *partner;
-  }
-  if (out.right && !is_whole(sight.model(), object, out.left, *out.right)) return std::nullopt;
-  if (!out.right && disparity) {
-    const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
-    out.right = track.plane.follow_in_right(sight, object, *track.right, expected);
-    out.by_outline = out.right.has_value();
-  }
+  SeenPair out{.left = std::move(*left), .right = std::nullopt, .likeness = *likely};
+  find_in_right(sight, track, object, out);
+  const bool by_regions = out.right && !out.right_by_outline;
+  if (by_regions && !is_whole(sight.model(), object, out.left, *out.right)) return std::nullopt;
   return out;
+}
+
+// Where it is expected, or else anywhere; or by its outline alone.
+void MarkTracker::find_in_right(StereoSight& sight, const TrackedMark& track, const LearnedObject& object,
+                                SeenPair& pair) const {
+  const std::optional<double> disparity = track.expected_disparity_px(captured_);
+  const cv::Point2d expected = pair.left.centre - cv::Point2d(disparity.value_or(0), 0);
+  if (disparity) pair.right = follow_mark(sight.right(), sight.noise(), *track.right, expected);
+  if (pair.right && are_partners(pair.left, *pair.right)) return;
+  pair.right.reset();
+  const SeenMark* partner = find_partner(pair.left, sight.right_segmentation().marks(), disparity);
+  if (partner != nullptr) pair.right = *partner;
+  if (pair.right || !disparity) return;
+  pair.right = track.plane.follow_in_right(sight, object, *track.right, expected);
+  pair.right_by_outline = pair.right.has_value();
 }
 
 // Seen far aslant a mark may not be recognised. Its outline may still be.
@@ -254,7 +261,7 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
 MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const TrackedMark& track,
                                             const LearnedObject& object, SeenPair pair) const {
   SeenWhole out{std::move(pair), {}, {}, {}, track.plane};
-  out.look = out.pair.by_outline
+  out.look = out.pair.right_by_outline
                  ? Wholeness::Look{.whole = false}
                  : track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
   out.lies = out.plane.look(sight, object, out.pair);
@@ -278,7 +285,9 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
   if (now && !sight.holds(now->left)) now.reset();
   std::optional<SeenWhole> seen;
   if (now) seen = look_at(sight, track, object, std::move(*now));
-  if (seen && seen->pair.by_outline && !seen->look.whole) seen.reset();
+  if (seen && seen->pair.right_by_outline && !seen->look.whole) {
+    seen = look_at(sight, track, object, left_alone(std::move(seen->pair)));
+  }
   if (!seen || !seen->look.whole) note_loss(track, object, &sight);
   if (!seen) {
     now = search(sight, track, object);
@@ -302,8 +311,8 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
   told = confidence_if_off(told, track.ground_doubt, 1);
   if (seen.off_by_outline_px) told = std::max(told, confidence_if_off(of_whole, *seen.off_by_outline_px, most_px));
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
-  // Without a side, a triangle has two: what hides a part of another one as well is seen in the region alone.
-  const bool may_be_cut = now.by_outline && is_triangle(outline_of(now.left.signature));
+  // A triangle without a side has two. Its region alone shows what hides a part of another one as well.
+  const bool may_be_cut = now.right_by_outline && is_triangle(outline_of(now.left.signature));
   if (may_be_cut) told = std::min(told, trust_in_another);
   if (track.is_doubted(now, captured_)) told = std::min(told, trust_in_another);
   return {told, in_whole};
@@ -340,7 +349,7 @@ void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedO
   out.range_mm = range->mm;
   out.range_spread_mm = range->spread_mm;
   track.range_mm = range->mm;
-  if (now.by_outline) {
+  if (now.right_by_outline) {
     track.whole.wait(captured_);
   } else {
     track.whole.follow(now, seen.look, captured_);

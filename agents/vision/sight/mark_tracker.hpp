@@ -100,6 +100,7 @@ class MarkTracker {
   };
   SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object,
                     SeenPair pair) const;
+  void find_in_right(StereoSight& sight, const TrackedMark& track, const LearnedObject& object, SeenPair& pair) const;
   std::optional<Likeness> likeness_by_outline(const StereoSight& sight, const TrackedMark& track,
                                               const LearnedObject& object, const SeenMark& mark) const;
   std::optional<SeenWhole> see(StereoSight& sight, TrackedMark& track, const LearnedObject& object);

@@ -205,8 +205,7 @@ double off_if_hidden_px(const camera::StereoModel& model, const PoseEdges& edges
   double most = 0;
   for (const PlaneMove& move : moves_without_sides(edges.points(), pose, errors)) {
     const Eigen::Matrix2d covariance = in_image * move.covariance * in_image.transpose();
-    const double variance = longest_variance(covariance);
-    most = std::max(most, (in_image * move.by).squaredNorm() + variance);
+    most = std::max(most, (in_image * move.by).squaredNorm() + longest_variance(covariance));
   }
   return std::sqrt(most);
 }
@@ -285,9 +284,9 @@ std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const Plan
   return out;
 }
 
-double PlanePose::off_if_hidden_px() const {
+double PlanePose::most_off_if_hidden_px() const {
   const bool either = share_of_other() > least_share_of_other;
-  return either ? std::max(PlaneTilt::off_if_hidden_px, other.off_if_hidden_px) : PlaneTilt::off_if_hidden_px;
+  return either ? std::max(off_if_hidden_px, other.off_if_hidden_px) : off_if_hidden_px;
 }
 
 cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& pose, double most_off_px) {

@@ -35,11 +35,11 @@ struct PlanePose : PlaneTilt {
   double affine_misfit = 0;  // a look without perspective, as of what is covered and faces the camera
   double free_misfit = 0;    // any homography
 
-  double share_of_other() const;    // how likely the other tilt is it, 0 to 1
-  bool is_contradicted() const;     // another homography explains the edges far better
-  double odds_of_no_plane() const;  // how many times likelier no plane, or another form, is than this pose
-  bool shows_perspective() const;   // it explains them far better than an affine map
-  double off_if_hidden_px() const;  // the greater one of both tilts, where both may be it
+  double share_of_other() const;         // how likely the other tilt is it, 0 to 1
+  bool is_contradicted() const;          // another homography explains the edges far better
+  double odds_of_no_plane() const;       // how many times likelier no plane, or another form, is than this pose
+  bool shows_perspective() const;        // it explains them far better than an affine map
+  double most_off_if_hidden_px() const;  // by either tilt, where both may be it
 };
 
 struct PlaneFace {

@@ -25,7 +25,7 @@ struct SeenPair {
   std::optional<SeenMark> right;  // absent where the right image does not show it
   Likeness likeness = {};
   std::optional<PlaneView> plane = {};  // of the left image, where it was looked for
-  bool by_outline = false;              // no region of the right image shows it (outline_mark.hpp)
+  bool right_by_outline = false;        // no region of the right image is its alone
 };
 
 // The image in grey; it shares the pixels of one that is grey already.

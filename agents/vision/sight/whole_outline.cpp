@@ -34,7 +34,7 @@ std::optional<double> off_by_outline_px(const RegisteredOutline& seen, double mo
   if (seen.right_shows_mark && (seen.right == nullptr || !is_registered(outline, *seen.right, most_off_px))) {
     return std::nullopt;
   }
-  return seen.pose.off_if_hidden_px();
+  return seen.pose.most_off_if_hidden_px();
 }
 
 }  // namespace pizarra::vision

@@ -5,9 +5,9 @@
 //
 //   view.may_be_off_px = off_by_outline_px({sample, left_fit, right_fit, pose, by_both}, px_in(sight.left(), 1));
 //
-// The edges of one side after another are left out of the fit. What that moves the middle by, and how sure the middle
-// is then, says how far it may be off. So nothing is asked of the form: a circle's other sides say it well, as do a
-// square's before a pair. Before one camera the other sides of a square leave its tilt open.
+// The edges of one side after another are left out of the fit. The middle moves then, and is less sure: both say how
+// far off it may be. Any form is asked so. A circle's other sides say it well, as do a square's before a pair. Before
+// one camera the other sides of a square leave its tilt open.
 
 #include "agents/vision/sight/plane_view.hpp"
 
