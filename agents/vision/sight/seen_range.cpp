@@ -147,9 +147,9 @@ SeenRange range_by_centres(const StereoSight& sight, const SeenMark& left, const
   return {range - tilt.mm, range * std::sqrt(variance_px2 / square(disparity) + square(tilt.part_spread))};
 }
 
-// By inverse variances. The edge of a shadow over the mark moves its centroids, in one image more than in the other, and
-// no spread shows that. The mark's edges stay where they are. So what the ranges differ by beyond noise is added to the
-// spread of the centroids', and so much of it to the mean's as these still count for.
+// By inverse variances. The edge of a shadow moves the mark's centroids, in one image more than in the other, and no
+// spread shows that. The mark's edges stay where they are. What the two ranges differ by beyond noise is added to the
+// spread of the centroids'. Times the weight that this one keeps, it is added to the mean's spread too.
 SeenRange mean_of(const SeenRange& by_centres, const SeenRange& by_edges) {
   const double noise = square(by_centres.spread_mm) + square(by_edges.spread_mm);
   const double unexplained = std::max(0.0, square(by_centres.mm - by_edges.mm) - noise);
