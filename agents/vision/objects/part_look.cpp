@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/outline_guess.hpp"
 #include "agents/vision/objects/mark_match.hpp"
