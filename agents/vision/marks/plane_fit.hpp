@@ -64,7 +64,8 @@ struct PlaneSearch {
 };
 inline constexpr PlaneSearch for_whole{12, 0.5, std::numeric_limits<double>::infinity()};
 inline constexpr PlaneSearch for_part{4, 0.35, 0.05};
-// From one frame to the next, and from the left image of a pair to the right one.
+// From one frame to the next, before one camera and a pair, and from the left image of a pair to the right one.
+inline constexpr PlaneSearch to_follow_alone{4, 0.5, std::numeric_limits<double>::infinity(), 1, 1, true};
 inline constexpr PlaneSearch to_follow{4, 0.5, std::numeric_limits<double>::infinity(), 1, 3, true};
 inline constexpr PlaneSearch to_follow_in_right{4, 0.5, std::numeric_limits<double>::infinity(), 2, 3, true};
 

@@ -26,6 +26,11 @@ cv::Matx33d moved(const cv::Matx33d& to_image, cv::Point2d from, cv::Point2d to)
   return shift_by(to - from) * to_image;
 }
 
+void move_by(PlaneFit& fit, cv::Point2d way) {
+  fit.to_image = shift_by(way) * fit.to_image;
+  for (PlaneEdge& edge : fit.edges) edge.at += way;
+}
+
 cv::Vec3d away_of(const cv::Matx33d& turn) { return {turn(0, 2), turn(1, 2), turn(2, 2)}; }
 
 // The outline of a sample, as a mark of one image shows it.
@@ -43,6 +48,10 @@ class OutlineInImage {
     const std::optional<Reach> reach = reach_of(contour);
     return reach ? checked(fit_region(cut_, sample_, *reach)) : std::nullopt;
   }
+  OutlineGround ground(PlaneFit fit) const {
+    move_by(fit, -origin());
+    return look_at_ground(cut_, sample_.plane, fit);
+  }
 
  private:
   static cv::Rect around(const SeenMark& mark) {
@@ -52,8 +61,7 @@ class OutlineInImage {
   cv::Point2d origin() const { return cut_.origin; }
   std::optional<PlaneFit> checked(std::optional<PlaneFit> fit) const {
     if (!fit || !is_outline_of(*fit)) return std::nullopt;
-    fit->to_image = shift_by(origin()) * fit->to_image;
-    for (PlaneEdge& edge : fit->edges) edge.at += origin();
+    move_by(*fit, origin());
     return fit;
   }
 
@@ -96,7 +104,8 @@ double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& 
 std::optional<PlaneFit> FollowedPlane::fit_on(const StereoSight& sight, const LearnedSample& sample,
                                               const SeenMark& left) const {
   const cv::Matx33d start = moved(before_->to_image, before_->centre, left.centre);
-  return OutlineInImage(sight.left(), sight.noise(), sample, left).fit_from(start, to_follow);
+  return OutlineInImage(sight.left(), sight.noise(), sample, left)
+      .fit_from(start, sight.model().is_single() ? to_follow_alone : to_follow);
 }
 
 bool FollowedPlane::recognises(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const {
@@ -148,7 +157,10 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   const std::optional<cv::Matx33d> to_right = right ? std::optional(right->to_image) : std::nullopt;
   before_ = Seen{sample->number, now.left.centre, left->to_image, to_right, pose->turn, for_told};
   const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose, now.right.has_value()};
-  return FollowedLook{*pose, off_by_outline_px(seen, px_in(sight.left(), 1)), goes_on};
+  const std::optional<double> off_px = off_by_outline_px(seen, px_in(sight.left(), 1));
+  const OutlineGround ground =
+      now.right ? OutlineGround() : OutlineInImage(sight.left(), sight.noise(), *sample, now.left).ground(*left);
+  return FollowedLook{{sample, std::move(*left), true, std::move(pose), false, ground, off_px}, goes_on};
 }
 
 }  // namespace pizarra::vision

@@ -18,9 +18,8 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
                                      const PlaneFit& left, const PlaneSearch& search);
 
 struct FollowedLook {
-  PlanePose pose;
-  std::optional<double> may_be_off_px;  // whole_outline.hpp
-  bool goes_on;                         // from the outline of the last frame
+  PlaneView view;  // with its pose, and, before one camera, with the ground
+  bool goes_on;    // from the outline of the last frame
 };
 
 class FollowedPlane {

@@ -17,7 +17,6 @@ namespace {
 constexpr double least_confidence = 0.03;
 // With more no other place is looked at; and by so much another one must be surer.
 constexpr double clearly_sure = 0.35;
-constexpr double surely = 0.9;
 constexpr double clearly_surer = 0.3;
 // Of two that are about as sure, the one whose edges contradict its pose by so much less is e^4 times as likely.
 constexpr double clearly_likelier = 4;
@@ -68,7 +67,7 @@ bool gives_way(const StereoSight& sight, const SeenPair& whole, double of_whole,
 Result<FoundMark> MarkFinder::find(StereoSight& sight, const LearnedObject& object, Time now) {
   std::optional<FoundMark> found = object.tag() == nullptr ? find_shape(sight, object) : find_tag(sight, object);
   if (!found) return fail(not_found(sight, object));
-  found->confidence = confidence_at_first(sight, object, found->pair);
+  found->confidence = confidence_in_look(sight, object, found->pair);
   if (found->confidence < least_confidence) {
     return fail("not-seen",
                 "a mark is like it, but a part of it is hidden, or it is none: the ground around it, or its size, is "
@@ -109,10 +108,10 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   std::optional<SeenPair> best = sight.find(objects_, object, {}, 0, {}, place_of(object.name));
   if (best) look_at_plane(sight, object, *best);
   if (best && (best->right || place_of(object.name))) return best;
-  double most = best ? confidence_at_first(sight, object, *best) : 0;
+  double most = best ? confidence_in_look(sight, object, *best) : 0;
   const auto take_surer = [&](SeenPair&& other) {
     if (!other.plane) look_at_plane(sight, object, other);
-    const double confidence = confidence_at_first(sight, object, other);
+    const double confidence = confidence_in_look(sight, object, other);
     const bool is_likelier =
         best && confidence > most - clearly_surer && contradiction(other) + clearly_likelier < contradiction(*best);
     const bool is_bolder =
@@ -136,7 +135,7 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   }
   if (most < surely || is_faint(best->left)) {
     for (SeenPair& part : sight.find_parts(objects_, object)) {
-      if (best && gives_way(sight, *best, most, part, confidence_at_first(sight, object, part))) best.reset();
+      if (best && gives_way(sight, *best, most, part, confidence_in_look(sight, object, part))) best.reset();
       take_surer(std::move(part));
     }
   }

@@ -12,6 +12,7 @@
 #include "agents/vision/sight/follow_mark.hpp"
 #include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/seen_range.hpp"
+#include "agents/vision/sight/track_confidence.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -31,10 +32,6 @@ constexpr double least_twins = 0.1;
 // Before one camera: the standard deviation of a mark, as a part of its distance. A larger mark is so near that the
 // pose of a face which looks at the camera, in uneven light, puts the middle beside by more than the centroid is.
 constexpr double largest_told_by_pose = 0.04;
-
-// Below this doubt about the ground around it, nothing covered the mark. Whether something covers it later, its size
-// and its motion tell.
-constexpr double little_doubt = 0.5;
 
 // Whether the centre told is where the pose puts the mark's middle; else it is the centroid of its picture. A triangle
 // that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
@@ -260,17 +257,22 @@ std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
 // Motion and size say whether it is whole; so does its outline, where that goes on from the last frame.
 MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const TrackedMark& track,
                                             const LearnedObject& object, SeenPair pair) const {
-  SeenWhole out{std::move(pair), {}, {}, {}, track.plane};
+  SeenWhole out{std::move(pair), {}, false, track.plane};
   out.look = out.pair.right_by_outline
                  ? Wholeness::Look{.whole = false}
                  : track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
-  out.lies = out.plane.look(sight, object, out.pair);
-  if (!out.lies || !out.lies->may_be_off_px || out.look.elsewhere) return out;
-  const cv::Point2d middle = middle_in_image(sight.model(), out.lies->pose, most_off_px(sight));
-  const bool is_beside = !out.pair.right && !tells_middle(sight, out.lies->pose, out.pair);
-  out.off_by_outline_px = *out.lies->may_be_off_px + (is_beside ? cv::norm(middle - out.pair.left.centre) : 0);
-  if (out.look.whole || !out.lies->goes_on || *out.off_by_outline_px > most_off_px(sight)) return out;
-  out.look.may_be_off_px = *out.off_by_outline_px;
+  if (std::optional<FollowedLook> lies = out.plane.look(sight, object, out.pair)) {
+    out.goes_on = lies->goes_on;
+    out.pair.plane = std::move(lies->view);
+  }
+  if (!out.pair.plane || !out.pair.plane->may_be_off_px || out.look.elsewhere) return out;
+  double& may_be_off_px = *out.pair.plane->may_be_off_px;
+  const PlanePose& pose = *out.pair.plane->pose;
+  const cv::Point2d middle = middle_in_image(sight.model(), pose, most_off_px(sight));
+  const bool is_beside = !out.pair.right && !tells_middle(sight, pose, out.pair);
+  if (is_beside) may_be_off_px += cv::norm(middle - out.pair.left.centre);
+  if (out.look.whole || !out.goes_on || may_be_off_px > most_off_px(sight)) return out;
+  out.look.may_be_off_px = may_be_off_px;
   out.look.anew = true;
   out.look.whole = true;
   return out;
@@ -304,12 +306,10 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
   count_twins(sight, track, object, now);
   const double of_whole = now.likeness.confidence();
   double told = of_whole;
-  const double most_px = most_off_px(sight);
-  if (!now.left.tag) told = confidence_if_off(told, seen.look.may_be_off_px, most_px);
-  const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
-  if (!known) track.ground_doubt = ground_doubt(sight, now);
-  told = confidence_if_off(told, track.ground_doubt, 1);
-  if (seen.off_by_outline_px) told = std::max(told, confidence_if_off(of_whole, *seen.off_by_outline_px, most_px));
+  if (!now.left.tag) {
+    told = now.right ? confidence_before_pair(sight, track, now, seen.look.may_be_off_px)
+                     : confidence_before_one(sight, track, object, now, seen.goes_on);
+  }
   const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
   // A triangle without a side has two. Its region alone shows what hides a part of another one as well.
   const bool may_be_cut = now.right_by_outline && is_triangle(outline_of(now.left.signature));
@@ -322,7 +322,7 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
 void MarkTracker::measure(StereoSight& sight, TrackedMark& track, const LearnedObject& object, const SeenWhole& seen,
                           double in_whole, TrackSighting& out) const {
   const SeenPair& now = seen.pair;
-  const PlanePose* lies = seen.lies ? &seen.lies->pose : nullptr;
+  const PlanePose* lies = now.plane ? &*now.plane->pose : nullptr;
   // In one of the images it is registered with something else, or in part.
   if (lies != nullptr && lies->by_both && lies->is_contradicted()) lies = nullptr;
   track.plane = seen.plane;

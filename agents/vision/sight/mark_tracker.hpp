@@ -92,10 +92,9 @@ class MarkTracker {
   TrackSighting look_in_turn(ConfinedSights& sights, TrackedMark& track);
   TrackSighting update(StereoSight& sight, TrackedMark& track);
   struct SeenWhole {
-    SeenPair pair;
+    SeenPair pair;  // with its plane, where that is registered
     Wholeness::Look look;
-    std::optional<FollowedLook> lies;
-    std::optional<double> off_by_outline_px;  // how far off the centre may be
+    bool goes_on;  // its outline, from that of the last frame
     FollowedPlane plane;
   };
   SeenWhole look_at(const StereoSight& sight, const TrackedMark& track, const LearnedObject& object,

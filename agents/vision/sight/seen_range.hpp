@@ -2,7 +2,7 @@
 
 // How far away a mark is, from the middle of the base line, and how far that may be off.
 //
-//   std::optional<SeenRange> range = range_of(sight, object, pair, confidence_at_first(sight, object, pair));
+//   std::optional<SeenRange> range = range_of(sight, object, pair, confidence_in_look(sight, object, pair));
 //   range->mm, range->spread_mm
 //
 // A pair's range is f b / d, so that it is off by the same part as f, b and d are (JCGM 100:2008, 5.1.2; L. Matthies,

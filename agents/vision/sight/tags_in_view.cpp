@@ -49,7 +49,7 @@ std::vector<FoundMark> TagsInView::at(const StereoSight& sight) const {
     const LearnedObject& size = sizes_[static_cast<std::size_t>(family - families_.begin())];
     const Likeness likely{.error = 0, .doubt = tag.tag_doubt, .unlearned = tag.tag_doubt};
     FoundMark& found = out.emplace_back(tag_name(*tag.tag), SeenPair{tag, partner_of(tag, right), likely});
-    found.confidence = confidence_at_first(sight, size, found.pair);
+    found.confidence = confidence_in_look(sight, size, found.pair);
     found.range = range_of(sight, size, found.pair, found.confidence);
     found.pose = pose_of(sight.model(), size, found.pair, found.range);
   }

@@ -47,6 +47,7 @@ void TrackedMark::lose() {
                       .seen_before = seen_before,
                       .began_among_alike = began_among_alike,
                       .whole = whole,
+                      .nearest = nearest,
                       .others = others,
                       .before = before,
                       .doubted_for = doubted_for};

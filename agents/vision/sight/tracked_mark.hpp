@@ -12,6 +12,7 @@
 
 #include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/known_twins.hpp"
+#include "agents/vision/sight/nearest_look.hpp"
 #include "agents/vision/sight/shadowed_mark.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
@@ -35,7 +36,10 @@ struct TrackedMark {
   bool missed = false;  // in the frame before this one
   Wholeness whole = {};
   FollowedPlane plane = {};
-  double ground_doubt = 0;       // as it was found, or since
+  // Before one camera, where it has been told surely and its outline followed since: how much its edges were bent then.
+  std::optional<double> bent_px = {};
+  NearestLook nearest = {};      // of a triangle before one camera
+  double ground_doubt = 0;       // before a pair: as it was found, or since
   cv::Point2d velocity_px = {};  // a second, in the left image
   double disparity_change_px = 0;
   cv::Point2d middle_off_px = {};  // of what was told as its centre, from the centroid of its picture

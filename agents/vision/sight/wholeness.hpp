@@ -13,7 +13,6 @@
 #include "agents/vision/sight/stereo_sight.hpp"
 #include "agents/vision/sight/whole_face.hpp"
 #include "agents/vision/sight/whole_mark.hpp"
-#include "agents/vision/sight/widest_look.hpp"
 
 namespace pizarra::vision {
 
@@ -21,11 +20,11 @@ class Wholeness {
  public:
   struct Look {
     bool whole = true;
-    bool elsewhere = false;       // of another size, far from where it was foreseen
-    bool smaller = false;         // than the pair saw it
-    bool hardly_covered = false;  // so little that the centre is hardly off
-    bool anew = false;            // what was remembered was covered
-    double may_be_off_px = 0;
+    bool elsewhere = false;             // of another size, far from where it was foreseen
+    bool smaller = false;               // than the pair saw it
+    bool hardly_covered = false;        // so little that the centre is hardly off
+    bool anew = false;                  // what was remembered was covered
+    double may_be_off_px = 0;           // before a pair
     std::optional<FaceSize> face = {};  // where both images show it
   };
   // `lost`: it may be anywhere.
@@ -40,8 +39,10 @@ class Wholeness {
   std::optional<WholeMark> left_;
   std::optional<WholeMark> right_;
   std::optional<WholeFace> face_;
-  WidestLook widest_;  // while the left image alone shows it
 };
+
+// With this confidence and more a mark is told surely: it is the object, and its centre is within a pixel.
+inline constexpr double surely = 0.9;
 
 // How far off a centre may be, by what covers a part of the mark, that is told.
 double most_off_px(const StereoSight& sight);
@@ -49,8 +50,12 @@ double most_off_px(const StereoSight& sight);
 // The greater one of both images (mark_ground.hpp); none of a tag.
 double ground_doubt(const StereoSight& sight, const SeenPair& pair);
 
-// How sure one can be of a mark that was not seen before, by what was learned of it; and by the ground around it too.
-double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
-double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
+// How sure one can be of a mark by this look alone, and by what was learned of it; and by the ground around it too.
+// `bent_before_px`: earlier looks have told that it is the object, when its edges were bent by so much
+// (off_if_bent_px()).
+double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
+                          std::optional<double> bent_before_px = {});
+double confidence_in_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
+                          std::optional<double> bent_before_px = {});
 
 }  // namespace pizarra::vision

@@ -81,7 +81,7 @@ class FirstLooks {
     TrackSighting sighting{.name = object.name, .centre = {}, .yaw_deg = {}, .contour = {}};
     sighting.seen = found.has_value();
     if (found) sighting.centre = found->left.centre;
-    if (found) sighting.confidence = confidence_at_first(sight, object, *found);
+    if (found) sighting.confidence = confidence_in_look(sight, object, *found);
     told.count(sighting, truth);
   }
   static void hide_part(Scene& scene, Cover cover, bool straight, Random& random) {

@@ -209,7 +209,9 @@ TEST_P(WholeByOutline, IsNotToldSurelyElsewhereWhileAStraightEdgeHidesAPart) {
     }
   }
   EXPECT_GT(sure, 18 * ways);
-  EXPECT_LE(far_off, sure / 300);
+  // The positions of one way are off together, so that a few ways say little.
+  constexpr int of_one_way = 4;
+  EXPECT_LE(far_off, std::max(of_one_way, sure / 300));
 }
 
 // So far that FIND would not recognise it.

@@ -128,7 +128,7 @@ cv::Mat1b GroundLooks::draw(bool to_the_right) {
 void GroundLooks::find(StereoSight& sight, const LearnedObjects& objects, ToldAtFirst& told) const {
   const LearnedObject& object = objects.all().front();
   const std::optional<SeenPair> found = sight.find(objects, object);
-  if (found) told.count(confidence_at_first(sight, object, *found), cv::norm(found->left.centre - centre_));
+  if (found) told.count(confidence_in_look(sight, object, *found), cv::norm(found->left.centre - centre_));
 }
 
 void GroundLooks::find_thoroughly(StereoSight& sight) {

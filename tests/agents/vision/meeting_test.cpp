@@ -70,7 +70,7 @@ TEST(Finding, OfAHalfCoveredSquareIsNotSure) {
     for (StereoSight* sight : {&drawn.sight, &by_one}) {
       const std::optional<SeenPair> found = sight->find(learned_cell(), square);
       if (!found) continue;
-      EXPECT_LT(confidence_at_first(*sight, square, *found), ToldOfMeeting::surely)
+      EXPECT_LT(confidence_in_look(*sight, square, *found), ToldOfMeeting::surely)
           << (sight == &by_one ? "one camera" : "a pair") << ", " << hidden << " of " << size_px << " px hidden";
       found_by_one += sight == &by_one ? 1 : 0;
     }

@@ -240,15 +240,15 @@ TEST(Likeness, OfTrackingIsThatOfFindingAndNoOtherObjectIsNearerThanTheSecond) {
     // It remembers how large the mark looked by the other threshold, too; and what the ground said when it was found.
     const double by_form = confidence_by_form(drawn.sight, object, followed);
     const double when_found = confidence_if_off(by_form, ground_doubt(drawn.sight, *found), 1);
-    const double again = confidence_at_first(drawn.sight, object, followed);
+    const double again = confidence_in_look(drawn.sight, object, followed);
     // Its outline is registered as TRACK does it, in two frames.
     FollowedPlane plane;
     plane.look(drawn.sight, object, *found);
     const std::optional<FollowedLook> lies = plane.look(drawn.sight, object, followed);
-    const bool says_off = lies && lies->may_be_off_px;
+    const bool says_off = lies && lies->view.may_be_off_px;
     const double of_whole = followed.likeness.confidence();
     const double by_outline =
-        says_off ? confidence_if_off(of_whole, *lies->may_be_off_px, vision::most_off_px(drawn.sight)) : 0;
+        says_off ? confidence_if_off(of_whole, *lies->view.may_be_off_px, vision::most_off_px(drawn.sight)) : 0;
     const double off = std::min(std::abs(tracked.confidence - std::max(when_found, by_outline)),
                                 std::abs(tracked.confidence - std::max(again, by_outline)));
     EXPECT_LT(off, 0.005);

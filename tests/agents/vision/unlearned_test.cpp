@@ -198,7 +198,7 @@ double confidence_of(const bench::Shape& shape, const std::string& name, bool pa
   StereoSight sight(left, pair ? draw(scene, bench::Side::right, random) : left, model);
   const LearnedObject& object = *learned_cell().find(name);
   const std::optional<SeenPair> found = sight.find(learned_cell(), object);
-  return found ? confidence_at_first(sight, object, *found) : 0;
+  return found ? confidence_in_look(sight, object, *found) : 0;
 }
 
 // A parallelogram is a square seen aslant and an ellipse a circle; what faces the camera is what it looks like.

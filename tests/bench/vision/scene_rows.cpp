@@ -61,7 +61,7 @@ void find_marks(const VisionBench& bench, const Scene& scene, const cv::Mat1b& i
     const SceneMark* truth = mark_in(scene, object.name);
     tally.count(truth, seen ? &seen->left.centre : nullptr);
     if (tally.found == found_before) continue;
-    const int sure = vision::confidence_at_first(sight, object, *seen) >= surely ? 1 : 0;
+    const int sure = vision::confidence_in_look(sight, object, *seen) >= surely ? 1 : 0;
     tally.sure += sure;
     if (!is_smaller_triangle(*truth)) continue;
     ++tally.smaller;

@@ -1,0 +1,60 @@
+#include "agents/vision/sight/nearest_look.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace pizarra::vision {
+namespace {
+
+// How far the middle of a triangle moves for every standard deviation that it looks smaller, where a cover lies along
+// one side: the corner opposite is so far away.
+const double to_corner = std::sqrt(8.0);
+// Noise makes less.
+constexpr double least_farther_px = 0.5;
+// How far all sides must have turned: a covered one's are known to 2 degrees.
+constexpr double turned_rad = 0.14;
+
+// In the image, of each side; the middle of a side says it best.
+std::vector<double> directions_of(const PlaneOutline& outline, const PlaneFit& fit) {
+  std::map<std::size_t, const OutlinePoint*> middles;
+  for (const OutlinePoint& point : outline.points) {
+    const OutlinePoint*& middle = middles[point.side];
+    if (middle == nullptr || middle->from_bend < point.from_bend) middle = &point;
+  }
+  std::vector<double> out;
+  for (const auto& [side, middle] : middles) {
+    const cv::Vec2d along = fit.slope_at(middle->at) * cv::Vec2d(-middle->out[1], middle->out[0]);
+    out.push_back(std::atan2(along[1], along[0]));
+  }
+  return out;
+}
+
+bool have_turned(const std::vector<double>& before, const std::vector<double>& now) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double turn = std::remainder(now[i] - before[i], 2 * std::numbers::pi);
+    least = std::min(least, turn);
+    most = std::max(most, turn);
+  }
+  return least > turned_rad || most < -turned_rad;
+}
+
+}  // namespace
+
+void NearestLook::follow(const PlaneOutline& outline, const PlaneFit& fit, double range_mm, bool goes_on) {
+  nearest_mm_ = std::min(nearest_mm_.value_or(range_mm), range_mm);
+  off_if_covered_px_ = to_corner * fit.size_px() * (range_mm / *nearest_mm_ - 1);
+  const std::vector<double> now = directions_of(outline, fit);
+  if (off_if_covered_px_ < least_farther_px || !goes_on || directions_.size() != now.size()) {
+    directions_ = now;
+  } else if (have_turned(directions_, now)) {
+    nearest_mm_ = range_mm;
+    off_if_covered_px_ = 0;
+  }
+}
+
+}  // namespace pizarra::vision

@@ -1,0 +1,32 @@
+#pragma once
+
+// How much of a triangle that one camera alone follows may be covered. A cover along one of its sides leaves a
+// triangle, which looks like the whole one farther away. So the nearest look is remembered, and the triangle is the
+// less sure the farther off its middle would be if it were covered since.
+//
+//   NearestLook nearest;
+//   nearest.follow(sample.plane, fit, range_mm, goes_on);      // each frame that shows it
+//   nearest.off_if_covered_px()
+//
+// A cover's edge does not turn with the mark. Where all sides turn in the image while it looks farther away, it is.
+
+#include <optional>
+
+#include "agents/vision/marks/plane_fit.hpp"
+
+namespace pizarra::vision {
+
+class NearestLook {
+ public:
+  // `goes_on`: from the last frame's outline, so that each side is the same one.
+  void follow(const PlaneOutline& outline, const PlaneFit& fit, double range_mm, bool goes_on);
+  // By the look followed last.
+  double off_if_covered_px() const { return off_if_covered_px_; }
+
+ private:
+  std::optional<double> nearest_mm_;  // none before the first look
+  std::vector<double> directions_;    // of the sides in the image, since it looks farther away
+  double off_if_covered_px_ = 0;
+};
+
+}  // namespace pizarra::vision
