@@ -8,6 +8,7 @@
 namespace pizarra::vision {
 
 const double motion_by_strip = std::sqrt(3.0);
+const double triangle_reach = std::sqrt(8.0);
 
 // The root of the covariance's determinant.
 double spread_product_px2(const SeenMark& mark) {

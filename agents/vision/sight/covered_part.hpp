@@ -13,6 +13,9 @@ namespace pizarra::vision {
 // How far the centre moves for every px that the standard deviation shrinks, where a strip of a square is covered. For
 // a disc and a cross it is less.
 extern const double motion_by_strip;
+// From the centre of a triangle to its corners, in standard deviations. A cover along one side leaves the corner
+// opposite where it was.
+extern const double triangle_reach;
 
 // The product of the mark's principal standard deviations, as large as its image whichever way that is turned.
 double spread_product_px2(const SeenMark& mark);

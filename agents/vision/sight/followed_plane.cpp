@@ -33,24 +33,25 @@ void move_by(PlaneFit& fit, cv::Point2d way) {
 
 cv::Vec3d away_of(const cv::Matx33d& turn) { return {turn(0, 2), turn(1, 2), turn(2, 2)}; }
 
-// The outline of a sample, as a mark of one image shows it.
+// What one image shows around a mark, and the outline of a sample in it.
 class OutlineInImage {
  public:
-  OutlineInImage(const cv::Mat& grey, double noise, const LearnedSample& sample, const SeenMark& mark)
-      : sample_(sample), mark_(mark), cut_(look_at(grey, around(mark) & cv::Rect({}, grey.size()), noise)) {}
+  OutlineInImage(const cv::Mat& grey, double noise, const SeenMark& mark)
+      : mark_(mark), cut_(look_at(grey, around(mark) & cv::Rect({}, grey.size()), noise)) {}
 
-  std::optional<PlaneFit> fit_from(const cv::Matx33d& start, const PlaneSearch& search) const {
-    return checked(fit_plane(cut_.pixels, sample_.plane, shift_by(-origin()) * start, sample_.tone, search));
+  std::optional<PlaneFit> fit_from(const LearnedSample& sample, const cv::Matx33d& start,
+                                   const PlaneSearch& search) const {
+    return checked(fit_plane(cut_.pixels, sample.plane, shift_by(-origin()) * start, sample.tone, search));
   }
-  std::optional<PlaneFit> fit_anew() const {
+  std::optional<PlaneFit> fit_anew(const LearnedSample& sample) const {
     std::vector<cv::Point2d> contour;
     for (const cv::Point& p : mark_.contour) contour.emplace_back(p - cut_.origin);
     const std::optional<Reach> reach = reach_of(contour);
-    return reach ? checked(fit_region(cut_, sample_, *reach)) : std::nullopt;
+    return reach ? checked(fit_region(cut_, sample, *reach)) : std::nullopt;
   }
-  OutlineGround ground(PlaneFit fit) const {
+  OutlineGround ground(const LearnedSample& sample, PlaneFit fit) const {
     move_by(fit, -origin());
-    return look_at_ground(cut_, sample_.plane, fit);
+    return look_at_ground(cut_, sample.plane, fit);
   }
 
  private:
@@ -65,10 +66,13 @@ class OutlineInImage {
     return fit;
   }
 
-  const LearnedSample& sample_;
   const SeenMark& mark_;
   const ImageCut cut_;
 };
+
+const PlaneSearch& to_follow_in_left(const StereoSight& sight) {
+  return sight.model().is_single() ? to_follow_alone : to_follow;
+}
 
 const LearnedSample* sample_numbered(const LearnedObject& object, int number) {
   const auto found = std::ranges::find(object.samples, number, &LearnedSample::number);
@@ -81,7 +85,7 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
                                      const PlaneFit& left, const PlaneSearch& search) {
   if (!pair.right) return std::nullopt;
   const cv::Matx33d start = moved(left.to_image, pair.left.centre, pair.right->centre);
-  return OutlineInImage(sight.right(), sight.noise(), sample, *pair.right).fit_from(start, search);
+  return OutlineInImage(sight.right(), sight.noise(), *pair.right).fit_from(sample, start, search);
 }
 
 // How much all frames speak for the likelier tilt, which is made the pose. The tilts of two frames are matched by the
@@ -101,17 +105,15 @@ double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& 
   return for_told;
 }
 
-std::optional<PlaneFit> FollowedPlane::fit_on(const StereoSight& sight, const LearnedSample& sample,
-                                              const SeenMark& left) const {
-  const cv::Matx33d start = moved(before_->to_image, before_->centre, left.centre);
-  return OutlineInImage(sight.left(), sight.noise(), sample, left)
-      .fit_from(start, sight.model().is_single() ? to_follow_alone : to_follow);
+cv::Matx33d FollowedPlane::start_at(const SeenMark& left) const {
+  return moved(before_->to_image, before_->centre, left.centre);
 }
 
 bool FollowedPlane::recognises(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const {
   const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
   if (sample == nullptr) return false;
-  const std::optional<PlaneFit> fit = fit_on(sight, *sample, left);
+  const OutlineInImage image(sight.left(), sight.noise(), left);
+  const std::optional<PlaneFit> fit = image.fit_from(*sample, start_at(left), to_follow_in_left(sight));
   const std::optional<PlanePose> pose = fit ? pose_in_plane(sight.model(), *sample, *fit) : std::nullopt;
   if (!pose) return false;
   const double most_off_px = px_in(sight.left(), 1);
@@ -129,7 +131,7 @@ std::optional<SeenMark> FollowedPlane::follow_in_right(const StereoSight& sight,
   if ((last.box & cv::Rect({}, sight.right().size())) != last.box) return std::nullopt;
   const cv::Matx33d start = moved(*before_->to_right, right.centre, expected);
   const std::optional<PlaneFit> fit =
-      OutlineInImage(sight.right(), sight.noise(), *sample, last).fit_from(start, to_follow);
+      OutlineInImage(sight.right(), sight.noise(), last).fit_from(*sample, start, to_follow);
   if (!fit || !is_registered(sample->plane, *fit, px_in(sight.right(), 1))) return std::nullopt;
   set_outline(last, *fit, *sample);
   return last;
@@ -137,16 +139,19 @@ std::optional<SeenMark> FollowedPlane::follow_in_right(const StereoSight& sight,
 
 std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const LearnedObject& object,
                                                 const SeenPair& now) {
+  const bool has_outline = !now.left.tag && !now.left.contour.empty();
+  if (!has_outline) before_.reset();
+  if (!has_outline) return std::nullopt;
+  const OutlineInImage image(sight.left(), sight.noise(), now.left);
   const LearnedSample* sample = before_ ? sample_numbered(object, before_->sample) : nullptr;
   std::optional<PlaneFit> left;
-  if (sample != nullptr && !now.left.contour.empty()) left = fit_on(sight, *sample, now.left);
+  if (sample != nullptr) left = image.fit_from(*sample, start_at(now.left), to_follow_in_left(sight));
   const bool goes_on = left.has_value();
   const std::optional<Seen> before = std::exchange(before_, std::nullopt);
-  if (now.left.tag || now.left.contour.empty()) return std::nullopt;
   if (!left) {
     sample = match_of(now.left, object, now.likeness.turn).sample;
     if (sample == nullptr || sample->tag) return std::nullopt;
-    left = OutlineInImage(sight.left(), sight.noise(), *sample, now.left).fit_anew();
+    left = image.fit_anew(*sample);
   }
   if (!left) return std::nullopt;
   const std::optional<PlaneFit> right = fit_in_right(sight, *sample, now, *left, to_follow_in_right);
@@ -158,8 +163,7 @@ std::optional<FollowedLook> FollowedPlane::look(const StereoSight& sight, const 
   before_ = Seen{sample->number, now.left.centre, left->to_image, to_right, pose->turn, for_told};
   const RegisteredOutline seen{*sample, *left, right ? &*right : nullptr, *pose, now.right.has_value()};
   const std::optional<double> off_px = off_by_outline_px(seen, px_in(sight.left(), 1));
-  const OutlineGround ground =
-      now.right ? OutlineGround() : OutlineInImage(sight.left(), sight.noise(), *sample, now.left).ground(*left);
+  const OutlineGround ground = now.right ? OutlineGround() : image.ground(*sample, *left);
   return FollowedLook{{sample, std::move(*left), true, std::move(pose), false, ground, off_px}, goes_on};
 }
 

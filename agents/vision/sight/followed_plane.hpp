@@ -35,7 +35,8 @@ class FollowedPlane {
   bool recognises(const StereoSight& sight, const LearnedObject& object, const SeenMark& left) const;
 
  private:
-  std::optional<PlaneFit> fit_on(const StereoSight& sight, const LearnedSample& sample, const SeenMark& left) const;
+  // Its outline of the last frame, moved to where the mark is now.
+  cv::Matx33d start_at(const SeenMark& left) const;
 
   struct Seen {
     int sample;  // its number

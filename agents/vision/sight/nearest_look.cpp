@@ -5,13 +5,13 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <utility>
+
+#include "agents/vision/sight/covered_part.hpp"
 
 namespace pizarra::vision {
 namespace {
 
-// How far the middle of a triangle moves for every standard deviation that it looks smaller, where a cover lies along
-// one side: the corner opposite is so far away.
-const double to_corner = std::sqrt(8.0);
 // Noise makes less.
 constexpr double least_farther_px = 0.5;
 // How far all sides must have turned: a covered one's are known to 2 degrees.
@@ -45,16 +45,17 @@ bool have_turned(const std::vector<double>& before, const std::vector<double>& n
 
 }  // namespace
 
-void NearestLook::follow(const PlaneOutline& outline, const PlaneFit& fit, double range_mm, bool goes_on) {
+double NearestLook::off_if_covered_px(const PlaneOutline& outline, const PlaneFit& fit, double range_mm, bool goes_on) {
   nearest_mm_ = std::min(nearest_mm_.value_or(range_mm), range_mm);
-  off_if_covered_px_ = to_corner * fit.size_px() * (range_mm / *nearest_mm_ - 1);
-  const std::vector<double> now = directions_of(outline, fit);
-  if (off_if_covered_px_ < least_farther_px || !goes_on || directions_.size() != now.size()) {
-    directions_ = now;
-  } else if (have_turned(directions_, now)) {
-    nearest_mm_ = range_mm;
-    off_if_covered_px_ = 0;
+  const double off_px = triangle_reach * fit.size_px() * (range_mm / *nearest_mm_ - 1);
+  std::vector<double> now = directions_of(outline, fit);
+  if (off_px < least_farther_px || !goes_on || directions_.size() != now.size()) {
+    directions_ = std::move(now);
+    return off_px;
   }
+  if (!have_turned(directions_, now)) return off_px;
+  nearest_mm_ = range_mm;
+  return 0;
 }
 
 }  // namespace pizarra::vision

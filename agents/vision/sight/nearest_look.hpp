@@ -5,12 +5,13 @@
 // less sure the farther off its middle would be if it were covered since.
 //
 //   NearestLook nearest;
-//   nearest.follow(sample.plane, fit, range_mm, goes_on);      // each frame that shows it
-//   nearest.off_if_covered_px()
+//   const double off_px = nearest.off_if_covered_px(sample.plane, fit, range_mm, goes_on);     // each frame that shows
+//   it
 //
 // A cover's edge does not turn with the mark. Where all sides turn in the image while it looks farther away, it is.
 
 #include <optional>
+#include <vector>
 
 #include "agents/vision/marks/plane_fit.hpp"
 
@@ -18,15 +19,12 @@ namespace pizarra::vision {
 
 class NearestLook {
  public:
-  // `goes_on`: from the last frame's outline, so that each side is the same one.
-  void follow(const PlaneOutline& outline, const PlaneFit& fit, double range_mm, bool goes_on);
-  // By the look followed last.
-  double off_if_covered_px() const { return off_if_covered_px_; }
+  // By this look, which is remembered. `goes_on`: from the last frame's outline, so that each side is the same one.
+  double off_if_covered_px(const PlaneOutline& outline, const PlaneFit& fit, double range_mm, bool goes_on);
 
  private:
   std::optional<double> nearest_mm_;  // none before the first look
   std::vector<double> directions_;    // of the sides in the image, since it looks farther away
-  double off_if_covered_px_ = 0;
 };
 
 }  // namespace pizarra::vision

@@ -21,6 +21,8 @@ struct PlaneView {
   OutlineGround ground = {};      // of a whole that agrees
   // How far off the centre may be if a part is hidden (whole_outline.hpp).
   std::optional<double> may_be_off_px = {};
+  // Where earlier looks have told that it is the object: how much its edges were bent then (off_if_bent_px()).
+  std::optional<double> known_bend_px = {};
 };
 
 // How the sample's plane lies by the fit in the left image, and by that in the right one where it is there; nothing

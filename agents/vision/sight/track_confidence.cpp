@@ -21,16 +21,17 @@ double bent_in_each_look_px(const PlaneView& plane) {
 
 }  // namespace
 
-double confidence_before_one(const StereoSight& sight, TrackedMark& track, const LearnedObject& object,
-                             const SeenPair& now, bool goes_on) {
-  if (!goes_on) track.bent_px.reset();
-  const double told = confidence_in_look(sight, object, now, track.bent_px);
-  if (!now.plane) return told;
-  const PlaneView& plane = *now.plane;
-  if (!track.bent_px && told >= surely) track.bent_px = bent_in_each_look_px(plane);
+double confidence_before_one(const StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenPair& now,
+                             bool goes_on) {
+  if (!goes_on) track.known_bend_px.reset();
+  if (!now.plane) return confidence_in_look(sight, object, now);
+  PlaneView& plane = *now.plane;
+  plane.known_bend_px = track.known_bend_px;
+  const double told = confidence_in_look(sight, object, now);
+  if (!track.known_bend_px && told >= surely) track.known_bend_px = bent_in_each_look_px(plane);
   if (!is_triangle(outline_of(now.left.signature))) return told;
-  track.nearest.follow(plane.sample->plane, plane.fit, cv::norm(plane.pose->place_mm), goes_on);
-  const double off_px = track.nearest.off_if_covered_px();
+  const double range_mm = cv::norm(plane.pose->place_mm);
+  const double off_px = track.nearest.off_if_covered_px(plane.sample->plane, plane.fit, range_mm, goes_on);
   return std::min(told, confidence_if_off(now.likeness.confidence(), off_px, most_off_px(sight)));
 }
 

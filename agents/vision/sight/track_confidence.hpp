@@ -1,7 +1,7 @@
 #pragma once
 
-// How sure TRACK is of a mark that it follows: that it is the object, and that nothing covers it. What earlier looks
-// have told is kept with the track.
+// How sure TRACK is of a mark that it follows: that it is the object, and that nothing covers it. The track keeps what
+// earlier looks have told.
 //
 //   const double told = pair.right ? confidence_before_pair(sight, track, pair, look.may_be_off_px)
 //                                  : confidence_before_one(sight, track, object, pair, goes_on);
@@ -14,8 +14,8 @@
 namespace pizarra::vision {
 
 // `goes_on`: the outline of its plane, from that of the last frame.
-double confidence_before_one(const StereoSight& sight, TrackedMark& track, const LearnedObject& object,
-                             const SeenPair& now, bool goes_on);
+double confidence_before_one(const StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenPair& now,
+                             bool goes_on);
 // `may_be_off_px`: how far off its centre may be, by what is remembered of it (wholeness.hpp).
 double confidence_before_pair(const StereoSight& sight, TrackedMark& track, const SeenPair& now, double may_be_off_px);
 

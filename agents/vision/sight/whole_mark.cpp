@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "agents/vision/marks/mark_outline.hpp"
+#include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/frame_time.hpp"
 
 namespace pizarra::vision {
@@ -31,8 +32,6 @@ constexpr double least_off_px = 0.2;
 constexpr double similar_scales = 1.03;
 // The least ratio of its areas where more of a mark is to be seen than was.
 constexpr double least_growth = 1.02;
-// From the centre of a triangle to its corners, in standard deviations.
-const double corner_reach = std::sqrt(8.0);
 // Of the motion that covering makes, how much is left unexplained where much is covered: by how the shape is.
 constexpr double most_missed = 0.5;
 
@@ -110,7 +109,7 @@ WholeMark::Evidence WholeMark::evidence_of_a_side(const Axes& now, double second
   const double spread = (axes_[0].spread + axes_[1].spread) / 2;
   const double change = spread - (now[0].spread + now[1].spread) / 2;
   constexpr double endless = std::numeric_limits<double>::infinity();
-  Evidence out{.off = corner_reach * change, .moved = endless, .missed = endless};
+  Evidence out{.off = triangle_reach * change, .moved = endless, .missed = endless};
   for (const double after : {0.0, seconds}) {
     const double motion = norm_of(now[0].place - axes_[0].foreseen(after), now[1].place - axes_[1].foreseen(after));
     out.moved = std::min(out.moved, motion);

@@ -60,23 +60,22 @@ double confidence_in_print(double confidence, const SeenPair& pair) {
 }
 
 // In an object that nothing covers.
-double confidence_in_object(const LearnedObject& object, const SeenPair& pair, std::optional<double> bent_before_px) {
+double confidence_in_object(const LearnedObject& object, const SeenPair& pair) {
   const double by_likeness = pair.likeness.confidence();
-  if (pair.left.tag || pair.right || !pair.plane || bent_before_px) return by_likeness;
+  if (pair.left.tag || pair.right || !pair.plane || pair.plane->known_bend_px) return by_likeness;
   const double most = most_by_plane(*pair.plane, pair.left.slimness / front_slimness(object));
   return confidence_in_print(std::min(by_likeness, most), pair);
 }
 
 // By one camera: a look that is slimmer than the mark is one of all of it, tilted, or of a part of it; perspective says
 // how likely either is. Of what no edges registered nobody knows.
-double confidence_before_one(const LearnedObject& object, const SeenPair& pair, std::optional<double> bent_before_px,
-                             double most_off_px, const Odds& odds) {
+double confidence_before_one(const LearnedObject& object, const SeenPair& pair, double most_off_px, const Odds& odds) {
   const double slimness = front_slimness(object);
   const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
-  const double of_whole = confidence_in_object(object, pair, bent_before_px);
+  const double of_whole = confidence_in_object(object, pair);
   const double now_bent_px = plane != nullptr ? off_if_bent_px(plane->sample->plane, plane->fit) : 0;
-  const double before_px = bent_before_px.value_or(0);
-  const double bent_px = std::sqrt(std::max(0.0, (now_bent_px - before_px) * (now_bent_px + before_px)));
+  const double known_px = plane != nullptr ? plane->known_bend_px.value_or(0) : 0;
+  const double bent_px = std::sqrt(std::max(0.0, now_bent_px * now_bent_px - known_px * known_px));
   const auto if_off = [&](double off_px) {
     return confidence_if_off(of_whole, std::max(bent_px, off_px), most_off_px);
   };
@@ -102,38 +101,34 @@ double ground_doubt(const StereoSight& sight, const SeenPair& pair) {
   return pair.right ? std::max(left, ground_doubt(sight.right(), sight.noise(), *pair.right)) : left;
 }
 
-double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
-                          std::optional<double> bent_before_px) {
+double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
-  if (!pair.right) return confidence_before_one(object, pair, bent_before_px, most_off_px(sight), on_even_ground);
+  if (!pair.right) return confidence_before_one(object, pair, most_off_px(sight), on_even_ground);
   const double off_px = may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left);
   return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
 
 // By its form, and by the ground beside it, which may hide a part.
-double confidence_by_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
-                          std::optional<double> bent_before_px) {
-  const double by_form = confidence_by_form(sight, object, pair, bent_before_px);
+double confidence_by_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+  const double by_form = confidence_by_form(sight, object, pair);
   const double doubt = ground_doubt(sight, pair);
   if (pair.right || pair.left.tag || !pair.plane) return confidence_if_off(by_form, doubt, 1);
-  const double in_shadow =
-      shadow_share * confidence_before_one(object, pair, bent_before_px, most_off_px(sight), on_uneven_ground);
+  const double in_shadow = shadow_share * confidence_before_one(object, pair, most_off_px(sight), on_uneven_ground);
   if (!pair.plane->agrees) return std::max(confidence_if_off(by_form, doubt, 1), in_shadow);
   const OutlineGround& ground = pair.plane->ground;
   const double by_ground = confidence_if_off(by_form, std::min(doubt, ground.doubt), 1);
   return std::lerp(std::max(by_ground, in_shadow), by_form, ground.light);
 }
 
-double confidence_in_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
-                          std::optional<double> bent_before_px) {
+double confidence_in_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   if (pair.plane && pair.plane->is_part) {
     const double of_part = 1 / (1 / if_part + pair.likeness.other_form);
     return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
   }
-  const double by_look = confidence_by_look(sight, object, pair, bent_before_px);
+  const double by_look = confidence_by_look(sight, object, pair);
   if (!pair.plane || !pair.plane->may_be_off_px) return by_look;
-  const double of_whole = confidence_in_object(object, pair, bent_before_px);
+  const double of_whole = confidence_in_object(object, pair);
   return std::max(by_look, confidence_if_off(of_whole, *pair.plane->may_be_off_px, most_off_px(sight)));
 }
 

@@ -51,11 +51,7 @@ double most_off_px(const StereoSight& sight);
 double ground_doubt(const StereoSight& sight, const SeenPair& pair);
 
 // How sure one can be of a mark by this look alone, and by what was learned of it; and by the ground around it too.
-// `bent_before_px`: earlier looks have told that it is the object, when its edges were bent by so much
-// (off_if_bent_px()).
-double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
-                          std::optional<double> bent_before_px = {});
-double confidence_in_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
-                          std::optional<double> bent_before_px = {});
+double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
+double confidence_in_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 
 }  // namespace pizarra::vision

@@ -198,7 +198,8 @@ TEST_P(WholeByOutline, IsNotToldSurelyElsewhereWhileAStraightEdgeHidesAPart) {
   looks.learn(view_of(mark), random);
   int sure = 0;
   int far_off = 0;
-  const int ways = campaign(24, 100);
+  // The positions of one way are off together, so that a few ways of one camera say little.
+  const int ways = campaign(by_pair ? 24 : 100, 100);
   for (int way = 0; way < ways; ++way) {
     const std::vector<RangeView> views = covered_way_of(looks, mark, random);
     const std::vector<TrackSighting> told = looks.follow(views, random);
@@ -209,9 +210,7 @@ TEST_P(WholeByOutline, IsNotToldSurelyElsewhereWhileAStraightEdgeHidesAPart) {
     }
   }
   EXPECT_GT(sure, 18 * ways);
-  // The positions of one way are off together, so that a few ways say little.
-  constexpr int of_one_way = 4;
-  EXPECT_LE(far_off, std::max(of_one_way, sure / 300));
+  EXPECT_LE(far_off, sure / 300);
 }
 
 // So far that FIND would not recognise it.
@@ -234,6 +233,15 @@ INSTANTIATE_TEST_SUITE_P(Marks, WholeByOutline,
                          [](const auto& one) {
                            return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
                          });
+
+// What would cover a part of it as well is rarer than a tilt, as FIND has it.
+TEST(Followed, ASquareIsToldSurelyByOneCameraWhileItLeansAndTurns) {
+  Random random = Random(17).split("square");
+  TiltedLooks looks(one_camera());
+  looks.learn(view_of("square"), random);
+  const SeenOnWays told = follow_ways(looks, "square", 45, random);
+  EXPECT_GE(told.sure, 0.95 * told.seen);
+}
 
 // In the right image a line as dark as the mark touches it, so that one region shows both. The outline is registered
 // there all the same.
