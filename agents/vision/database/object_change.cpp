@@ -1,6 +1,6 @@
 #include "agents/vision/database/object_change.hpp"
 
-#include <fmt/format.h>
+#include "agents/vision/objects/sample_facts.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -12,14 +12,8 @@ Result<const LearnedObject*> known(const LearnedObjects& objects, const std::str
   return object;
 }
 
-std::vector<Datum> facts_of(const std::string& name, const LearnedSample& sample) {
-  std::vector<Datum> out = {learned_fact(name, sample), learned_template_fact(name, sample)};
-  if (sample.focal_px > 0) out.push_back(learned_focal_fact(name, sample));
-  return out;
-}
-
 void tell_sample(Transaction& transaction, const std::string& name, const LearnedSample& sample) {
-  for (Datum& fact : facts_of(name, sample)) transaction.tell(std::move(fact));
+  for (Datum& fact : facts_of_sample(name, sample)) transaction.tell(std::move(fact));
 }
 
 void retract_samples(Transaction& transaction, const std::string& name, std::optional<int> number = {}) {
@@ -78,23 +72,22 @@ std::vector<Datum> facts_of(const LearnedObjects& objects) {
   std::vector<Datum> out;
   for (const LearnedObject& object : objects.all()) {
     for (const LearnedSample& sample : object.samples) {
-      for (Datum& fact : facts_of(object.name, sample)) out.push_back(std::move(fact));
+      for (Datum& fact : facts_of_sample(object.name, sample)) out.push_back(std::move(fact));
     }
   }
   return out;
 }
 
 std::vector<Datum> patterns_of(const std::string& name, std::optional<int> number) {
-  const auto pattern = [&](const Datum& fact) {
-    std::vector<Datum> items(fact.items().begin(), fact.items().end());
+  std::vector<Datum> out;
+  for (const SampleRelation& relation : sample_relations) {
+    std::vector<Datum> items(relation.arguments + 1, "?"_sym);
+    items[0] = Datum::symbol(relation.name);
     items[1] = to_datum(name);
-    for (std::size_t i = 2; i < items.size(); ++i) items[i] = "?"_sym;
     if (number) items[2] = to_datum(*number);
-    return Datum::list(std::move(items));
-  };
-  const LearnedSample any;
-  return {pattern(learned_fact(name, any)), pattern(learned_template_fact(name, any)),
-          pattern(learned_focal_fact(name, any))};
+    out.push_back(Datum::list(std::move(items)));
+  }
+  return out;
 }
 
 }  // namespace pizarra::vision

@@ -32,8 +32,8 @@ struct RenameObject {
 };
 using ObjectChange = std::variant<KeepSample, WithdrawSample, ForgetObject, RenameObject>;
 
-// The change as one of the durable facts `learned`, `learned-template` and `learned-focal`, that are so far as
-// `objects` says. Failures `full`, `not-learned` and `name-taken`.
+// The change as one of the durable facts of the samples (sample_facts.hpp), that are so far as `objects` says. Failures
+// `full`, `not-learned` and `name-taken`.
 Result<Transaction> facts_of(const ObjectChange& change, const LearnedObjects& objects);
 
 std::unexpected<Failure> name_taken(const std::string& name);

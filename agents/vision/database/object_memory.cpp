@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/vision/database/told_by.hpp"
+#include "agents/vision/objects/sample_facts.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -21,30 +22,20 @@ Transaction all_told_by(std::string_view agent, Transaction transaction) {
   return transaction;
 }
 
-// Of those the one about the same sample as this fact; nothing where there is none.
-std::optional<Datum> beside(const Fact& sample, const std::vector<Fact>& facts) {
-  const auto found = std::ranges::find_if(facts, [&](const Fact& candidate) {
-    return candidate.datum[2] == sample.datum[2] && candidate.datum[3] == sample.datum[3];
-  });
-  return found == facts.end() ? std::nullopt : std::optional(as_said(found->datum));
-}
-
-Result<LearnedSample> sample_of(const Fact& learned, const std::vector<Fact>& templates,
-                                const std::vector<Fact>& focals) {
-  const std::optional<Datum> picture = beside(learned, templates);
-  if (!picture) return fail("damaged", "its template is missing");
-  const std::optional<Datum> focal = beside(learned, focals);
-  return sample_from_facts(as_said(learned.datum), *picture, focal ? &*focal : nullptr);
+// Of the same sample as this fact.
+Result<LearnedSample> sample_of(const Fact& learned, const std::vector<Fact>& facts) {
+  std::vector<Datum> of_sample;
+  for (const Fact& fact : facts) {
+    const bool is_same = fact.datum[2] == learned.datum[2] && fact.datum[3] == learned.datum[3];
+    if (is_same) of_sample.push_back(as_said(fact.datum));
+  }
+  return sample_from_facts(of_sample);
 }
 
 }  // namespace
 
 ObjectMemory::ObjectMemory(runtime::AgentContext& context, std::string directory)
-    : context_(context),
-      directory_(std::move(directory)),
-      samples_(any_told_by(context.name, "learned"_sym, 8)),
-      templates_(any_told_by(context.name, "learned-template"_sym, 10)),
-      focals_(any_told_by(context.name, "learned-focal"_sym, 3)) {}
+    : context_(context), directory_(std::move(directory)) {}
 
 Result<void> ObjectMemory::open() {
   if (database_ && database_->in_place()) return {};
@@ -157,17 +148,24 @@ Task<Result<LearnedObjects>> ObjectMemory::known_to(std::string agent) {
   co_return std::move(recalled->objects);
 }
 
+Task<Result<std::vector<Fact>>> ObjectMemory::sample_facts(std::string agent) {
+  std::vector<Fact> out;
+  for (const SampleRelation& relation : sample_relations) {
+    const Datum pattern = any_told_by(agent, Datum::symbol(relation.name), relation.arguments);
+    Result<std::vector<Fact>> facts = co_await context_.board.facts(pattern);
+    if (!facts) co_return fail(facts);
+    std::ranges::move(*facts, std::back_inserter(out));
+  }
+  co_return out;
+}
+
 Task<Result<ObjectMemory::Recalled>> ObjectMemory::read_facts(std::string agent) {
-  const Result<std::vector<Fact>> samples = co_await context_.board.facts(any_told_by(agent, "learned"_sym, 8));
-  if (!samples) co_return fail(samples);
-  const Result<std::vector<Fact>> templates =
-      co_await context_.board.facts(any_told_by(agent, "learned-template"_sym, 10));
-  if (!templates) co_return fail(templates);
-  const Result<std::vector<Fact>> focals = co_await context_.board.facts(any_told_by(agent, "learned-focal"_sym, 3));
-  if (!focals) co_return fail(focals);
+  const Result<std::vector<Fact>> facts = co_await sample_facts(std::move(agent));
+  if (!facts) co_return fail(facts);
   Recalled recalled;
-  for (const Fact& fact : *samples) {
-    Result<LearnedSample> sample = sample_of(fact, *templates, *focals);
+  for (const Fact& fact : *facts) {
+    if (!fact.datum.is_form(sample_relations[0].name)) continue;
+    Result<LearnedSample> sample = sample_of(fact, *facts);
     const Result<LearnedObjects::Slot> slot = recalled.objects.slot_for(fact.datum[2].text());
     if (sample && slot) {
       recalled.objects.add(slot->name, std::move(*sample));
@@ -184,14 +182,11 @@ Task<Result<ObjectMemory::Recalled>> ObjectMemory::read_facts(std::string agent)
 Task<Result<void>> ObjectMemory::tell_objects() {
   std::vector<Datum> wanted = facts_of(objects_);
   for (Datum& fact : wanted) fact = told_by(context_.name, fact);
+  const Result<std::vector<Fact>> standing = co_await sample_facts(context_.name);
+  if (!standing) co_return fail(standing);
   Transaction transaction;
-  const std::vector<Datum> patterns{samples_, templates_, focals_};
-  for (const Datum& pattern : patterns) {
-    const Result<std::vector<Fact>> standing = co_await context_.board.facts(pattern);
-    if (!standing) co_return fail(standing);
-    for (const Fact& fact : *standing) {
-      if (std::ranges::find(wanted, fact.datum) == wanted.end()) transaction.retract(fact.datum);
-    }
+  for (const Fact& fact : *standing) {
+    if (std::ranges::find(wanted, fact.datum) == wanted.end()) transaction.retract(fact.datum);
   }
   for (const Datum& fact : wanted) transaction.tell(fact);
   const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(transaction)));

@@ -1,8 +1,7 @@
 #pragma once
 
-// The objects that the vision agent knows. They are kept in its durable facts `learned`, `learned-template` and
-// `learned-focal`. Where a folder is given they are kept in an object database, and the facts are a copy of it for
-// others to read.
+// The objects that the vision agent knows. They are kept in its durable facts (sample_facts.hpp). Where a folder is
+// given they are kept in an object database, and the facts are a copy of it for others to read.
 //
 //   ObjectMemory memory(context, "objects");            // or "": the board alone
 //   Result<void> recalled = co_await memory.recall();
@@ -52,14 +51,13 @@ class ObjectMemory {
     LearnedObjects objects;
     std::vector<MemoryTrouble> troubles;
   };
+  // All facts of all samples.
+  Task<Result<std::vector<Fact>>> sample_facts(std::string agent);
   Task<Result<Recalled>> read_facts(std::string agent);
   Task<Result<void>> tell_objects();
 
   runtime::AgentContext& context_;
   std::string directory_;
-  const Datum samples_;    // the pattern of the agent's facts `learned`
-  const Datum templates_;  // and `learned-template`
-  const Datum focals_;     // and `learned-focal`
   std::optional<ObjectDatabase> database_;
   bool was_open_ = false;
   std::int64_t version_ = 0;  // of the database as it was read last

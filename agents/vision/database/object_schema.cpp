@@ -4,34 +4,36 @@ namespace pizarra::vision {
 namespace {
 
 constexpr std::int64_t application = 0x506f626a;  // "Pobj"
-constexpr std::int64_t format = 4;
+constexpr std::int64_t format = 5;
 
 // A row's id is never given again; the number of a sample is, once its object is forgotten.
 constexpr const char* schema = R"(
   CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
                         area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
                         roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER, focal REAL,
-                        UNIQUE (name, num));
+                        contrast REAL, UNIQUE (name, num));
   PRAGMA application_id = 1349476970;
-  PRAGMA user_version = 4;
+  PRAGMA user_version = 5;
 )";
 
 // The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y; none
-// of them said by which focal length a sample was learned.
+// of them said by which focal length a sample was learned. The fourth did not say how bold the print was.
 constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
 constexpr const char* take_first_format = R"(
-  INSERT INTO samples SELECT NULL, *, 0, 0 FROM samples_1 ORDER BY rowid;
+  INSERT INTO samples SELECT NULL, *, 0, 0, 0 FROM samples_1 ORDER BY rowid;
   DROP TABLE samples_1;
 )";
-constexpr const char* take_second_format = R"(
+constexpr const char* from_second_to_fourth = R"(
   ALTER TABLE samples ADD COLUMN size_by INTEGER DEFAULT 0;
   ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
-  PRAGMA user_version = 4;
 )";
-constexpr const char* take_third_format = R"(
+constexpr const char* from_third_to_fourth = R"(
   ALTER TABLE samples RENAME COLUMN guessed TO size_by;
   ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
-  PRAGMA user_version = 4;
+)";
+constexpr const char* take_fourth_format = R"(
+  ALTER TABLE samples ADD COLUMN contrast REAL DEFAULT 0;
+  PRAGMA user_version = 5;
 )";
 
 Result<bool> is_ours(journal::sqlite::Database& database) {
@@ -55,6 +57,14 @@ Result<void> take_from_first_format(journal::sqlite::Database& database) {
   return database.run(take_first_format);
 }
 
+Result<void> take_later_format(journal::sqlite::Database& database, std::int64_t is) {
+  if (is < 4) {
+    const Result<void> as_fourth = database.run(is == 2 ? from_second_to_fourth : from_third_to_fourth);
+    if (!as_fourth) return as_fourth;
+  }
+  return database.run(take_fourth_format);
+}
+
 Result<void> make_table(journal::sqlite::Database& database) {
   const Result<std::int64_t> tables = database.ask("SELECT count(*) FROM sqlite_schema");
   if (!tables) return fail(tables);
@@ -64,8 +74,7 @@ Result<void> make_table(journal::sqlite::Database& database) {
   if (*is == format) return {};
   if (*tables == 0) return database.run(schema);
   if (*is == 1) return take_from_first_format(database);
-  if (*is == 2) return database.run(take_second_format);
-  if (*is == 3) return database.run(take_third_format);
+  if (*is > 1 && *is < format) return take_later_format(database, *is);
   return fail("unusable", "the file is no database of objects that this version knows");
 }
 

@@ -181,11 +181,9 @@ std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, M
 
 // Of more, a black that is a few grey levels says nothing.
 double print_contrast(const SeenMark& mark) {
-  const double most = std::log(10);
+  const double most = std::log(20);
   return std::min(most, std::abs(std::log((mark.ground_level + 1) / (mark.mark_level + 1))));
 }
-
-bool is_faint(const SeenMark& mark) { return print_contrast(mark) < std::log(5); }
 
 double centre_noise_px(const SeenMark& mark, double noise) {
   constexpr double least_noise = 0.3;  // that of rounding to grey levels

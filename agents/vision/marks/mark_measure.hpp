@@ -43,11 +43,9 @@ struct SeenMark {
 // Its places are those of the cut. Nothing where MarkPatch::cut() finds none.
 std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, MarkTone tone);
 
-// How many times as light as the other the lighter one of the mark and its ground is, up to ten, as a logarithm. No
+// How many times as light as the other the lighter one of the mark and its ground is, up to twenty, as a logarithm. No
 // shadow changes it; a lamp's reflection makes it less.
 double print_contrast(const SeenMark& mark);
-// Ink differs from its paper by more than a factor of five, except in a lamp's reflection.
-bool is_faint(const SeenMark& mark);
 
 // How far noise may move its centre along x, as a standard deviation in px, in an image of this noise. The centre is
 // the mean of columns, each pixel weighted by how far it is from the ground's level. So noise of one sigma a pixel

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "lisp/numbers.hpp"
 #include "lisp/plain_name.hpp"
 
 namespace pizarra::vision {
@@ -79,6 +78,8 @@ void set_tone(LearnedSample& sample, std::string_view tone) {
   sample.tag = tag_called(tone);
 }
 
+double LearnedObject::contrast() const { return std::ranges::min(samples, {}, &LearnedSample::contrast).contrast; }
+
 const Tag* LearnedObject::tag() const {
   const auto found = std::ranges::find_if(samples, [](const LearnedSample& sample) { return sample.tag.has_value(); });
   return found == samples.end() ? nullptr : &*found->tag;
@@ -137,47 +138,6 @@ void LearnedObjects::add(const std::string& name, LearnedSample sample) {
   }
   found->samples.push_back(std::move(sample));
   found->roundness_spread = spread_of_roundness(found->samples);
-}
-
-Datum learned_fact(const std::string& name, const LearnedSample& sample) {
-  return list("learned"_sym, name, sample.number, rounded(sample.area_px, 1000), sample.perimeter_px, sample.corners,
-              rounded(sample.moments[0], 1000), rounded(sample.moments[1], 1000), rounded(sample.moments[2], 1000));
-}
-
-Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
-  return list("learned-template"_sym, name, sample.number, Datum::symbol(tone_of(sample)), sample.height_px,
-              sample.slimness, sample.roundness, sample.roundness_spread, sample.size_mm,
-              Datum::symbol(std::string(size_by_of(sample))), template_to_text(sample.picture));
-}
-
-Datum learned_focal_fact(const std::string& name, const LearnedSample& sample) {
-  return list("learned-focal"_sym, name, sample.number, sample.focal_px);
-}
-
-Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template,
-                                        const Datum* learned_focal) {
-  if (!learned.is_form("learned") || learned.size() != 9 || !learned_template.is_form("learned-template") ||
-      learned_template.size() != 11) {
-    return fail("bad-template", "a learned object is one learned and one learned-template fact", learned);
-  }
-  Result<MarkTemplate> picture = template_from_text(learned_template[10].text());
-  if (!picture) return fail(picture);
-  LearnedSample out;
-  out.number = static_cast<int>(learned[2].number());
-  out.area_px = learned[3].number();
-  out.perimeter_px = static_cast<int>(learned[4].number());
-  out.corners = static_cast<int>(learned[5].number());
-  out.moments = {learned[6].number(), learned[7].number(), learned[8].number()};
-  set_tone(out, learned_template[3].text());
-  out.height_px = learned_template[4].number();
-  out.slimness = learned_template[5].number();
-  out.roundness = learned_template[6].number();
-  out.roundness_spread = learned_template[7].number();
-  out.size_mm = learned_template[8].number();
-  set_size_by(out, learned_template[9].text());
-  if (learned_focal != nullptr) out.focal_px = (*learned_focal)[3].number();
-  out.set_picture(*picture);
-  return out;
 }
 
 }  // namespace pizarra::vision

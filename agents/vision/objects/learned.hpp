@@ -1,14 +1,8 @@
 #pragma once
 
-// Learned objects by name, each with one or more samples of its mark. They are kept as durable facts:
-//
-//   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
-//
-//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE BY TEMPLATE) what recognition needs besides
-//   (learned-focal NAME NUM FOCAL)                                                     where it is known
-//
-// TONE is dark, light, or the tag that it is. BY is how its SIZE is known (LearnedSample::SizeBy). A restarted agent
-// reads them back. Where a cell says so they are also kept as files (object_database.hpp).
+// Learned objects by name, each with one or more samples of its mark. They are kept as durable facts
+// (sample_facts.hpp), which a restarted agent reads back. Where a cell says so they are also kept as files
+// (object_database.hpp).
 //
 //   LearnedObjects objects;
 //   objects.add("circle", sample);                 // again under the same name: a second sample
@@ -37,6 +31,7 @@ struct LearnedSample {
   std::array<double, 3> moments{};
   double height_px = 0;
   double focal_px = 0;  // of the camera it was learned with: what is in px grows with it; 0: not known
+  double contrast = 0;  // print_contrast(); 0: not known
   double slimness = 0;  // from the front where a pair learned it, else as it was seen
   double roundness = 0;
   double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
@@ -86,6 +81,8 @@ struct LearnedObject {
   };
   std::array<std::vector<Rival>, LearnedSample::blurs.size()> rivals = {};
 
+  // Of its samples the least; 0 where that of one is not known.
+  double contrast() const;
   // The tag that it is found by, where one of its samples is a tag.
   const Tag* tag() const;
 };
@@ -115,12 +112,5 @@ class LearnedObjects {
 bool same_name(std::string_view a, std::string_view b);
 // Names of objects match [A-Za-z][A-Za-z0-9-]* and have at most 64 characters; failure `bad-name`.
 Result<void> check_object_name(std::string_view name);
-
-Datum learned_fact(const std::string& name, const LearnedSample& sample);
-Datum learned_template_fact(const std::string& name, const LearnedSample& sample);
-Datum learned_focal_fact(const std::string& name, const LearnedSample& sample);
-// What the facts of one sample say; null: what older versions learned has no `learned-focal`. Failure `bad-template`.
-Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template,
-                                        const Datum* learned_focal = nullptr);
 
 }  // namespace pizarra::vision

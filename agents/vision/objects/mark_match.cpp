@@ -19,6 +19,10 @@ constexpr double ordinary_spread = 0.01;
 // With less error than this a mark need not be compared with what blur would make of the object.
 constexpr double clear_error = 0.01;
 
+// By how much bolder a print was learned than a faint one is seen. Of 2,594 photographed marks without a reflection none
+// lay more than log(1.6) below the others; blur makes small marks fainter.
+const double most_fainter = std::log(2);
+
 double weight_of_roundness(const LearnedObject& object) {
   return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
 }
@@ -98,6 +102,10 @@ double scale_of(const SeenMark& mark, const LearnedSample& sample) {
 double spread_scale_of(const SeenMark& mark, const LearnedSample& sample) {
   const double larger = mark.roundness * mark.area_px / (sample.roundness * sample.area_px);
   return std::sqrt(larger) / enlarged(mark, sample);
+}
+
+bool is_faint(const SeenMark& mark, const LearnedObject& object) {
+  return print_contrast(mark) + most_fainter < object.contrast();
 }
 
 double roundness_error(const SeenMark& mark, const LearnedObject& object) {

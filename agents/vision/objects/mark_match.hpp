@@ -46,6 +46,10 @@ MarkMatch match_of(const SeenMark& mark, const LearnedObject& object, std::optio
 // But for its size: of samples that were of another size.
 MarkMatch match_of_another_size(const SeenMark& mark, const LearnedObject& object);
 
+// Whether its print is fainter than it was learned by more than noise, blur and a camera's black make it: in a lamp's
+// reflection, or of another thing. False where it is not known how bold it was.
+bool is_faint(const SeenMark& mark, const LearnedObject& object);
+
 double roundness_error(const SeenMark& mark, const LearnedObject& object);
 
 // How much two learned objects differ: the least over pairs of their samples, as a mark of one would differ from the

@@ -15,6 +15,8 @@ namespace {
 
 // With less hardly anything speaks for it.
 constexpr double least_confidence = 0.03;
+// Of photographed prints that were so faint the learned ones, in a lamp's reflection, had more; other things had less.
+constexpr double least_of_faint = 0.8;
 // With more no other place is looked at; and by so much another one must be surer.
 constexpr double clearly_sure = 0.35;
 constexpr double clearly_surer = 0.3;
@@ -74,6 +76,11 @@ Result<FoundMark> MarkFinder::find(StereoSight& sight, const LearnedObject& obje
                 "another than a whole one's",
                 to_datum(object.name));
   }
+  const bool is_shape = !found->pair.left.tag;
+  if (is_shape && found->confidence < least_of_faint && is_faint(found->pair.left, object)) {
+    return fail("not-seen", "a mark is like it, but its print is much fainter than it was learned",
+                to_datum(object.name));
+  }
   found->range = range_of(sight, object, found->pair, found->confidence);
   found->pose = pose_of(sight.model(), object, found->pair, found->range);
   found_at_.insert_or_assign(object.name, FoundAt{found->pair.left.centre, now});
@@ -122,7 +129,7 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
     best = std::move(other);
   };
   const bool is_contradicted = best && contradiction(*best) > clearly_likelier;
-  if (best && (most < clearly_sure || is_contradicted || is_faint(best->left))) {
+  if (best && (most < clearly_sure || is_contradicted || is_faint(best->left, object))) {
     for (const SeenMark& mark : sight.left_segmentation().marks()) {
       const std::optional<Likeness> likely = recognise(mark, objects_, object);
       if (likely && !best->left.box.contains(mark.centre)) {
@@ -133,7 +140,7 @@ std::optional<SeenPair> MarkFinder::surest(StereoSight& sight, const LearnedObje
   if (most < clearly_sure || is_contradicted) {
     for (SeenPair& thorough : sight.find_in_plane(objects_, object)) take_surer(std::move(thorough));
   }
-  if (most < surely || is_faint(best->left)) {
+  if (most < surely || is_faint(best->left, object)) {
     for (SeenPair& part : sight.find_parts(objects_, object)) {
       if (best && gives_way(sight, *best, most, part, confidence_in_look(sight, object, part))) best.reset();
       take_surer(std::move(part));

@@ -284,6 +284,7 @@ LearnedSample MarkLearner::sample() const {
   }
   out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
   out.focal_px = focal_px_;
+  if (!out.tag) out.contrast = mean_of(measured_, print_contrast);
   out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
   out.roundness = mean_of(measured_, [](const SeenMark& m) { return m.roundness; });
   out.roundness_spread = std::sqrt(mean_of(measured_, [&](const SeenMark& m) {

@@ -54,8 +54,8 @@ double most_by_plane(const PlaneView& plane, double of_learned_slimness) {
 }
 
 // A mark is seldom turned far from the axis of a camera that is aimed at it; other things are as often as not.
-double confidence_in_print(double confidence, const SeenPair& pair) {
-  if (!pair.plane || !pair.plane->pose || !is_faint(pair.left)) return confidence;
+double confidence_in_print(double confidence, const LearnedObject& object, const SeenPair& pair) {
+  if (!pair.plane || !pair.plane->pose || !is_faint(pair.left, object)) return confidence;
   return 1 / (1 / confidence + faint_others_for_one_mark / usual_turn(*pair.plane->pose));
 }
 
@@ -64,7 +64,7 @@ double confidence_in_object(const LearnedObject& object, const SeenPair& pair) {
   const double by_likeness = pair.likeness.confidence();
   if (pair.left.tag || pair.right || !pair.plane || pair.plane->known_bend_px) return by_likeness;
   const double most = most_by_plane(*pair.plane, pair.left.slimness / front_slimness(object));
-  return confidence_in_print(std::min(by_likeness, most), pair);
+  return confidence_in_print(std::min(by_likeness, most), object, pair);
 }
 
 // By one camera: a look that is slimmer than the mark is one of all of it, tilted, or of a part of it; perspective says

@@ -71,8 +71,9 @@ TEST_F(Vision, NamesAreCheckedAtTheDoorWhateverIsAsked) {
 // Anyone may tell the facts in which the board remembers what was learned.
 TEST_F(Vision, AFactOfANameThatIsNoneIsNotRecalled) {
   learn_all();
-  for (const char* pattern : {"(learned vision \"circle\" ? ? ? ? ? ? ?)", "(learned-focal vision \"circle\" ? ?)",
-                              "(learned-template vision \"circle\" ? ? ? ? ? ? ? ? ?)"}) {
+  for (const char* pattern :
+       {"(learned vision \"circle\" ? ? ? ? ? ? ?)", "(learned-focal vision \"circle\" ? ?)",
+        "(learned-template vision \"circle\" ? ? ? ? ? ? ? ? ?)", "(learned-print vision \"circle\" ? ?)"}) {
     std::string fact = facts(pattern);
     tell(form(fact.replace(fact.find("circle"), 6, R"(a\" OK)")));
   }

@@ -58,6 +58,7 @@ LearnedSample learned(const Corners& plane, Random& random, double light) {
   LearnedSample out;
   for (const SeenMark& mark : segmentation.marks()) {
     out.set_picture(template_from_picture(portray_mark(segmentation.cut(), mark.contour, mark.tone)->picture));
+    out.contrast = print_contrast(mark);
     out.height_px = mark.height_px;
     out.area_px = mark.area_px;
     out.roundness = mark.roundness;

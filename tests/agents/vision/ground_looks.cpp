@@ -126,14 +126,8 @@ cv::Mat1b GroundLooks::draw(bool to_the_right) {
 }
 
 void GroundLooks::find(StereoSight& sight, const LearnedObjects& objects, ToldAtFirst& told) const {
-  const LearnedObject& object = objects.all().front();
-  const std::optional<SeenPair> found = sight.find(objects, object);
-  if (found) told.count(confidence_in_look(sight, object, *found), cv::norm(found->left.centre - centre_));
-}
-
-void GroundLooks::find_thoroughly(StereoSight& sight) {
-  const Result<FoundMark> found = MarkFinder(to_one_).find(sight, to_one_.all().front(), {});
-  if (found) by_find.count(found->confidence, cv::norm(found->pair.left.centre - centre_));
+  const Result<FoundMark> found = MarkFinder(objects).find(sight, objects.all().front(), {});
+  if (found) told.count(found->confidence, cv::norm(found->pair.left.centre - centre_));
 }
 
 void GroundLooks::count(const TrackSighting& sighting, ToldAtFirst& told) const {
@@ -146,13 +140,12 @@ void GroundLooks::look() {
   MarkTracker of_one(to_one_);
   of_pair.add(to_pair_.all().front()).value();
   of_one.add(to_one_.all().front()).value();
-  for (int frame = 0; frame < 3; ++frame) {
+  for (int frame = 0; frame < answers - 1; ++frame) {
     const cv::Mat1b left = draw(false);
     StereoSight both(left, draw(true), model_);
     StereoSight left_only(left, cv::Mat1b::zeros(left.size()), alone_);
     if (frame == 0) find(both, to_pair_, by_pair);
     if (frame == 0) find(left_only, to_one_, of_one_told);
-    if (frame == 0) find_thoroughly(left_only);
     count(of_pair.update(both, Time() + frame * 100ms).front(), by_pair);
     count(of_one.update(left_only, Time() + frame * 100ms).front(), of_one_told);
   }

@@ -46,6 +46,8 @@ class GroundLooks {
   // Of the ground that the mark's own edges are beside.
   double own_ground() const { return name == "light triangle" ? plate_level : ground; }
 
+  // Of a look: by FIND, and in the first frames of TRACK.
+  static constexpr int answers = 4;
   // As large it is learned.
   static constexpr double learned_px = 36;
 
@@ -60,7 +62,6 @@ class GroundLooks {
   ToldAtFirst by_pair;
   ToldAtFirst by_one;          // of marks as large as they were learned, and larger ones
   ToldAtFirst by_one_farther;  // of smaller ones
-  ToldAtFirst by_find;         // as MarkFinder finds them before one camera, by their planes
 
  private:
   static constexpr double plate_level = 40;
@@ -71,7 +72,6 @@ class GroundLooks {
   LearnedObjects learned(const camera::StereoModel& by);
   cv::Mat1b draw(bool to_the_right);
   void find(StereoSight& sight, const LearnedObjects& objects, ToldAtFirst& told) const;
-  void find_thoroughly(StereoSight& sight);
   void count(const TrackSighting& sighting, ToldAtFirst& told) const;
 
   const bench::Shape shape_;

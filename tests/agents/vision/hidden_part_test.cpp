@@ -153,26 +153,41 @@ TEST(Plane, OfASquareIsWhereAPartFacesTheCameraRatherThanWhereAllOfOneIsTurnedAw
   EXPECT_GE(within, 10);
 }
 
-TEST(Plane, OfAFaintSquareThatIsTurnedFarAwayIsNotSure) {
+// It is more often a window of a house; but of a print that was learned as faint it is not.
+TEST(Plane, OfAFaintSquareThatIsTurnedFarAwayIsNotFound) {
   Random random(26);
+  LearnedSample sample = learned(square, random);
   LearnedObjects objects;
-  objects.add("square", learned(square, random));
+  objects.add("square", sample);
+  LearnedObjects as_faint;
+  sample.contrast = std::log(200.0 / 60);
+  as_faint.add("square", sample);
+  LearnedObjects not_said;
+  sample.contrast = 0;
+  not_said.add("square", sample);
   const camera::StereoModel model = one_camera();
-  const auto found_in = [&](double tilt, int level) {
+  const auto found_in = [&](const LearnedObjects& of, double tilt, int level) {
     const Corners corners = projected(square, turned_about({tilt, 0.2, 0}), {20, 0, 350});
     const cv::Mat image = cv::max(filled(corners, random), level);
     StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
-    return MarkFinder(objects).find(sight, *objects.find("square"), {});
+    return MarkFinder(of).find(sight, *of.find("square"), {});
   };
-  for (const double tilt : {1.05, 1.1, 1.15}) {
+  for (const double tilt : {1.11, 1.13, 1.15}) {
     SCOPED_TRACE(tilt);
-    const Result<FoundMark> found = found_in(tilt, 60);
-    EXPECT_TRUE(!found || found->confidence < 0.9);
+    const Result<FoundMark> found = found_in(objects, tilt, 60);
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().symbol, "not-seen");
+    EXPECT_EQ(found.error().sentence, "a mark is like it, but its print is much fainter than it was learned");
+    for (const LearnedObjects* others : {&as_faint, &not_said}) {
+      const Result<FoundMark> by_others = found_in(*others, tilt, 60);
+      ASSERT_TRUE(by_others);
+      EXPECT_GT(by_others->confidence, 0.9);
+    }
   }
-  const Result<FoundMark> facing = found_in(0.2, 50);
+  const Result<FoundMark> facing = found_in(objects, 0.2, 60);
   ASSERT_TRUE(facing);
-  EXPECT_GT(facing->confidence, 0.9);
-  const Result<FoundMark> bold = found_in(1.1, 25);
+  EXPECT_GT(facing->confidence, 0.85);
+  const Result<FoundMark> bold = found_in(objects, 1.1, 25);
   ASSERT_TRUE(bold);
   EXPECT_GT(bold->confidence, 0.9);
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/objects/sample_facts.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
 namespace pizarra::vision {
@@ -174,10 +175,10 @@ TEST(Template, SurvivesItsText) {
 TEST(LearnedFacts, SayTheWholeSample) {
   for (const LearnedObject& object : learned_cell().all()) {
     const LearnedSample& sample = object.samples.front();
-    const Datum focal = learned_focal_fact(object.name, sample);
-    const Result<LearnedSample> back =
-        sample_from_facts(learned_fact(object.name, sample), learned_template_fact(object.name, sample), &focal);
+    const Result<LearnedSample> back = sample_from_facts(facts_of_sample(object.name, sample));
     ASSERT_TRUE(back);
+    EXPECT_GT(back->contrast, 1);
+    EXPECT_EQ(back->contrast, sample.contrast);
     EXPECT_EQ(back->focal_px, DrawnSight::model().focal_px);
     EXPECT_EQ(back->number, 1);
     EXPECT_EQ(back->tone, sample.tone);

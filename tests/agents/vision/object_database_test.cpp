@@ -28,6 +28,7 @@ class Database : public testing::Test {
       KeepSample old = keep(name);
       old.sample.size_by = LearnedSample::SizeBy::measured;
       old.sample.focal_px = 0;
+      old.sample.contrast = 0;
       ASSERT_TRUE(database.apply(old));
     }
   }
@@ -164,7 +165,8 @@ TEST_F(Database, RemembersByWhichFocalLengthASampleWasLearnedAndThatOlderFormats
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
-      raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
+      raw.run("ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples "
+              "RENAME COLUMN size_by TO guessed;"
               "PRAGMA user_version = 3"));
   learn({"square"});
   const KeptObjects kept = open().read().value();
@@ -173,12 +175,28 @@ TEST_F(Database, RemembersByWhichFocalLengthASampleWasLearnedAndThatOlderFormats
   EXPECT_EQ(kept.objects.find("square")->samples.front().focal_px, DrawnSight::model().focal_px);
 }
 
+TEST_F(Database, RemembersHowBoldAPrintWasAndThatTheFourthFormatDidNotSay) {
+  KeepSample old = keep("circle");
+  old.sample.contrast = 0;
+  ASSERT_TRUE(open().apply(old));
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN contrast; PRAGMA user_version = 4"));
+  learn({"square"});
+  const KeptObjects kept = open().read().value();
+  ASSERT_TRUE(kept.damaged.empty());
+  EXPECT_EQ(kept.objects.find("circle")->contrast(), 0);
+  EXPECT_EQ(kept.objects.find("square")->contrast(), keep("square").sample.contrast);
+  EXPECT_GT(kept.objects.find("square")->contrast(), 1);
+}
+
 TEST_F(Database, ReadsWhatTheThirdFormatKept) {
   learn_along_y({"circle", "square"});
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
-      raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
+      raw.run("ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples "
+              "RENAME COLUMN size_by TO guessed;"
               "PRAGMA user_version = 3"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});
@@ -190,7 +208,8 @@ TEST_F(Database, ReadsWhatTheSecondFormatKept) {
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
-      raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples DROP COLUMN size_by;"
+      raw.run("ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples "
+              "DROP COLUMN size_by;"
               "PRAGMA user_version = 2"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});

@@ -28,6 +28,7 @@ TEST_F(KeptVision, WhatWasLearnedOutlivesTheBoardsMemoryOfIt) {
   retract("(learned vision ? ? ? ? ? ? ? ?)");
   retract("(learned-template vision ? ? ? ? ? ? ? ? ? ?)");
   retract("(learned-focal vision ? ? ?)");
+  retract("(learned-print vision ? ? ?)");
   live(folder);
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
   EXPECT_NE(facts("(learned vision \"circle\" 1 ? ? ? ? ? ?)"), "");

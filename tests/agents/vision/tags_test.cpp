@@ -5,6 +5,7 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/objects/sample_facts.hpp"
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/scene.hpp"
@@ -328,7 +329,7 @@ TEST_F(Tags, UnderOneNameASampleOfAnotherKindIsRefused) {
 TEST_F(Tags, ARestartedAgentKnowsThemFromItsFacts) {
   learn_all();
   const LearnedSample& sample = objects.find("b")->samples.front();
-  const Result<LearnedSample> read = sample_from_facts(learned_fact("b", sample), learned_template_fact("b", sample));
+  const Result<LearnedSample> read = sample_from_facts(facts_of_sample("b", sample));
   ASSERT_TRUE(read) << read.error().sentence;
   EXPECT_EQ(read->tag, (Tag{"aruco-4x4-50", 3}));
 }
