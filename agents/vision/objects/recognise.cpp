@@ -43,6 +43,12 @@ double Likeness::confidence() const {
   return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned + other_form + twins);
 }
 
+double Likeness::confidence_if_covered() const {
+  Likeness of_part = *this;
+  of_part.other_form = 0;
+  return of_part.confidence();
+}
+
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const MarkMatch match = match_of(mark, object);
   const ShapeDoubt shape = shape_doubt(mark, match);

@@ -39,6 +39,8 @@ struct Likeness {
   // for every hundredth of error that they are farther away, the third for every sixth that `unlearned` is below 1. One
   // half: it might as well be another thing.
   double confidence() const;
+  // The same whether or not something hides a part: what does makes another outline of it.
+  double confidence_if_covered() const;
 };
 inline constexpr double least_margin = 0.005;
 // So much error makes something e times less likely.

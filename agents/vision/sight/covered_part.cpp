@@ -30,6 +30,6 @@ double confidence_if_off(double of_whole, double off_px, double most_off_px) {
   return 1 / (1 / of_whole + std::exp(-(1 - off_px / most_off_px) / doubt_scale));
 }
 
-double confidence_in_whole(double confidence, double of_whole) { return 1 / (1 + 1 / confidence - 1 / of_whole); }
+double confidence_in_whole(double confidence, double of_object) { return 1 / (1 + 1 / confidence - 1 / of_object); }
 
 }  // namespace pizarra::vision

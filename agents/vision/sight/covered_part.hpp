@@ -29,7 +29,7 @@ double may_be_off_by_shape_px(const SeenMark& now, double front_slimness);
 // The confidence where the centre may be `off_px` off: `of_whole` is that in a whole mark, and one half is left at
 // `most_off_px`.
 double confidence_if_off(double of_whole, double off_px, double most_off_px);
-// How surely nothing covers the mark, where that much confidence is left.
-double confidence_in_whole(double confidence, double of_whole);
+// How surely nothing covers the mark, where that much confidence is left of `of_object`, whether covered or not.
+double confidence_in_whole(double confidence, double of_object);
 
 }  // namespace pizarra::vision

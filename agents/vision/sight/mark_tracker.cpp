@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "agents/vision/marks/other_outline.hpp"
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/face_plane.hpp"
@@ -263,6 +264,10 @@ MarkTracker::SeenWhole MarkTracker::look_at(const StereoSight& sight, const Trac
                  : track.whole.look_at(sight.model(), object, out.pair, captured_, most_off_px(sight), !track.left);
   if (std::optional<FollowedLook> lies = out.plane.look(sight, object, out.pair)) {
     out.goes_on = lies->goes_on;
+    const PlaneView& view = lies->view;
+    const bool is_known = out.goes_on && track.confidence >= surely;
+    out.pair.likeness.other_form =
+        view.pose->odds_of_no_plane() + (is_known ? 0 : odds_of_other_outline(view.sample->plane, view.fit));
     out.pair.plane = std::move(lies->view);
   }
   if (!out.pair.plane || !out.pair.plane->may_be_off_px || out.look.elsewhere) return out;
@@ -304,13 +309,12 @@ MarkTracker::Confidence MarkTracker::confidence_in(StereoSight& sight, TrackedMa
                                                    SeenWhole& seen) const {
   SeenPair& now = seen.pair;
   count_twins(sight, track, object, now);
-  const double of_whole = now.likeness.confidence();
-  double told = of_whole;
+  double told = now.likeness.confidence();
   if (!now.left.tag) {
     told = now.right ? confidence_before_pair(sight, track, now, seen.look.may_be_off_px)
                      : confidence_before_one(sight, track, object, now, seen.goes_on);
   }
-  const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : of_whole);
+  const double in_whole = confidence_in_whole(told, now.left.tag ? 1 : now.likeness.confidence_if_covered());
   // A triangle without a side has two. Its region alone shows what hides a part of another one as well.
   const bool may_be_cut = now.right_by_outline && is_triangle(outline_of(now.left.signature));
   if (may_be_cut) told = std::min(told, trust_in_another);

@@ -199,7 +199,7 @@ std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject&
                                   double confidence) {
   const PlanePose* lies = pair.plane && pair.plane->pose ? &*pair.plane->pose : nullptr;
   if (!pair.right) return range_by_size(sight.model(), object, pair.left, lies);
-  const double in_whole = confidence_in_whole(confidence, pair.left.tag ? 1 : pair.likeness.confidence());
+  const double in_whole = confidence_in_whole(confidence, pair.left.tag ? 1 : pair.likeness.confidence_if_covered());
   return range_by_pair(sight, pair, in_whole, lies != nullptr && lies->by_both ? lies : nullptr);
 }
 
