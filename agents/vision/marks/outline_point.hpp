@@ -11,6 +11,7 @@ struct OutlinePoint {
   cv::Vec2d out;         // a unit vector towards the ground
   double from_corner;    // along the border: from a sharp corner
   double from_bend;      // from any corner, the template's rounded ones too
+  double depth;          // how far the ink reaches from there, straight inwards
   std::size_t side = 0;  // outline_sides.hpp
   // The template rounds the border so far on either side of a corner.
   static constexpr double rounded_reach = 0.25;

@@ -34,11 +34,13 @@ class Picture {
     cv::resize(coarse, fine_, {}, finer, finer, cv::INTER_CUBIC);
   }
   const cv::Mat1f& fine() const { return fine_; }
-  // From a pixel of the fine picture, and back, to standard deviations.
+  // From a pixel of the fine picture to standard deviations, and back.
   static cv::Point2d in_plane(cv::Point2d fine) {
-    constexpr double middle = template_size / 2.0;
     return (1 / template_scale) *
            ((1.0 / finer) * (fine + cv::Point2d(0.5, 0.5)) - cv::Point2d(0.5 + middle, 0.5 + middle));
+  }
+  static cv::Point2d in_fine(cv::Point2d place) {
+    return finer * (template_scale * place + cv::Point2d(middle + 0.5, middle + 0.5)) - cv::Point2d(0.5, 0.5);
   }
   double at(cv::Point2d p) const {
     const int x = std::clamp(cvFloor(p.x), 0, fine_.cols - 2);
@@ -65,8 +67,17 @@ class Picture {
     }
     return p;
   }
+  // From a place of its border, that way, in standard deviations.
+  double ink_from(cv::Point2d place, cv::Vec2d way) const {
+    constexpr double step = 0.1;
+    constexpr double most = template_size / template_scale;
+    double reach = step;
+    while (reach < most && at(in_fine(place + (reach + step) * cv::Point2d(way))) > 0.5) reach += step;
+    return reach;
+  }
 
  private:
+  static constexpr double middle = template_size / 2.0;
   cv::Mat1f fine_;
 };
 
@@ -284,12 +295,10 @@ PlaneOutline plane_outline(const MarkTemplate& levels) {
       if (length <= 0) continue;
       cv::Vec2d normal(along.y / length, -along.x / length);
       // Down the picture's slope is out.
-      constexpr double middle = template_size / 2.0;
-      const cv::Point2d fine =
-          finer * (template_scale * places[i] + cv::Point2d(middle + 0.5, middle + 0.5)) - cv::Point2d(0.5, 0.5);
-      const cv::Point2d slope = picture.slope(fine);
+      const cv::Point2d slope = picture.slope(Picture::in_fine(places[i]));
       if (normal[0] * slope.x + normal[1] * slope.y > 0) normal = -normal;
-      out.points.push_back({{places[i].x, places[i].y}, normal, corners[i], bends[i]});
+      out.points.push_back(
+          {{places[i].x, places[i].y}, normal, corners[i], bends[i], picture.ink_from(places[i], -normal)});
     }
     if (&border == &borders.front()) out.outermost = out.points.size();
   }

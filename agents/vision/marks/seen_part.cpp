@@ -12,6 +12,8 @@ namespace {
 // So far inside there is ink, in standard deviations of the mark; and so far on either side there is no blur, px.
 constexpr double deep_inside = 0.35;
 constexpr double beside_px = 3;
+// The same, of how far the ink reaches inwards. What hides a part may lie deeper.
+constexpr double deeper_inside = 0.3;
 // By how much the levels of one print differ, as a part of its contrast, and by the noise.
 constexpr double same_level = 0.13;
 constexpr double same_in_noise = 3;
@@ -88,6 +90,7 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
   int supported = 0;
   int contradicted = 0;
   int going_on = 0;
+  int filled = 0;
   double squares = 0;
   for (PlaneEdge& edge : fit.edges) {
     if (!edge.counts) continue;
@@ -101,6 +104,8 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
     ++counted;
     if (edge.is_border) {
       ++supported;
+      const cv::Point2d deeper = fit.in_image(point.at - deeper_inside * point.depth * point.out);
+      filled += print.is_ink(nearest_level(pixels, deeper)) ? 1 : 0;
       squares += edge.off_px * edge.off_px;
       continue;
     }
@@ -117,6 +122,7 @@ SeenPart judge_part(const ImageCut& cut, const PlaneOutline& outline, PlaneFit& 
   out.contradicted = static_cast<double>(contradicted) / counted;
   out.goes_on = static_cast<double>(going_on) / counted;
   out.hidden = 1 - out.supported - out.contradicted;
+  out.filled = static_cast<double>(filled) / supported;
   out.rms_px = std::sqrt(squares / supported);
   out.ink = print.ink;
   out.ground = print.ground;

@@ -19,6 +19,7 @@ struct SeenPart {
   double contradicted = 0;
   double hidden = 0;
   double goes_on = 0;       // of what is hidden: ink lies on both sides, as where it is an arm of something larger
+  double filled = 0;        // of the places that support it: there is ink deeper inside as well
   double rms_px = 0;        // of the places that support it
   double supported_px = 0;  // how long they are together
   double ink = 0;           // grey levels, as most of them show them

@@ -17,6 +17,8 @@ constexpr int fits_by_border = 2;
 constexpr double least_at_first = 0.3;
 constexpr double least_supported = 0.42;
 constexpr double most_contradicted = 0.04;
+// Of the places that support it. A ring and a crescent are borders without so much inside.
+constexpr double least_filled = 0.5;
 // Shorter edges make shapes everywhere.
 constexpr double least_supported_px = 50;
 // Of the mark's standard deviation, and px.
@@ -62,6 +64,7 @@ double slimness_of(const PlaneFit& fit) {
 
 bool may_be(const PartLook& look) {
   return look.part.supported >= least_supported && look.part.contradicted <= most_contradicted &&
+         look.part.filled >= least_filled &&
          look.part.rms_px <= std::hypot(most_rms_px, most_rms_share * look.fit.size_px()) &&
          look.part.supported_px >= least_supported_px && look.fit.middle_spread_px <= most_spread_px &&
          slimness_of(look.fit) >= least_slimness;

@@ -73,7 +73,8 @@ double confidence_before_one(const LearnedObject& object, const SeenPair& pair, 
   const double slimness = front_slimness(object);
   const PlaneView* plane = pair.plane ? &*pair.plane : nullptr;
   const double of_whole = confidence_in_object(object, pair);
-  const double now_bent_px = plane != nullptr ? off_if_bent_px(plane->sample->plane, plane->fit) : 0;
+  const bool agrees = plane != nullptr && plane->agrees;
+  const double now_bent_px = agrees ? off_if_bent_px(plane->sample->plane, plane->fit) : 0;
   const double known_px = plane != nullptr ? plane->known_bend_px.value_or(0) : 0;
   const double bent_px = std::sqrt(std::max(0.0, now_bent_px * now_bent_px - known_px * known_px));
   const auto if_off = [&](double off_px) {

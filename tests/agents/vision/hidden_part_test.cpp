@@ -192,6 +192,25 @@ TEST(Plane, OfAFaintSquareThatIsTurnedFarAwayIsNotFound) {
   EXPECT_GT(bold->confidence, 0.9);
 }
 
+// Its rim is all of a circle's border, and there is nothing inside.
+TEST(Plane, OfACircleIsNotARing) {
+  Random random(27);
+  LearnedObjects objects;
+  objects.add("circle", learned(circle(), random));
+  const camera::StereoModel model = one_camera();
+  for (const double inner : {0.5, 0.6, 0.7, 0.8}) {
+    SCOPED_TRACE(inner);
+    Corners hole = circle();
+    for (cv::Point2d& p : hole) p *= inner;
+    const cv::Vec3d place(random.uniform(-80, 80), random.uniform(-60, 60), random.uniform(350, 500));
+    const cv::Matx33d facing = cv::Matx33d::eye();
+    const cv::Mat image = cv::max(filled(projected(circle(), facing, place), random),
+                                  225 - filled(projected(hole, facing, place), random));
+    StereoSight sight(image, cv::Mat1b::zeros(image.size()), model);
+    EXPECT_FALSE(MarkFinder(objects).find(sight, *objects.find("circle"), {}));
+  }
+}
+
 TEST(Plane, OfASquareIsNotTheArmOfANearCross) {
   Random random(23);
   LearnedObjects objects;

@@ -56,12 +56,12 @@ void find_marks(const VisionBench& bench, const Scene& scene, const cv::Mat1b& i
   const camera::StereoModel camera = scene_camera_alone();
   vision::StereoSight sight(image, cv::Mat1b::zeros(image.size()), camera);
   for (const vision::LearnedObject& object : bench.marks.all()) {
-    const std::optional<vision::SeenPair> seen = sight.find(bench.marks, object);
+    const Result<vision::FoundMark> found = vision::MarkFinder(bench.marks).find(sight, object, Time());
     const int found_before = tally.found;
     const SceneMark* truth = mark_in(scene, object.name);
-    tally.count(truth, seen ? &seen->left.centre : nullptr);
+    tally.count(truth, found ? &found->pair.left.centre : nullptr);
     if (tally.found == found_before) continue;
-    const int sure = vision::confidence_in_look(sight, object, *seen) >= surely ? 1 : 0;
+    const int sure = found->confidence >= surely ? 1 : 0;
     tally.sure += sure;
     if (!is_smaller_triangle(*truth)) continue;
     ++tally.smaller;
