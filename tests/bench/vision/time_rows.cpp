@@ -243,6 +243,25 @@ void find_time(VisionBench& bench) {
   std::vector<Work> others = peers_work(bench, scenes, random);
   others.emplace_back("five template matches", template_matching(scenes, random));
   say_time(bench, "find five objects, one image", Share{0.1, "1/10 of ArUco's detection"}, find_all, others);
+  camera::StereoModel alone = scene_camera();
+  alone.base_line_mm = 0;
+  const auto answer_all = [&] {
+    Seen out;
+    for (int i = 0; i < repeats; ++i) {
+      for (const cv::Mat1b& image : images) {
+        vision::StereoSight sight(image, cv::Mat1b::zeros(image.size()), alone);
+        for (const vision::LearnedObject& object : bench.marks.all()) {
+          ++out.shown;
+          out.seen += vision::MarkFinder(bench.marks).find(sight, object, Time()) ? 1 : 0;
+        }
+      }
+    }
+    return out;
+  };
+  const Seen answered = answer_all();
+  say_time(
+      bench, "answer five FINDs, one camera, with poses", {}, [&] { answer_all(); }, peers_work(bench, scenes, random),
+      answered.said());
   const std::vector<Pair> pairs = pairs_of(scenes, random);
   // Another object in every scene, and each in each after all rounds.
   auto answer_each = [&, first = std::size_t{0}](const Areas* areas) mutable {
