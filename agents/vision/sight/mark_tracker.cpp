@@ -27,6 +27,8 @@ constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
 // The most confidence in a mark that may as well be another object's.
 constexpr double trust_in_another = 0.5;
+// How often a mark that is lost is looked for by its outline alone: that takes some 4 ms, where a look takes 0.1.
+constexpr double looks_in_plane_per_second = 5;
 // With more of them a track begins among objects that look alike.
 constexpr double least_twins = 0.1;
 
@@ -190,7 +192,25 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, TrackedMark& tra
   }
   const auto before = track.began_among_alike ? std::nullopt : track.seen_before;
   if (!now) now = sight.find(objects_, object, {}, 0, track.others.places(), before);
+  if (!now && !tagged) now = find_in_plane(sight, track, object);
   return now;
+}
+
+// It may be turned so far away that its picture is not like it. In both images its outline is, and tells it from what is
+// hidden in part.
+std::optional<SeenPair> MarkTracker::find_in_plane(StereoSight& sight, TrackedMark& track,
+                                                   const LearnedObject& object) const {
+  if (sight.model().is_single()) return std::nullopt;
+  if (!track.left && !track.looks_in_plane.is_due(captured_, looks_in_plane_per_second)) return std::nullopt;
+  track.looks_in_plane.looked(captured_, looks_in_plane_per_second);
+  for (SeenPair& seen : sight.find_in_plane(objects_, object)) {
+    const auto is_there = [&](const cv::Point2d& other) { return seen.left.box.contains(other); };
+    const bool may_be = sight.holds(seen.left) && !is_faint(seen.left, object);
+    if (!may_be || std::ranges::any_of(track.others.places(), is_there)) continue;
+    const std::optional<FollowedLook> lies = FollowedPlane().look(sight, object, seen);
+    if (lies && lies->view.may_be_off_px && *lies->view.may_be_off_px < most_off_px(sight)) return std::move(seen);
+  }
+  return std::nullopt;
 }
 
 // The sighting of a frame in which the mark was not found.

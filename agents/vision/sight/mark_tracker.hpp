@@ -84,6 +84,7 @@ class MarkTracker {
  private:
   std::optional<SeenPair> follow(StereoSight& sight, const TrackedMark& track, const LearnedObject& object) const;
   // Looks for it where it is not followed.
+  std::optional<SeenPair> find_in_plane(StereoSight& sight, TrackedMark& track, const LearnedObject& object) const;
   std::optional<SeenPair> search(StereoSight& sight, TrackedMark& track, const LearnedObject& object);
   // Of the marks in the image in which it was seen last; where there is a frame since, of those that this shows there
   // too.

@@ -13,6 +13,7 @@
 #include "agents/vision/sight/followed_plane.hpp"
 #include "agents/vision/sight/known_twins.hpp"
 #include "agents/vision/sight/nearest_look.hpp"
+#include "agents/vision/sight/search_limits.hpp"
 #include "agents/vision/sight/shadowed_mark.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
@@ -46,6 +47,7 @@ struct TrackedMark {
   double range_mm = 0;
   double confidence = 0;
   KnownTwins others = {};
+  LookPace looks_in_plane = {};  // of those while it is lost
   // As it was when it was lost; and for how long yet it must be followed elsewhere, where it was found since.
   std::shared_ptr<const TrackedMark> before = {};
   Duration doubted_for = {};

@@ -271,6 +271,23 @@ TEST(Followed, AMarkIsSeenByAPairThoughNoRegionOfTheRightImageShowsItAlone) {
   }
 }
 
+// Its picture is hardly like it then; its outline in both images is.
+TEST(Followed, AMarkIsSeenByAPairThoughItComesIntoViewFarAslant) {
+  for (const char* mark : {"circle", "square", "cross"}) {
+    SCOPED_TRACE(mark);
+    Random random = Random(19).split(mark);
+    TiltedLooks looks(pair());
+    looks.learn(view_of(mark), random);
+    RangeView view = view_of(mark);
+    view.pitch_deg = 60;
+    const std::vector<TrackSighting> told = looks.follow(std::vector<RangeView>(6, view), random);
+    for (const TrackSighting& sighting : told) {
+      ASSERT_TRUE(sighting.seen);
+      EXPECT_LT(cv::norm(sighting.centre - looks.middle_of(view)), 0.3);
+    }
+  }
+}
+
 // Not by the centroid of their pictures, which uneven light and a tilt move.
 TEST(Followed, ASquareOrACrossIsToldByItsMiddleByOneCamera) {
   for (const char* mark : {"square", "cross"}) {

@@ -93,7 +93,7 @@ TEST_P(GroundBeside, OfAPairAtWhatIsAsGreyAsTheGroundIsSeldomSurelyWrong) {
     cover(looks.own_ground() + random.uniform(-10, 10));
     looks.look();
   }
-  const int for_one_wrong = GetParam() == "rectangle" ? 30 : 300;
+  const int for_one_wrong = GetParam() == "rectangle" ? 30 : 150;
   EXPECT_LE(looks.by_pair.wrong, GroundLooks::answers * looks_in_grey / for_one_wrong)
       << "of " << looks.by_pair.sure << " that are sure";
 }
