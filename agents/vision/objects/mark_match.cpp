@@ -19,8 +19,8 @@ constexpr double ordinary_spread = 0.01;
 // With less error than this a mark need not be compared with what blur would make of the object.
 constexpr double clear_error = 0.01;
 
-// By how much bolder a print was learned than a faint one is seen. Of 2,594 photographed marks without a reflection none
-// lay more than log(1.6) below the others; blur makes small marks fainter.
+// By how much bolder a print was learned than a faint one is seen. Of 2,594 photographed marks without a reflection
+// none lay more than log(1.6) below the others; blur makes small marks fainter.
 const double most_fainter = std::log(2);
 
 double weight_of_roundness(const LearnedObject& object) {

@@ -73,7 +73,7 @@ bool shows(const cv::Mat1b& grey, const SeenMark& mark) {
 // As it would be seen if it were turned as the one whose signatures these are.
 cv::Mat1f turned_back(const cv::Mat1f& picture, const MarkSignature& seen, const TurnedSignatures& upright) {
   const double turn_deg = 360.0 * fit_signature(seen, upright).turn / TurnedSignatures::turns;
-  constexpr float middle = template_size / 2;
+  constexpr float middle = template_size / 2.0F;
   cv::Mat1f out;
   cv::warpAffine(picture, out, cv::getRotationMatrix2D({middle, middle}, -turn_deg, 1), picture.size(),
                  cv::INTER_CUBIC);

@@ -196,8 +196,8 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, TrackedMark& tra
   return now;
 }
 
-// It may be turned so far away that its picture is not like it. In both images its outline is, and tells it from what is
-// hidden in part.
+// It may be turned so far away that its picture is not like it. In both images its outline is, and tells it from what
+// is hidden in part.
 std::optional<SeenPair> MarkTracker::find_in_plane(StereoSight& sight, TrackedMark& track,
                                                    const LearnedObject& object) const {
   if (sight.model().is_single()) return std::nullopt;
