@@ -46,8 +46,7 @@ Result<LearnedSample> sample_from_facts(const std::vector<Datum>& facts) {
   const Datum* learned = fact_of(facts, sample_relations[0]);
   const Datum* learned_template = fact_of(facts, sample_relations[1]);
   if (learned == nullptr || learned_template == nullptr) {
-    return fail("bad-template", "a learned object is one learned and one learned-template fact",
-                facts.empty() ? Datum() : facts.front());
+    return fail("damaged", "its fact `learned` or `learned-template` is missing");
   }
   Result<MarkTemplate> picture = template_from_text((*learned_template)[10].text());
   if (!picture) return fail(picture);

@@ -7,8 +7,8 @@
 //   (learned-focal NAME NUM FOCAL)                                                     where it is known
 //   (learned-print NAME NUM CONTRAST)                                                  where it is known
 //
-// TONE is dark, light, or the tag that it is. BY is how its SIZE is known (LearnedSample::SizeBy). What older versions
-// learned has no FOCAL or no CONTRAST.
+// TONE is dark, light, or the tag that it is. BY is how its SIZE is known (LearnedSample::SizeBy). Older versions told
+// no learned-focal, or no learned-print.
 //
 //   std::vector<Datum> facts = facts_of_sample("circle", sample);
 //   Result<LearnedSample> same = sample_from_facts(facts);
@@ -32,7 +32,7 @@ Datum learned_focal_fact(const std::string& name, const LearnedSample& sample);
 Datum learned_print_fact(const std::string& name, const LearnedSample& sample);
 
 std::vector<Datum> facts_of_sample(const std::string& name, const LearnedSample& sample);
-// `facts`: all of one sample, in any order. Failure `bad-template`.
+// `facts`: all of one sample, in any order. Failures `damaged` and `bad-template`.
 Result<LearnedSample> sample_from_facts(const std::vector<Datum>& facts);
 
 }  // namespace pizarra::vision

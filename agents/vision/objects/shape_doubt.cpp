@@ -59,7 +59,7 @@ ShapeDoubt shape_doubt(const SeenMark& mark, const MarkMatch& match) {
   const double level_noise = std::max(least_noise, mark.noise / contrast);
   const auto part = static_cast<std::size_t>(match.turn % TurnedSignatures::parts);
   const MarkOutline& learned = match.sample->outlines[part];
-  // What a tilt shortens blur changes more, once the tilt is undone.
+  // Blur changes a tilted mark more along the direction that the tilt shortens.
   const double shortened = mark.flattened ? std::min(1.0, mark.slimness / match.sample->slimness) : 1;
   const double ever = allowed.outline_share * learned.power() / shortened;
   const double by_noise = outline_slack + noise_in_outline(mark, level_noise);

@@ -33,7 +33,7 @@ void move_by(PlaneFit& fit, cv::Point2d way) {
 
 cv::Vec3d away_of(const cv::Matx33d& turn) { return {turn(0, 2), turn(1, 2), turn(2, 2)}; }
 
-// What one image shows around a mark, and the outline of a sample in it.
+// Registers a sample's outline in one image, around a mark.
 class OutlineInImage {
  public:
   OutlineInImage(const cv::Mat& grey, double noise, const SeenMark& mark)

@@ -5,8 +5,7 @@
 // less sure the farther off its middle would be if it were covered since.
 //
 //   NearestLook nearest;
-//   const double off_px = nearest.off_if_covered_px(sample.plane, fit, range_mm, goes_on);     // each frame that shows
-//   it
+//   const double off_px = nearest.off_if_covered_px(sample.plane, fit, range_mm, goes_on);   // in each frame
 //
 // A cover's edge does not turn with the mark. Where all sides turn in the image while it looks farther away, it is.
 

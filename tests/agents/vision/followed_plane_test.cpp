@@ -234,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(Marks, WholeByOutline,
                            return std::string(std::get<0>(one.param)) + (std::get<1>(one.param) ? "Pair" : "OneCamera");
                          });
 
-// What would cover a part of it as well is rarer than a tilt, as FIND has it.
+// A tilt and a cover may look alike. TRACK takes the cover to be rarer, as FIND does.
 TEST(Followed, ASquareIsToldSurelyByOneCameraWhileItLeansAndTurns) {
   Random random = Random(17).split("square");
   TiltedLooks looks(one_camera());

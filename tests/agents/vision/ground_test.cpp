@@ -84,8 +84,8 @@ TEST_P(GroundBeside, AtWhatAnyGreyHidesAPartOfIsSeldomSurelyWrongButByOneCameraO
   }
 }
 
-// Then no edge shows it. What is left in both images may be the outline of no pose of the mark; of a slim mark no
-// outline is followed.
+// No edge shows such a cover. But no pose of the mark explains the outline that is left in both images. TRACK follows
+// no outline of a slim mark.
 TEST_P(GroundBeside, OfAPairAtWhatIsAsGreyAsTheGroundIsSeldomSurelyWrong) {
   constexpr int looks_in_grey = 150;
   for (int i = 0; i < looks_in_grey; ++i) {

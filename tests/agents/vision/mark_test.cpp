@@ -172,6 +172,13 @@ TEST(Template, SurvivesItsText) {
   EXPECT_FALSE(template_from_text(std::string(1024, 'g')));
 }
 
+TEST(LearnedFacts, WithoutATemplateAreDamaged) {
+  const LearnedObject& object = learned_cell().all().front();
+  const Result<LearnedSample> read = sample_from_facts({learned_fact(object.name, object.samples.front())});
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().symbol, "damaged");
+}
+
 TEST(LearnedFacts, SayTheWholeSample) {
   for (const LearnedObject& object : learned_cell().all()) {
     const LearnedSample& sample = object.samples.front();
