@@ -6,6 +6,7 @@
 #include "blackboard/journal/journal_file.hpp"
 #include "tests/blackboard/child_program.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/free_port.hpp"
 #include "tests/programs/running.hpp"
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
@@ -78,7 +79,7 @@ TEST_F(LogCommands, AskTheOtherMembersWhereTheFirstIsDown) {
   ASSERT_EQ(tell("(note 1)").status, 0);
   EXPECT_EQ(leading->stop(SIGTERM), 0);
   const std::string with_one_down =
-      "etcd://127.0.0.1:" + std::to_string(cluster::free_port()) + "," + log_.substr(std::string("etcd://").size());
+      "etcd://127.0.0.1:" + std::to_string(free_port()) + "," + log_.substr(std::string("etcd://").size());
   EXPECT_EQ(run("replay " + with_one_down + " --eval '(ask (note ?n))'").text, "?n = 1\n");
   const Said copied = run("log copy " + with_one_down + " " + back_);
   EXPECT_EQ(copied.status, 0) << copied.text;

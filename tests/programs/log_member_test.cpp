@@ -12,6 +12,7 @@
 
 #include "tests/blackboard/cluster/real_etcd.hpp"
 #include "tests/certificates.hpp"
+#include "tests/free_port.hpp"
 #include "tests/has_ipv6.hpp"
 #include "tests/programs/running.hpp"
 #include "tests/programs/shell.hpp"
@@ -32,7 +33,7 @@ class LogMembers : public testing::Test {
   }
   void are_at(const std::string& address) {
     for (const char* host : {"a", "b", "c"}) {
-      ports_[host] = cluster::two_free_ports();
+      ports_[host] = two_free_ports();
       members_[host] = fmt::format("{}:{}", address, ports_[host]);
       std::filesystem::remove_all(folder(host));
     }
@@ -109,7 +110,7 @@ TEST_F(LogMemberWithoutAPlace, IsToldThatAnotherCellsMemberHasItsPort) {
   const Running other(
       {PIZARRA_CELL, "log", "member", "etcd://" + members_.at("a") + "/other", members_.at("a"), folder("a")},
       scratch_folder() + "other-member.log");
-  ASSERT_TRUE(wait_until([&] { return cluster::can_connect(ports_.at("a")); }, seconds(60))) << other.said();
+  ASSERT_TRUE(wait_until([&] { return can_connect(ports_.at("a")); }, seconds(60))) << other.said();
   const Said refused = member(members_.at("a"), members_.at("a"), folder("b"));
   EXPECT_EQ(refused.status, 4) << refused.text;
   const std::string sentence = members_.at("a") +

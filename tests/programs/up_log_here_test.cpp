@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/free_port.hpp"
 #include "tests/programs/running.hpp"
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
@@ -24,9 +25,9 @@ class UpWithLogHere : public testing::Test {
   void SetUp() override {
     if (!cluster::RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
     for (const char* host : {"a", "b", "c"}) std::filesystem::remove_all(scratch_folder() + "member-" + host);
-    for (const char* host : {"a", "b", "c"}) members_[host] = fmt::format("127.0.0.1:{}", cluster::two_free_ports());
-    board_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
-    standby_ = fmt::format("tcp://127.0.0.1:{}", cluster::free_port());
+    for (const char* host : {"a", "b", "c"}) members_[host] = fmt::format("127.0.0.1:{}", two_free_ports());
+    board_ = fmt::format("tcp://127.0.0.1:{}", free_port());
+    standby_ = fmt::format("tcp://127.0.0.1:{}", free_port());
     std::ofstream(cell_) << fmt::format(
         "(cell here (world (cube circle (at 450 -60))) (domain \"{}/domains/blocks.scm\")\n"
         " (board \"a\" \"{},{}\")\n"

@@ -10,6 +10,7 @@
 #include "tests/blackboard/child_program.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
 #include "tests/campaign.hpp"
+#include "tests/free_port.hpp"
 #include "tests/run_task.hpp"
 
 namespace pizarra::cluster {

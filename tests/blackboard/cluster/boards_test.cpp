@@ -15,6 +15,7 @@
 #include "lisp/reader.hpp"
 #include "tests/blackboard/child_program.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/free_port.hpp"
 #include "tests/run_task.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"

@@ -8,6 +8,7 @@
 #include "blackboard/cluster/etcd_client.hpp"
 #include "blackboard/cluster/log_upkeep.hpp"
 #include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/free_port.hpp"
 
 namespace pizarra::cluster {
 namespace {

@@ -1,60 +1,19 @@
 #include "tests/blackboard/cluster/real_etcd.hpp"
 
-#include <arpa/inet.h>
-#include <cerrno>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
-#include <system_error>
 #include <unistd.h>
 #include <vector>
 
 #include "lisp/installed_program.hpp"
+#include "tests/free_port.hpp"
 #include "tests/scratch.hpp"
 #include "tests/whole_file.hpp"
 
 namespace pizarra::cluster {
-
-namespace {
-
-sockaddr_in loopback(int port) {
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(static_cast<std::uint16_t>(port));
-  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  return name;
-}
-
-}  // namespace
-
-bool can_connect(int port) {
-  const int file = socket(AF_INET, SOCK_STREAM, 0);
-  const sockaddr_in name = loopback(port);
-  const bool connected = connect(file, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
-  close(file);
-  return connected;
-}
-
-int free_port() {
-  const int file = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in name = loopback(0);
-  socklen_t size = sizeof name;
-  if (bind(file, reinterpret_cast<sockaddr*>(&name), size) != 0)
-    throw std::system_error(errno, std::generic_category());
-  getsockname(file, reinterpret_cast<sockaddr*>(&name), &size);
-  close(file);
-  return ntohs(name.sin_port);
-}
-
-int two_free_ports() {
-  int port = free_port();
-  while (can_connect(port + 1)) port = free_port();
-  return port;
-}
 
 bool RealEtcd::is_installed() { return installed_program("etcd").has_value(); }
 

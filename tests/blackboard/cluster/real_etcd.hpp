@@ -13,13 +13,6 @@
 
 namespace pizarra::cluster {
 
-// A port that nobody had a moment ago.
-int free_port();
-// The first of two, one behind the other.
-int two_free_ports();
-// Whether somebody listens there.
-bool can_connect(int port);
-
 class RealEtcd {
  public:
   static bool is_installed();
