@@ -10,7 +10,6 @@ namespace {
 
 constexpr int open_timeout_ms = 5000;
 constexpr int read_timeout_ms = 3000;
-constexpr double usual_video_hz = 25;
 // V4L2's names of the settings, and its unit of exposure.
 constexpr double manual_exposure = 1;
 constexpr double automatic_exposure = 3;
@@ -41,7 +40,7 @@ bool CaptureSource::open_capture() {
     case forms::CameraSource::Kind::images:
       break;
   }
-  return capture_->open(source_.where);
+  return false;
 }
 
 Result<void> CaptureSource::open() {
@@ -50,7 +49,6 @@ Result<void> CaptureSource::open() {
   // What goes wrong is told by our failures.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   capture_.reset(opencv->new_capture());
-  taken_any_ = false;
   bool opened = false;
   try {
     opened = open_capture();
@@ -58,11 +56,6 @@ Result<void> CaptureSource::open() {
     opened = false;
   }
   if (!opened) return fail("disconnected", fmt::format("{} cannot be opened", source_.where));
-  if (source_.kind == forms::CameraSource::Kind::video) {
-    const double own_hz = capture_->get(cv::CAP_PROP_FPS);
-    const double sane_hz = own_hz >= 1 && own_hz <= 1000 ? own_hz : usual_video_hz;
-    recorded_hz_ = setup_.rate_hz > 0 ? setup_.rate_hz : sane_hz;
-  }
   return source_.kind == forms::CameraSource::Kind::device ? apply_settings() : Result<void>();
 }
 
@@ -95,15 +88,11 @@ Result<std::optional<double>> CaptureSource::grab() {
   } catch (const cv::Exception&) {
     grabbed = false;
   }
-  const bool recorded = source_.kind == forms::CameraSource::Kind::video;
-  if (!grabbed && recorded && taken_any_) return fail("ended", fmt::format("{} is over", source_.where));
   if (!grabbed) return fail("disconnected", fmt::format("{} gives no images", source_.where));
-  taken_any_ = true;
-  // Devices of one machine share a clock, videos begin at 0; streams and pipelines begin when they like.
-  if (!recorded && source_.kind != forms::CameraSource::Kind::device) return std::nullopt;
+  // Devices of one machine share a clock; streams and pipelines begin when they like.
+  if (source_.kind != forms::CameraSource::Kind::device) return std::nullopt;
   const double moment_ms = capture_->get(cv::CAP_PROP_POS_MSEC);
-  if (recorded || moment_ms > 0) return moment_ms;
-  return std::nullopt;
+  return moment_ms > 0 ? std::optional(moment_ms) : std::nullopt;
 }
 
 Result<cv::Mat> CaptureSource::retrieve(bool /*grey*/) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The sources that OpenCV's VideoCapture opens: devices, video files, network streams, GStreamer pipelines.
+// The sources that OpenCV's VideoCapture opens: devices, network streams, GStreamer pipelines.
 //
 // Lifecycle: open(), then grab() and retrieve() for each image; close(), after which it may be opened again.
 //
@@ -24,7 +24,7 @@ class CaptureSource : public FrameSource {
   }
   Result<std::optional<double>> grab() override;
   Result<cv::Mat> retrieve(bool grey) override;
-  double recorded_hz() const override { return recorded_hz_; }
+  double recorded_hz() const override { return 0; }
 
  private:
   bool open_capture();
@@ -33,8 +33,6 @@ class CaptureSource : public FrameSource {
   forms::CameraSource source_;
   forms::CameraSetup setup_;
   std::unique_ptr<cv::VideoCapture> capture_;  // none before it is first opened
-  double recorded_hz_ = 0;
-  bool taken_any_ = false;
 };
 
 }  // namespace pizarra::camera

@@ -1,6 +1,7 @@
 #include "drivers/camera/frame_source.hpp"
 
 #include "drivers/camera/capture_source.hpp"
+#include "drivers/camera/film_source.hpp"
 #include "drivers/camera/image_files.hpp"
 
 namespace pizarra::camera {
@@ -15,16 +16,26 @@ std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source
   return std::make_unique<ImageFiles>(wheres, source == setup.sources[0] ? 0 : 1, reading);
 }
 
+std::unique_ptr<FrameSource> make_source(const forms::CameraSource& source, const forms::CameraSetup& setup) {
+  switch (source.kind) {
+    case forms::CameraSource::Kind::images:
+      return make_image_source(source, setup);
+    case forms::CameraSource::Kind::video:
+      return std::make_unique<FilmSource>(source.where, setup.rate_hz);
+    case forms::CameraSource::Kind::device:
+    case forms::CameraSource::Kind::stream:
+    case forms::CameraSource::Kind::pipeline:
+      break;
+  }
+  return std::make_unique<CaptureSource>(source, setup);
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<FrameSource>> sources_of(const forms::CameraSetup& setup) {
   std::vector<std::unique_ptr<FrameSource>> out;
   for (const forms::CameraSource& source : setup.sources) {
-    if (source.kind == forms::CameraSource::Kind::images) {
-      out.push_back(make_image_source(source, setup));
-    } else {
-      out.push_back(std::make_unique<CaptureSource>(source, setup));
-    }
+    out.push_back(make_source(source, setup));
   }
   return out;
 }

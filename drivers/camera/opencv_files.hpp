@@ -1,14 +1,14 @@
 #pragma once
 
-// Image files of every format, films, camera devices and streams, by OpenCV. It brings two hundred libraries for them,
-// which cost a tenth of a second and 70 MB. So they are loaded at the first call, and programs that call nothing here
-// start without them.
+// Image files of every format, camera devices and streams, and films that are written, by OpenCV. It brings two hundred
+// libraries for them, which cost a tenth of a second and 70 MB. So they are loaded at the first call, and programs that
+// call nothing here start without them.
 //
 //   const Result<OpencvFiles> opencv = opencv_files();
 //   std::unique_ptr<cv::VideoCapture> capture(opencv->new_capture());
 //   const Result<ImageBytes> png = encoded_image(".png", picture);
 //
-// The failure is no-opencv: the file `pizarra-opencv.so` is not beside the program, or cannot be loaded.
+// The failure is no-module: the file `pizarra-opencv.so` is not beside the program, or cannot be loaded.
 
 #include <cstdint>
 #include <memory>

@@ -14,7 +14,7 @@
 
 namespace pizarra::camera {
 
-// 8 bit; grey or BGR. Failures: corrupt-frame, in the words that follow a file's name; no-opencv.
+// 8 bit; grey or BGR. Failures: corrupt-frame, in the words that follow a file's name; no-module.
 Result<cv::Mat> read_other_image(std::span<const unsigned char> bytes, bool grey, ImageSize most = largest_pair);
 
 // Nothing where the bytes are none of those, or end before they say.

@@ -1,5 +1,5 @@
 // The memory of a vision agent's process that has learned four objects and tracks them: with the simulated camera, with
-// image files, and with a film, which brings all along that OpenCV reads films and pictures with.
+// image files, and with a film, which brings FFmpeg along.
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -91,9 +91,7 @@ void say_memory(VisionBench& bench, const std::string& camera, const Child& visi
                      fmt::format("{:.0f} of it its own, the rest pages of shared libraries; a process of its own, four "
                                  "objects learned and tracked",
                                  own_mb),
-                     fmt::format("{:.0f} MB of pages of the libraries that OpenCV's reader of films loads, FFmpeg, "
-                                 "GStreamer and GDAL among them",
-                                 all_mb - own_mb)});
+                     fmt::format("{:.0f} MB of pages of shared libraries", all_mb - own_mb)});
 }
 
 // A cell's file, a board, and where they are.

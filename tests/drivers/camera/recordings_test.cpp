@@ -18,6 +18,7 @@
 #include "lisp/writer.hpp"
 #include "tests/run_task.hpp"
 #include "tests/scratch.hpp"
+#include "tests/whole_file.hpp"
 
 namespace pizarra::camera {
 namespace {
@@ -371,6 +372,32 @@ TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
   EXPECT_GT(all_s, 0.45) << "25 frames at 50 a second, two and a half times the film";
   std::ranges::nth_element(periods_s, periods_s.begin() + static_cast<std::ptrdiff_t>(periods_s.size() / 2));
   EXPECT_NEAR(periods_s[periods_s.size() / 2], 0.02, 0.005);
+}
+
+// A telephone that is held upright films aslant, and notes in the film how it must be turned.
+TEST_F(Recordings, AFilmIsShownUpright) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar::all(40));
+  picture(cv::Rect(0, 0, 160, 240)) = cv::Scalar::all(200);
+  {
+    cv::VideoWriter film(folder + "film.mp4", cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 25, picture.size());
+    for (int i = 0; i < 3; ++i) film.write(picture);
+  }
+  std::string bytes = whole_file(folder + "film.mp4");
+  const std::size_t header = bytes.find("tkhd");
+  ASSERT_NE(header, std::string::npos);
+  // 16 bits before the point, or 2: a quarter of a turn clockwise.
+  constexpr std::size_t behind_name = 4 + 40;
+  bytes.replace(header + behind_name, 36,
+                std::string("\0\0\0\0\0\1\0\0\0\0\0\0\xff\xff\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x40\0\0\0", 36));
+  std::ofstream(folder + "film.mp4", std::ios::binary) << bytes;
+  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.mp4"}));
+  ASSERT_TRUE(run(executor, camera.open()));
+  const Result<StereoFrame> frame = next(camera);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->left->width, 240);
+  EXPECT_EQ(frame->left->height, 320);
+  EXPECT_NEAR(frame->left->pixels[20 * 240 + 120], 200, 4) << "what was on the left is above";
+  EXPECT_NEAR(frame->left->pixels[300 * 240 + 120], 40, 4);
 }
 
 TEST_F(Recordings, WhatIsNoVideoIsNoCamera) {
