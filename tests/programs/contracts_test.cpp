@@ -33,7 +33,7 @@ const Occasions told_on_occasion = {{"coordinator", {"camera-pose", "leans", "ra
                                     {"pan-tilt", {"head-speed", "looking-at"}},
                                     {"robot", {"gripped", "robot-released", "robot-speed", "robot-variable"}},
                                     {"vision",
-                                     {"body", "camera-drops", "found", "look-alike", "looked-at-most",
+                                     {"body", "camera-drops", "found", "learned-axis", "look-alike", "looked-at-most",
                                       "objects-damaged", "searched-in", "tags-seen", "vision-failed"}}};
 
 Names with(Names names, const Occasions& occasions, const std::string& agent) {

@@ -47,6 +47,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
                                 (by symbol) (picture string)) (key eyes name num) (durable))
     (relation learned-focal ((eyes symbol) (name string) (num integer) (focal number)) (key eyes name num) (durable))
     (relation learned-print ((eyes symbol) (name string) (num integer) (contrast number)) (key eyes name num) (durable))
+    (relation learned-axis ((eyes symbol) (name string) (num integer) (degrees number)) (key eyes name num) (durable))
     (relation to-accept ((eyes symbol) (name string) (num integer)) (key eyes name num))
     (relation look-alike ((eyes symbol) (name string) (other string) (error number) (sentence string))
                          (key eyes name other))
@@ -60,7 +61,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
     (relation camera-drops ((eyes symbol) (late integer) (skewed integer) (corrupt integer)) (key eyes))
     (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
-  (reads learned learned-template learned-focal learned-print found body)
+  (reads learned learned-template learned-focal learned-print learned-axis found body)
   (configures (learn learn-from accept reject forget rename connect disconnect keep search-in search-everywhere
                look-at-most look-always define-body forget-body))
   (monitors (vision-mode camera-state objects-damaged)))

@@ -27,15 +27,17 @@ std::int64_t sum_of(const LearnedSample& sample) {
   sum.add(write(learned_fact(nameless, sample))).add(write(Datum::list(std::move(kept))));
   if (sample.focal_px > 0) sum.add(write(learned_focal_fact(nameless, sample)));
   if (sample.contrast > 0) sum.add(write(learned_print_fact(nameless, sample)));
+  if (sample.axis_deg > 0) sum.add(write(learned_axis_fact(nameless, sample)));
   return sum.value();
 }
 
 bool makes_sense(const LearnedSample& s) {
-  const std::array<double, 11> values = {s.area_px,   s.moments[0], s.moments[1], s.moments[2],
+  const std::array<double, 12> values = {s.area_px,   s.moments[0], s.moments[1], s.moments[2],
                                          s.height_px, s.slimness,   s.roundness,  s.roundness_spread,
-                                         s.size_mm,   s.focal_px,   s.contrast};
+                                         s.size_mm,   s.focal_px,   s.contrast,   s.axis_deg};
   return s.number > 0 && s.height_px > 0 && s.slimness > 0 && s.roundness > 0 && s.size_mm >= 0 && s.focal_px >= 0 &&
-         s.contrast >= 0 && std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+         s.contrast >= 0 && s.axis_deg >= 0 && s.axis_deg <= 180 &&
+         std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ Result<KeptObjects> ObjectDatabase::read() {
   journal::sqlite::Statement rows(
       database_,
       "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
-      "roundness_spread, size, sum, id, size_by, focal, contrast FROM samples ORDER BY id");
+      "roundness_spread, size, sum, id, size_by, focal, contrast, axis FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
@@ -129,6 +131,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(journal::sqlite::Statement& row,
   out.size_by = static_cast<LearnedSample::SizeBy>(std::clamp<std::int64_t>(row.integer(16), 0, 3));
   out.focal_px = row.real(17);
   out.contrast = row.real(18);
+  out.axis_deg = row.real(19);
   const Result<MarkTemplate> picture = read_bitmap(bitmap({name, out.number}), out.tone);
   if (!picture) return fail(picture);
   out.set_picture(*picture);
@@ -203,7 +206,7 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
   sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
   const std::string tone = tone_of(sample);
   journal::sqlite::Statement row(
-      database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, name).bind(2, std::int64_t{sample.number});
   row.bind(3, tone).bind_real(4, sample.area_px);
   row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
@@ -211,7 +214,7 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
   row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);
   row.bind_real(13, sample.roundness_spread).bind_real(14, sample.size_mm).bind(15, sum_of(sample));
   row.bind(16, static_cast<std::int64_t>(sample.size_by)).bind_real(17, sample.focal_px);
-  row.bind_real(18, sample.contrast);
+  row.bind_real(18, sample.contrast).bind_real(19, sample.axis_deg);
   const Result<void> inserted = row.run();
   if (!inserted) return inserted;
   const Result<std::int64_t> id = database_.ask("SELECT last_insert_rowid()");

@@ -4,23 +4,24 @@ namespace pizarra::vision {
 namespace {
 
 constexpr std::int64_t application = 0x506f626a;  // "Pobj"
-constexpr std::int64_t format = 5;
+constexpr std::int64_t format = 6;
 
 // A row's id is never given again; the number of a sample is, once its object is forgotten.
 constexpr const char* schema = R"(
   CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
                         area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
                         roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER, focal REAL,
-                        contrast REAL, UNIQUE (name, num));
+                        contrast REAL, axis REAL, UNIQUE (name, num));
   PRAGMA application_id = 1349476970;
-  PRAGMA user_version = 5;
+  PRAGMA user_version = 6;
 )";
 
 // The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y; none
-// of them said by which focal length a sample was learned. The fourth did not say how bold the print was.
+// of them said by which focal length a sample was learned. The fourth did not say how bold the print was, nor the fifth
+// how a slim mark lies in its template.
 constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
 constexpr const char* take_first_format = R"(
-  INSERT INTO samples SELECT NULL, *, 0, 0, 0 FROM samples_1 ORDER BY rowid;
+  INSERT INTO samples SELECT NULL, *, 0, 0, 0, 0 FROM samples_1 ORDER BY rowid;
   DROP TABLE samples_1;
 )";
 constexpr const char* from_second_to_fourth = R"(
@@ -33,7 +34,10 @@ constexpr const char* from_third_to_fourth = R"(
 )";
 constexpr const char* take_fourth_format = R"(
   ALTER TABLE samples ADD COLUMN contrast REAL DEFAULT 0;
-  PRAGMA user_version = 5;
+)";
+constexpr const char* take_fifth_format = R"(
+  ALTER TABLE samples ADD COLUMN axis REAL DEFAULT 0;
+  PRAGMA user_version = 6;
 )";
 
 Result<bool> is_ours(journal::sqlite::Database& database) {
@@ -62,7 +66,11 @@ Result<void> take_later_format(journal::sqlite::Database& database, std::int64_t
     const Result<void> as_fourth = database.run(is == 2 ? from_second_to_fourth : from_third_to_fourth);
     if (!as_fourth) return as_fourth;
   }
-  return database.run(take_fourth_format);
+  if (is < 5) {
+    const Result<void> as_fifth = database.run(take_fourth_format);
+    if (!as_fifth) return as_fifth;
+  }
+  return database.run(take_fifth_format);
 }
 
 Result<void> make_table(journal::sqlite::Database& database) {

@@ -2,6 +2,7 @@
 
 // A place on the border of a learned mark, in its plane: standard deviations of the mark, from its centroid.
 
+#include <limits>
 #include <opencv2/core.hpp>
 
 namespace pizarra::vision {
@@ -13,6 +14,7 @@ struct OutlinePoint {
   double from_bend;      // from any corner, the template's rounded ones too
   double depth;          // how far the ink reaches from there, straight inwards
   std::size_t side = 0;  // outline_sides.hpp
+  static constexpr std::size_t no_side = std::numeric_limits<std::size_t>::max();
   // The template rounds the border so far on either side of a corner.
   static constexpr double rounded_reach = 0.25;
   bool is_rounded() const { return from_bend <= rounded_reach; }

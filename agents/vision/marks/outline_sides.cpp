@@ -10,6 +10,8 @@ namespace {
 // standard deviations of the mark.
 constexpr double same_way = 0.95;
 constexpr double same_line = 0.2;
+// With fewer points it is the turn about a corner.
+constexpr std::ptrdiff_t least_of_side = 3;
 
 }  // namespace
 
@@ -25,6 +27,11 @@ void number_sides(std::vector<OutlinePoint>& points) {
     });
     point->side = static_cast<std::size_t>(side - middles.begin());
     if (side == middles.end()) middles.push_back(point);
+  }
+  std::vector<std::ptrdiff_t> lengths(middles.size());
+  for (const OutlinePoint& point : points) ++lengths[point.side];
+  for (OutlinePoint& point : points) {
+    if (lengths[point.side] < least_of_side) point.side = OutlinePoint::no_side;
   }
 }
 

@@ -254,8 +254,8 @@ double Reach::variation() const {
   return std::sqrt(std::max(0.0, squares / turns - mean * mean));
 }
 
-ReachFit fit_reach(const Reach& seen, const Reach& learned) {
-  ReachFit best{std::numeric_limits<double>::infinity(), 0};
+std::array<double, Reach::turns> reach_errors(const Reach& seen, const Reach& learned) {
+  std::array<double, Reach::turns> out;
   for (int turn = 0; turn < Reach::turns; ++turn) {
     double squares = 0;
     for (int i = 0; i < Reach::turns; ++i) {
@@ -263,10 +263,15 @@ ReachFit fit_reach(const Reach& seen, const Reach& learned) {
                            learned.values[static_cast<std::size_t>(i)];
       squares += apart * apart;
     }
-    if (squares < best.error) best = {squares, turn};
+    out[static_cast<std::size_t>(turn)] = std::sqrt(squares / Reach::turns);
   }
-  best.error = std::sqrt(best.error / Reach::turns);
-  return best;
+  return out;
+}
+
+ReachFit fit_reach(const Reach& seen, const Reach& learned) {
+  const std::array<double, Reach::turns> errors = reach_errors(seen, learned);
+  const auto best = std::ranges::min_element(errors);
+  return {*best, static_cast<int>(best - errors.begin())};
 }
 
 PlaneOutline plane_outline(const MarkTemplate& levels) {

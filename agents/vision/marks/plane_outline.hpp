@@ -35,6 +35,8 @@ struct ReachFit {
   int turn;
 };
 ReachFit fit_reach(const Reach& seen, const Reach& learned);
+// The error at each turn.
+std::array<double, Reach::turns> reach_errors(const Reach& seen, const Reach& learned);
 
 struct PlaneOutline {
   static constexpr int count = 96;

@@ -63,6 +63,14 @@ double LearnedSample::face_mm() const {
   return size_mm * std::sqrt(roundness * area_px / (4 * std::numbers::pi)) / height_px;
 }
 
+cv::Matx22d LearnedSample::stretch() const {
+  if (axis_deg <= 0) return cv::Matx22d::eye();
+  const double axis = axis_deg * std::numbers::pi / 180;
+  const cv::Matx22d turn(std::cos(axis), -std::sin(axis), std::sin(axis), std::cos(axis));
+  const double longer = 1 / std::sqrt(slimness);
+  return turn * cv::Matx22d(longer, 0, 0, 1 / longer) * turn.t();
+}
+
 double LearnedSample::most_face_mm() const {
   const bool may_be_turned = size_by == SizeBy::measured && !tag && slimness > 0;
   return may_be_turned ? measured_face_mm() / std::sqrt(slimness) : measured_face_mm();

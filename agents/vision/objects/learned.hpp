@@ -20,6 +20,10 @@
 
 namespace pizarra::vision {
 
+// Less slim than this a mark counts as round: as high as it is wide from the front. One that is slimmer does not say by
+// itself from where it is seen.
+inline constexpr double least_round = 0.9;
+
 struct LearnedSample {
   int number = 0;       // NUM, from 1
   std::int64_t id = 0;  // in a database, where no other sample ever gets it; 0: in none
@@ -33,6 +37,9 @@ struct LearnedSample {
   double focal_px = 0;  // of the camera it was learned with: what is in px grows with it; 0: not known
   double contrast = 0;  // print_contrast(); 0: not known
   double slimness = 0;  // from the front where a pair learned it, else as it was seen
+  // Where its longer axis lies in `picture`, degrees from right to down, more than 0 and at most 180; of a slim mark.
+  // 0: not known.
+  double axis_deg = 0;
   double roundness = 0;
   double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
   // How its size is known: measured by a pair, or guessed by where objects are said to be while one camera alone learns
@@ -55,6 +62,10 @@ struct LearnedSample {
   // The size of its face as it was seen, where that is known: to a pair of cameras a guess is nothing.
   double face_mm() const;
   double measured_face_mm() const { return size_guessed() ? 0 : face_mm(); }
+  // Whether its picture says what it looks like from the front: that of a slim one alone does not.
+  bool has_form() const { return slimness >= least_round || axis_deg > 0; }
+  // From `picture`, whose second moments are a circle's, to a slim mark as it is from the front. Areas stay.
+  cv::Matx22d stretch() const;
   // The most that it may be: what is known along y alone may have been turned away when it was learned.
   double most_face_mm() const;
   void set_picture(const MarkTemplate& new_picture);

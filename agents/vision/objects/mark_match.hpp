@@ -14,9 +14,6 @@ namespace pizarra::vision {
 
 // Above this error a mark is not the object.
 inline constexpr double recognition_threshold = 0.085;
-// Less slim than this a mark counts as round: as high as it is wide from the front. One that is slimmer does not say by
-// itself from where it is seen.
-inline constexpr double least_round = 0.9;
 
 // How many times as large as it was learned an object is looked for.
 inline constexpr double least_scale = 0.35;

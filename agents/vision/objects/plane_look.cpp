@@ -13,6 +13,8 @@ namespace {
 constexpr double most_reach_error = 0.15;
 constexpr double most_error_of_deep = 0.5;  // of how much the outline itself varies
 constexpr double least_supported = 0.85;
+// Of several turns that are worse than the best one by no more, one is as likely as another.
+constexpr double same_reach_error = 0.02;
 // An edge is off by no more of the mark's standard deviation, and of a pixel.
 constexpr double most_rms_share = 0.035;
 constexpr double most_rms_px = 0.35;
@@ -150,6 +152,30 @@ MarkSignature signature_in_plane(const Weights& weights, const Moments& moments)
        .full = full});
 }
 
+// How much slimmer than from the front the mark is where it is turned so, as a logarithm.
+double squeeze(const LearnedSample& sample, const cv::Matx33d& to_image) {
+  const cv::Matx22d slope = to_image.get_minor<2, 2>(0, 0) * sample.stretch().inv();
+  const cv::Matx22d spread = slope * slope.t();
+  const double mean = cv::trace(spread) / 2;
+  return std::acosh(std::max(1.0, mean / std::abs(cv::determinant(slope))));
+}
+
+// The template of a slim rectangle is a square, whose four turns are alike. A mark is seldom so aslant that the longer
+// one of its sides is the shorter one.
+cv::Matx33d start_of(const LearnedSample& sample, const Reach& region, const ReachFit& best) {
+  const Reach& learned = sample.plane.reach;
+  const cv::Matx33d by_reach = affine_start(region, learned, best.turn);
+  if (sample.axis_deg <= 0) return by_reach;
+  const std::array<double, Reach::turns> errors = reach_errors(region, learned);
+  cv::Matx33d out = by_reach;
+  for (int turn = 0; turn < Reach::turns; ++turn) {
+    if (errors[static_cast<std::size_t>(turn)] > best.error + same_reach_error) continue;
+    const cv::Matx33d other = affine_start(region, learned, turn);
+    if (squeeze(sample, other) < squeeze(sample, out)) out = other;
+  }
+  return out;
+}
+
 std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample, const LevelRegion& region,
                                 const PlaneFit& fit) {
   const PlaneOutline& outline = sample.plane;
@@ -212,8 +238,7 @@ std::optional<PlaneFit> fit_region(const ImageCut& cut, const LearnedSample& sam
   if (sample.tag || sample.plane.points.empty()) return std::nullopt;
   const ReachFit turned = fit_reach(region, sample.plane.reach);
   if (turned.error > most_reach_error + most_error_of_deep * sample.plane.reach.variation()) return std::nullopt;
-  const cv::Matx33d start = affine_start(region, sample.plane.reach, turned.turn);
-  return fit_plane(cut.pixels, sample.plane, start, sample.tone);
+  return fit_plane(cut.pixels, sample.plane, start_of(sample, region, turned), sample.tone);
 }
 
 bool is_outline_of(const PlaneFit& fit) {

@@ -35,10 +35,15 @@ Datum learned_print_fact(const std::string& name, const LearnedSample& sample) {
   return list("learned-print"_sym, name, sample.number, sample.contrast);
 }
 
+Datum learned_axis_fact(const std::string& name, const LearnedSample& sample) {
+  return list("learned-axis"_sym, name, sample.number, sample.axis_deg);
+}
+
 std::vector<Datum> facts_of_sample(const std::string& name, const LearnedSample& sample) {
   std::vector<Datum> out = {learned_fact(name, sample), learned_template_fact(name, sample)};
   if (sample.focal_px > 0) out.push_back(learned_focal_fact(name, sample));
   if (sample.contrast > 0) out.push_back(learned_print_fact(name, sample));
+  if (sample.axis_deg > 0) out.push_back(learned_axis_fact(name, sample));
   return out;
 }
 
@@ -67,6 +72,8 @@ Result<LearnedSample> sample_from_facts(const std::vector<Datum>& facts) {
   if (focal != nullptr) out.focal_px = (*focal)[3].number();
   const Datum* print = fact_of(facts, sample_relations[3]);
   if (print != nullptr) out.contrast = (*print)[3].number();
+  const Datum* axis = fact_of(facts, sample_relations[4]);
+  if (axis != nullptr) out.axis_deg = (*axis)[3].number();
   out.set_picture(*picture);
   return out;
 }

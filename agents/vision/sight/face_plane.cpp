@@ -14,6 +14,21 @@ double beyond_noise(double value, double spread) {
   return value == 0 ? 0 : value * std::max(0.0, 1 - spread * spread / (value * value));
 }
 
+cv::Matx22d covariance_of(const SeenMark& mark) {
+  return {mark.width_px * mark.width_px, mark.slant_px2, mark.slant_px2, mark.height_px * mark.height_px};
+}
+
+cv::Matx22d root_of(const cv::Matx22d& m) {
+  const double root = std::sqrt(cv::determinant(m));
+  return (m + root * cv::Matx22d::eye()) * (1 / std::sqrt(cv::trace(m) + 2 * root));
+}
+
+// Of the ellipse with this covariance.
+double axis_deg_of(const cv::Matx22d& m) {
+  const double axis = std::atan2(2 * m(0, 1), m(0, 0) - m(1, 1)) / 2 * 180 / std::numbers::pi;
+  return axis > 0 ? axis : axis + 180;
+}
+
 }  // namespace
 
 double FacePlane::shown_height() const {
@@ -42,7 +57,9 @@ double yaw_deg(const FacePlane& plane) {
 
 // A plane's image is J times it, J = f / Z P E: E are two unit vectors along the plane, and P projects a step in space
 // along the line of sight. So J J' = (f / Z)^2 P (1 - n n') P'. With it the trace and the determinant of the covariance
-// from the front follow from the image's, however the plane's own axes lie.
+// from the front follow from the image's, however the plane's own axes lie. From the mark whose moments are a circle's,
+// the root of its covariance leads to the image, and the inverse of J to the front: their product stretches it along
+// the axes of C (J J')^-1 C, where C is that root.
 FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left) {
   const double mm_per_px = depth_mm(model, plane.along_sight * model.focal_px) / model.focal_px;
   const double across = plane.across - plane.ahead * plane.x;
@@ -57,7 +74,14 @@ FrontView view_from_front(const camera::StereoModel& model, const FacePlane& pla
       (shown * shown);
   const double product = spread_product_px2(left) / shown;
   const double half = std::min(1.0, 2 * product / trace);
-  return {.area_mm2 = product * mm_per_px * mm_per_px, .slimness = half / (1 + std::sqrt(1 - half * half))};
+  const cv::Matx22d to_image = root_of(covariance_of(left));
+  return {.area_mm2 = product * mm_per_px * mm_per_px,
+          .slimness = half / (1 + std::sqrt(1 - half * half)),
+          .axis_deg = axis_deg_of(to_image * cv::Matx22d(yy, -xy, -xy, xx) * to_image)};
+}
+
+FrontView view_as_seen(const SeenMark& seen, double mm_per_px) {
+  return {spread_product_px2(seen) * mm_per_px * mm_per_px, seen.slimness, axis_deg_of(covariance_of(seen))};
 }
 
 }  // namespace pizarra::vision

@@ -41,7 +41,12 @@ double yaw_deg(const FacePlane& plane);
 struct FrontView {
   double area_mm2;  // the product of both principal standard deviations
   double slimness;
+  // Where the longer axis lies, degrees from right to down, more than 0 and at most 180; in the seen mark once its
+  // second moments are made those of a circle.
+  double axis_deg;
 };
 FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left);
+// Of a face that is parallel to the image.
+FrontView view_as_seen(const SeenMark& seen, double mm_per_px);
 
 }  // namespace pizarra::vision

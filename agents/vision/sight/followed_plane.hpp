@@ -24,8 +24,8 @@ struct FollowedLook {
 
 class FollowedPlane {
  public:
-  // Nothing of a tag, of a slim shape, and where what is seen is not the outline; then it begins anew. The likelier
-  // tilt so far, its misfits those of all frames.
+  // Nothing of a tag, and where what is seen is not the outline; then it begins anew. The likelier tilt so far, its
+  // misfits those of all frames.
   std::optional<FollowedLook> look(const StereoSight& sight, const LearnedObject& object, const SeenPair& now);
   // In the right image, of which no region shows it alone: by its outline, where that goes on there from the last
   // frame, moved to where it is expected, and is registered all around.

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
@@ -23,7 +24,7 @@ std::optional<FrontView> tag_from_front(const camera::StereoModel& model, const 
   const std::optional<TagPose> of_unit = tag_pose(model, seen.corners, 1);
   if (!of_unit) return std::nullopt;
   const double face_mm = face_of_square(model.learned_at_mm / of_unit->middle_mm[2]);
-  return FrontView{face_mm * face_mm, 1};
+  return FrontView{face_mm * face_mm, 1, 180};
 }
 
 // From the front, by the partner; before one camera alone as it looks, by where objects are said to be while they are
@@ -33,8 +34,7 @@ std::optional<FrontView> view_from_front(const camera::StereoModel& model, const
   if (partner != nullptr) return view_from_front(model, face_plane(model, seen, *partner), seen);
   if (!model.is_single()) return std::nullopt;
   if (seen.tag) return tag_from_front(model, seen);
-  const double mm_per_px = model.learned_at_mm / model.focal_px;
-  return FrontView{spread_product_px2(seen) * mm_per_px * mm_per_px, seen.slimness};
+  return view_as_seen(seen, model.learned_at_mm / model.focal_px);
 }
 
 // A tag's portrait is that of a square: the values of the thesis' Table C.1, and the template picture. It is found by
@@ -55,6 +55,15 @@ double mean_of(const std::vector<Measured>& measured, auto value) {
   const double sum = std::accumulate(measured.begin(), measured.end(), 0.0,
                                      [&](double so_far, const Measured& m) { return so_far + value(m); });
   return sum / static_cast<double>(measured.size());
+}
+
+// An axis at 179 degrees is beside one at 1.
+double mean_axis_deg(const std::vector<FrontView>& fronts) {
+  constexpr double twice_rad = 2 * std::numbers::pi / 180;
+  const double y = mean_of(fronts, [](const FrontView& front) { return std::sin(twice_rad * front.axis_deg); });
+  const double x = mean_of(fronts, [](const FrontView& front) { return std::cos(twice_rad * front.axis_deg); });
+  const double mean = std::atan2(y, x) / twice_rad;
+  return mean > 0 ? mean : mean + 180;
 }
 
 // 255 within the contour.
@@ -212,6 +221,7 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
     portraits_.push_back(mark_->tag ? portrait_of_tag(sight.left(), *mark_)
                                     : portray_mark(sight.left_segmentation().cut(), contour_, mark_->tone).value());
     const std::optional<FrontView> front = front_of(sight, *mark_);
+    if (front && measured_.size() == 1) first_axis_deg_ = front->axis_deg;
     if (front) fronts_.push_back(*front);
   }
   return done() ? check_measured() : Result<void>{};
@@ -295,6 +305,8 @@ LearnedSample MarkLearner::sample() const {
     out.size_mm = std::sqrt(mean_of(fronts_, [](const FrontView& front) { return front.area_mm2; }));
     out.size_by = size_guessed_ ? LearnedSample::SizeBy::guessed_face : LearnedSample::SizeBy::measured_face;
     out.slimness = mean_of(fronts_, [](const FrontView& front) { return front.slimness; });
+    // What turned meanwhile is pictured as it was in the first frame.
+    if (!out.has_form()) out.axis_deg = moved_ ? first_axis_deg_ : mean_axis_deg(fronts_);
   }
   out.set_picture(template_from_picture(mean_picture()));
   return out;

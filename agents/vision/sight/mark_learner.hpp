@@ -74,6 +74,7 @@ class MarkLearner {
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<FrontView> fronts_;        // of those that the right image showed too
+  double first_axis_deg_ = 0;            // of the first of `measured_`; 0: the right image did not show that
   bool size_guessed_ = false;
   double focal_px_ = 0;
 };

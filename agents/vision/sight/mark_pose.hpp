@@ -33,7 +33,7 @@ struct MarkPose {
   std::optional<Flipped> flipped = {};
 };
 
-// `range`: of it, where that is known. Nothing of a shape that is slim, as how it lies was not learned.
+// `range`: of it, where that is known. Nothing of a slim shape of which was not learned how it lies.
 std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair,
                                 const std::optional<SeenRange>& range);
 // Of a shape, by its plane.

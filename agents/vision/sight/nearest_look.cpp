@@ -21,6 +21,7 @@ constexpr double turned_rad = 0.14;
 std::vector<double> directions_of(const PlaneOutline& outline, const PlaneFit& fit) {
   std::map<std::size_t, const OutlinePoint*> middles;
   for (const OutlinePoint& point : outline.points) {
+    if (point.side == OutlinePoint::no_side) continue;
     const OutlinePoint*& middle = middles[point.side];
     if (middle == nullptr || middle->from_bend < point.from_bend) middle = &point;
   }

@@ -28,8 +28,6 @@ constexpr int free_numbers = 8;
 constexpr std::size_t least_edges = 12;
 // Of a mark's size that both images of a pair say anew, as a part of it.
 constexpr double size_spread_of_pair = 0.01;
-// Of a stretch that is known by its amount, along either of two axes.
-constexpr double one_of_two = 0.707;
 constexpr double least_stretch = 0.001;
 // The same of a learned outline, whose own moments are a circle's. Explanations are not held to so little: a lens bends
 // what it shows.
@@ -110,8 +108,8 @@ bool is_clipped(const PlaneEdge& edge) { return std::max(edge.inner, edge.outer)
 class PoseEdges {
  public:
   enum class Which : std::uint8_t { all, straight };
-  PoseEdges(const camera::StereoModel& model, const PlaneOutline& outline, double unit_mm, Which which)
-      : model_(model), outline_(outline), unit_mm_(unit_mm), which_(which) {}
+  PoseEdges(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFace& face, Which which)
+      : model_(model), outline_(outline), to_mm_(face.unit_mm * face.stretch), which_(which) {}
 
   // Of one image, whose camera stands so far to the right of the left one.
   void add(const PlaneFit& fit, double beside_mm) {
@@ -135,9 +133,9 @@ class PoseEdges {
     if (before != nullptr) scatter_.beside += edge.off_px * before->off_px;
     ++scatter_.edges;
     const double darker = edge.inner < edge.outer ? -1 : 1;
-    const cv::Vec2d p = outline_.points[edge.point].at - outline_.middle;
+    const cv::Vec2d p = to_mm_ * (outline_.points[edge.point].at - outline_.middle);
     points_.push_back(
-        {Vector2d(p[0], p[1]) * unit_mm_,
+        {Vector2d(p[0], p[1]),
          {(edge.at.x - model_.centre_x_px) / model_.focal_px, (edge.at.y - model_.centre_y_px) / model_.focal_px},
          Vector2d(edge.normal[0], edge.normal[1]) * model_.focal_px,
          beside_mm,
@@ -146,7 +144,7 @@ class PoseEdges {
   }
   const camera::StereoModel& model_;
   const PlaneOutline& outline_;
-  const double unit_mm_;
+  const cv::Matx22d to_mm_;
   const Which which_;
   std::vector<PlanePoint> points_;
   Scatter scatter_;
@@ -166,8 +164,7 @@ double unlikely(const PlaneTilt& tilt) { return tilt.misfit + unusual(tilt); }
 
 PlaneErrors errors_of(const PoseEdges& edges, const PlaneFace& face, double stretch_at_least, bool by_both) {
   PlaneErrors out{.weight = edges.scatter().weight()};
-  const double stretch = (1 - face.slimness) / (1 + face.slimness);
-  out.stretch_spread = std::max(stretch_at_least, stretch * one_of_two);
+  out.stretch_spread = std::max(stretch_at_least, face.stretch_spread);
   if (by_both) out.size_spread = size_spread_of_pair;
   out.usual_pull_px = usual_pull_px;
   out.pull_spread_px = pull_spread_px;
@@ -214,7 +211,7 @@ double off_if_hidden_px(const camera::StereoModel& model, const PoseEdges& edges
 std::vector<SolvedPlane> explained(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                    const PoseEdges& edges, const PlaneFace& face, const PlaneErrors& errors,
                                    bool by_both) {
-  const cv::Matx22d slope = left.slope_at(outline.middle) * (1 / face.unit_mm);
+  const cv::Matx22d slope = left.slope_at(outline.middle) * (face.unit_mm * face.stretch).inv();
   const std::vector<PlaneGuess> guesses = plane_guesses(model, left.in_image(outline.middle), slope);
   // Two images tell the tilts apart: the first guess most often ends at the right one.
   std::vector<SolvedPlane> both;
@@ -251,8 +248,8 @@ double PlanePose::share_of_other() const { return 1 / (1 + std::exp(std::min(oth
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                     const PlaneFace& face, const PlaneFit* right) {
   const bool by_both = right != nullptr;
-  PoseEdges edges(model, outline, face.unit_mm, PoseEdges::Which::all);
-  PoseEdges straight(model, outline, face.unit_mm, PoseEdges::Which::straight);
+  PoseEdges edges(model, outline, face, PoseEdges::Which::all);
+  PoseEdges straight(model, outline, face, PoseEdges::Which::straight);
   edges.add(left, 0);
   straight.add(left, 0);
   if (edges.points().size() < least_edges) return std::nullopt;

@@ -43,8 +43,9 @@ struct PlanePose : PlaneTilt {
 };
 
 struct PlaneFace {
-  double unit_mm;       // how long a standard deviation of the mark is
-  double slimness = 1;  // from the front: how much of its own stretch the outline leaves out
+  double unit_mm;                            // how long a standard deviation of the mark is
+  cv::Matx22d stretch = cv::Matx22d::eye();  // of the outline, as it is from the front (LearnedSample::stretch())
+  double stretch_spread = 0;                 // how far that may be off along either axis: a standard deviation
   // How it was turned in the frame before, where both images of a pair registered it: where to begin.
   std::optional<cv::Matx33d> turned_before = {};
 };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "agents/vision/marks/outline_point.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -212,6 +214,7 @@ std::vector<PlaneMove> moves_without_sides(std::span<const PlanePoint> points, c
     const std::optional<PointError> error = error_of(point, pose);
     if (!error) return {};
     const Moved by = error->by.head<moved_numbers>();
+    if (point.side == OutlinePoint::no_side) continue;
     if (point.side >= sides.size()) sides.resize(point.side + 1);
     Side& side = sides[point.side];
     side.normal.noalias() += errors.weight * by * by.transpose();

@@ -1,16 +1,30 @@
 #include "agents/vision/sight/plane_view.hpp"
 
+#include <numbers>
+
 #include "agents/vision/objects/mark_match.hpp"
 
 namespace pizarra::vision {
+namespace {
+
+// Blur widens a slim mark by more of its shorter side.
+constexpr double stretch_spread_of_slim = 0.004;
+
+// What a nearly round one is stretched by is known by its amount: along one of two axes.
+double stretch_spread_of(const LearnedSample& sample) {
+  if (sample.axis_deg > 0) return stretch_spread_of_slim;
+  return (1 - sample.slimness) / (1 + sample.slimness) / std::numbers::sqrt2;
+}
+
+}  // namespace
 
 std::optional<PlanePose> pose_in_plane(const camera::StereoModel& model, const LearnedSample& sample,
                                        const PlaneFit& left, const PlaneFit* right,
                                        const std::optional<cv::Matx33d>& turned_before) {
-  // How a slim mark lies in its template is not kept: from the front it is as wide as it is high.
   const double unit_mm = sample.face_mm();
-  if (unit_mm <= 0 || sample.slimness < least_round) return std::nullopt;
-  return plane_pose(model, sample.plane, left, {unit_mm, sample.slimness, turned_before}, right);
+  if (unit_mm <= 0 || !sample.has_form()) return std::nullopt;
+  return plane_pose(model, sample.plane, left, {unit_mm, sample.stretch(), stretch_spread_of(sample), turned_before},
+                    right);
 }
 
 std::optional<PlaneView> view_plane(const ImageCut& cut, const LearnedObject& object, const SeenMark& mark) {

@@ -42,8 +42,7 @@ double confidence_before_pair(const StereoSight& sight, TrackedMark& track, cons
   track.nearest = {};
   const double by_look = confidence_if_off(of_whole, may_be_off_px, most_off_px(sight));
   const double told = confidence_if_off(by_look, track.ground_doubt, 1);
-  const std::optional<double> off_px = now.plane ? now.plane->may_be_off_px : std::nullopt;
-  return off_px ? std::max(told, confidence_if_off(of_whole, *off_px, most_off_px(sight))) : told;
+  return confidence_by_outline(told, of_whole, now, most_off_px(sight));
 }
 
 }  // namespace pizarra::vision

@@ -25,9 +25,12 @@ constexpr Odds on_uneven_ground{0.002, 0.05};
 constexpr double shadow_share = 0.5;
 // An outline whose edges are elsewhere is hardly the mark's.
 constexpr double if_not_its_outline = 0.45;
-// A look that is slimmer than this, of what it was learned, may be another object, ever so alike but for being slim.
+// A look whose axes differ by more than this from what was learned may be another object, ever so alike but for that.
 constexpr double least_of_slimness = 0.72;
-constexpr double if_slim = 0.87;
+constexpr double if_squeezed = 0.87;
+// So many times as far off as may be told, a slim mark's outline gainsays its moments; noise leaves small ones less
+// sure.
+constexpr double clearly_off = 2;
 // How many windows, tiles and the like, which a camera shows from any side, look just like the mark for each mark that
 // is as faint and faces the camera.
 constexpr double faint_others_for_one_mark = 0.02;
@@ -43,14 +46,18 @@ void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time capture
   }
 }
 
+bool is_slim(const PlaneView& plane) { return plane.sample->slimness < least_round; }
+
 FaceSize face_size(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
   return face_size(model, pair.left, *pair.right, front_slimness(object));
 }
 
+// `of_learned_slimness`: the slimness seen, of the learned one. What is slim from the front may be squeezed to less.
 double most_by_plane(const PlaneView& plane, double of_learned_slimness) {
   if (!plane.agrees) return if_not_its_outline;
   const bool tilt_shows = plane.pose && plane.pose->shows_perspective();
-  return of_learned_slimness < least_of_slimness && !tilt_shows ? if_slim : 1;
+  const double kept = std::min(of_learned_slimness, 1 / of_learned_slimness);
+  return kept < least_of_slimness && !tilt_shows ? if_squeezed : 1;
 }
 
 // A mark is seldom turned far from the axis of a camera that is aimed at it; other things are as often as not.
@@ -82,7 +89,7 @@ double confidence_before_one(const LearnedObject& object, const SeenPair& pair, 
   };
   double covered = 1;
   double covered_of_smaller = 1;
-  if (plane != nullptr && plane->pose) {
+  if (plane != nullptr && plane->pose && !is_slim(*plane)) {
     covered = covered_rather_than_tilted(*plane->pose, odds.tilted_for_one_covered);
     covered_of_smaller = 1 / (1 + odds.farther_for_one_covered);
   }
@@ -122,15 +129,20 @@ double confidence_by_look(const StereoSight& sight, const LearnedObject& object,
   return std::lerp(std::max(by_ground, in_shadow), by_form, ground.light);
 }
 
+double confidence_by_outline(double by_look, double of_whole, const SeenPair& pair, double most_off_px) {
+  if (!pair.plane || !pair.plane->may_be_off_px) return by_look;
+  const double off_px = *pair.plane->may_be_off_px;
+  if (!is_slim(*pair.plane)) return std::max(by_look, confidence_if_off(of_whole, off_px, most_off_px));
+  return pair.right ? std::min(by_look, confidence_if_off(of_whole, off_px / clearly_off, most_off_px)) : by_look;
+}
+
 double confidence_in_look(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   if (pair.plane && pair.plane->is_part) {
     const double of_part = 1 / (1 / if_part + pair.likeness.other_form);
     return confidence_if_off(of_part, 2 * pair.plane->fit.middle_spread_px, most_off_px(sight));
   }
   const double by_look = confidence_by_look(sight, object, pair);
-  if (!pair.plane || !pair.plane->may_be_off_px) return by_look;
-  const double of_whole = confidence_in_object(object, pair);
-  return std::max(by_look, confidence_if_off(of_whole, *pair.plane->may_be_off_px, most_off_px(sight)));
+  return confidence_by_outline(by_look, confidence_in_object(object, pair), pair, most_off_px(sight));
 }
 
 Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& now,

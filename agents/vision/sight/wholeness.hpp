@@ -47,6 +47,10 @@ inline constexpr double surely = 0.9;
 // How far off a centre may be, by what covers a part of the mark, that is told.
 double most_off_px(const StereoSight& sight);
 
+// The confidence where the centre may be off by what the registered outline says too: `by_look` is that without it. Of
+// a slim mark a tilt explains too much of what hides a part: its outline makes nothing surer.
+double confidence_by_outline(double by_look, double of_whole, const SeenPair& pair, double most_off_px);
+
 // The greater one of both images (mark_ground.hpp); none of a tag.
 double ground_doubt(const StereoSight& sight, const SeenPair& pair);
 

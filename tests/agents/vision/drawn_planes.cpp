@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/segmentation.hpp"
+#include "agents/vision/sight/face_plane.hpp"
 
 namespace pizarra::vision {
 
@@ -62,9 +63,11 @@ LearnedSample learned(const Corners& plane, Random& random, double light) {
     out.height_px = mark.height_px;
     out.area_px = mark.area_px;
     out.roundness = mark.roundness;
-    out.size_mm = std::sqrt(mark.width_px * mark.height_px) * 500 / 600;
+    const FrontView front = view_as_seen(mark, 500.0 / 600);
+    out.size_mm = std::sqrt(front.area_mm2);
     out.size_by = LearnedSample::SizeBy::guessed_face;
     out.slimness = mark.slimness;
+    if (!out.has_form()) out.axis_deg = front.axis_deg;
   }
   return out;
 }

@@ -179,6 +179,12 @@ TEST(LearnedFacts, WithoutATemplateAreDamaged) {
   EXPECT_EQ(read.error().symbol, "damaged");
 }
 
+TEST(LearnedFacts, SayHowASlimMarkLies) {
+  LearnedSample slim = learned_cell().all().front().samples.front();
+  slim.axis_deg = 30;
+  EXPECT_EQ(sample_from_facts(facts_of_sample("bar", slim))->axis_deg, 30);
+}
+
 TEST(LearnedFacts, SayTheWholeSample) {
   for (const LearnedObject& object : learned_cell().all()) {
     const LearnedSample& sample = object.samples.front();

@@ -165,7 +165,8 @@ TEST_F(Database, RemembersByWhichFocalLengthASampleWasLearnedAndThatOlderFormats
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
-      raw.run("ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples "
+      raw.run("ALTER TABLE samples DROP COLUMN axis; ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples "
+              "DROP COLUMN focal; ALTER TABLE samples "
               "RENAME COLUMN size_by TO guessed;"
               "PRAGMA user_version = 3"));
   learn({"square"});
@@ -181,7 +182,8 @@ TEST_F(Database, RemembersHowBoldAPrintWasAndThatTheFourthFormatDidNotSay) {
   ASSERT_TRUE(open().apply(old));
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN contrast; PRAGMA user_version = 4"));
+  ASSERT_TRUE(raw.run(
+      "ALTER TABLE samples DROP COLUMN axis; ALTER TABLE samples DROP COLUMN contrast; PRAGMA user_version = 4"));
   learn({"square"});
   const KeptObjects kept = open().read().value();
   ASSERT_TRUE(kept.damaged.empty());
@@ -190,12 +192,27 @@ TEST_F(Database, RemembersHowBoldAPrintWasAndThatTheFourthFormatDidNotSay) {
   EXPECT_GT(kept.objects.find("square")->contrast(), 1);
 }
 
+TEST_F(Database, RemembersHowASlimMarkLiesAndThatTheFifthFormatDidNotSay) {
+  learn({"circle"});
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN axis; PRAGMA user_version = 5"));
+  KeepSample slim = keep("square");
+  slim.sample.axis_deg = 30;
+  ASSERT_TRUE(open().apply(slim));
+  const KeptObjects kept = open().read().value();
+  ASSERT_TRUE(kept.damaged.empty());
+  EXPECT_EQ(kept.objects.find("circle")->samples.front().axis_deg, 0);
+  EXPECT_EQ(kept.objects.find("square")->samples.front().axis_deg, 30);
+}
+
 TEST_F(Database, ReadsWhatTheThirdFormatKept) {
   learn_along_y({"circle", "square"});
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
-      raw.run("ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples "
+      raw.run("ALTER TABLE samples DROP COLUMN axis; ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples "
+              "DROP COLUMN focal; ALTER TABLE samples "
               "RENAME COLUMN size_by TO guessed;"
               "PRAGMA user_version = 3"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
@@ -208,7 +225,8 @@ TEST_F(Database, ReadsWhatTheSecondFormatKept) {
   journal::sqlite::Database raw =
       journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
-      raw.run("ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples "
+      raw.run("ALTER TABLE samples DROP COLUMN axis; ALTER TABLE samples DROP COLUMN contrast; ALTER TABLE samples "
+              "DROP COLUMN focal; ALTER TABLE samples "
               "DROP COLUMN size_by;"
               "PRAGMA user_version = 2"));
   EXPECT_EQ(content(), "circle*1 square*1 ");

@@ -52,7 +52,7 @@ TEST(Plane, ByAPairIsNeverAnotherThanTheOneThatBothImagesShow) {
       const cv::Vec3d place(random.uniform(-150, 150), random.uniform(-100, 100), random.uniform(420, 700));
       const PlaneFit left = fit_of(pair, sample, turn, place, 0, random);
       const PlaneFit right = fit_of(pair, sample, turn, place, pair.base_line_mm, random);
-      const std::optional<PlanePose> pose = plane_pose(pair, sample.plane, left, {sample.face_mm(), 1}, &right);
+      const std::optional<PlanePose> pose = plane_pose(pair, sample.plane, left, {sample.face_mm()}, &right);
       ASSERT_TRUE(pose);
       ASSERT_LT(degrees_between(pose->turn, turn), 8) << i;
     }
