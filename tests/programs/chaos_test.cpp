@@ -53,7 +53,7 @@ TEST(Chaos, ObserversSayWhatAPlantedFaultDoes) {
       {"--replay 4 --only stop --plant stop-heeded-late", "the arm moves on after a stop came to its controller"},
       {"--replay 29 --only arm --plant silence-ignored", "the arm moves on though its controller has heard nothing"},
       {"--replay 1 --faults none --plant motion-repeated", "a motion is made again for the request"},
-      {"--replay 1 --only stop --plant commander-heard-at-rest", "the arm moves on for coordinator under (commander"},
+      {"--replay 7 --only stop --plant commander-heard-at-rest", "the arm moves on for coordinator under (commander"},
       {"--replay 1 --faults none --plant plan-not-kept", "the board does not keep the plan"},
       {"--replay 1 --faults none --plant goal-not-kept", "the board does not keep goal 1"},
       {"--replay 1 --only slip --plant places-kept", "mm from where it is in plain sight"},
