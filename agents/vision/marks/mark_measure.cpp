@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/core/hal/intrin.hpp>
 
+#include "agents/vision/image/covariance.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -106,19 +108,12 @@ std::optional<Ellipse> ellipse_of(const MarkPatch& patch) {
   return out;
 }
 
-// The symmetric square root of a 2x2 covariance: (S + sqrt(det S) I) / sqrt(trace S + 2 sqrt(det S)).
-cv::Matx22d spread_of(const Ellipse& e) {
-  const double root = std::sqrt(e.xx * e.yy - e.xy * e.xy);
-  const double scale = 1 / std::sqrt(e.xx + e.yy + 2 * root);
-  return {(e.xx + root) * scale, e.xy * scale, e.xy * scale, (e.yy + root) * scale};
-}
-
 WeightedShape shape_of(const MarkPatch& patch, const Ellipse& ellipse) {
   return {.weights = patch.values.data(),
           .stride = patch.stride,
           .size = patch.size,
           .centre = ellipse.centre,
-          .spread = spread_of(ellipse),
+          .spread = root_of({ellipse.xx, ellipse.xy, ellipse.xy, ellipse.yy}),
           .full = static_cast<double>(patch.contrast)};
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/image/covariance.hpp"
 #include "agents/vision/marks/outline_sides.hpp"
 
 namespace pizarra::vision {
@@ -99,12 +100,6 @@ class AreaMoments {
     const double xy = xy_ / area_ - m.x * m.y;
     return {xx_ / area_ - m.x * m.x, xy, xy, yy_ / area_ - m.y * m.y};
   }
-  // Of the covariance, the symmetric one.
-  cv::Matx22d root() const {
-    const cv::Matx22d m = covariance();
-    const double size2 = std::sqrt(cv::determinant(m));
-    return 1 / std::sqrt(m(0, 0) + m(1, 1) + 2 * size2) * (m + size2 * cv::Matx22d::eye());
-  }
 
  private:
   void add(const cv::Point2d& p, const cv::Point2d& q) {
@@ -171,7 +166,7 @@ std::vector<Border> borders_in(const Picture& picture) {
 void undo_stretch(std::vector<Border>& borders) {
   const AreaMoments moments = moments_of(borders);
   if (moments.is_none()) return;
-  const cv::Matx22d root = moments.root();
+  const cv::Matx22d root = root_of(moments.covariance());
   const cv::Matx22d undo = std::sqrt(cv::determinant(root)) * root.inv();
   for (Border& border : borders) {
     for (cv::Point2d& p : border) p = undo * p;
@@ -217,7 +212,7 @@ std::optional<Reach> reach_of(const std::vector<cv::Point2d>& closed) {
   if (moments.is_none()) return std::nullopt;
   Reach out;
   out.middle = moments.middle();
-  out.spread = moments.root();
+  out.spread = root_of(moments.covariance());
   const cv::Matx22d whiten = out.spread.inv();
   constexpr double turn = 2 * std::numbers::pi / Reach::turns;
   // Between two of its points it goes straight.

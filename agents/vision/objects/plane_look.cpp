@@ -5,6 +5,8 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/image/covariance.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -141,15 +143,12 @@ std::optional<Moments> moments_of(const Weights& weights) {
 }
 
 MarkSignature signature_in_plane(const Weights& weights, const Moments& moments) {
-  const double root = std::sqrt(moments.xx * moments.yy - moments.xy * moments.xy);
-  const double scale = 1 / std::sqrt(moments.xx + moments.yy + 2 * root);
-  return signature_of(
-      {.weights = weights.data(),
-       .stride = template_size,
-       .size = {template_size, template_size},
-       .centre = {moments.middle[0], moments.middle[1]},
-       .spread = {(moments.xx + root) * scale, moments.xy * scale, moments.xy * scale, (moments.yy + root) * scale},
-       .full = full});
+  return signature_of({.weights = weights.data(),
+                       .stride = template_size,
+                       .size = {template_size, template_size},
+                       .centre = {moments.middle[0], moments.middle[1]},
+                       .spread = root_of({moments.xx, moments.xy, moments.xy, moments.yy}),
+                       .full = full});
 }
 
 // How much slimmer than from the front the mark is where it is turned so, as a logarithm.

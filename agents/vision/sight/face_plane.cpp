@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/vision/image/covariance.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 
 namespace pizarra::vision {
@@ -16,11 +17,6 @@ double beyond_noise(double value, double spread) {
 
 cv::Matx22d covariance_of(const SeenMark& mark) {
   return {mark.width_px * mark.width_px, mark.slant_px2, mark.slant_px2, mark.height_px * mark.height_px};
-}
-
-cv::Matx22d root_of(const cv::Matx22d& m) {
-  const double root = std::sqrt(cv::determinant(m));
-  return (m + root * cv::Matx22d::eye()) * (1 / std::sqrt(cv::trace(m) + 2 * root));
 }
 
 // Of the ellipse with this covariance.
