@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/core/hal/intrin.hpp>
 
-#include "agents/vision/image/covariance.hpp"
+#include "agents/vision/marks/covariance.hpp"
 
 namespace pizarra::vision {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "agents/vision/image/covariance.hpp"
+#include "agents/vision/marks/covariance.hpp"
 #include "agents/vision/marks/outline_sides.hpp"
 
 namespace pizarra::vision {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
-#include "agents/vision/image/covariance.hpp"
+#include "agents/vision/marks/covariance.hpp"
 
 namespace pizarra::vision {
 namespace {

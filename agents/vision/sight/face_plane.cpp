@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "agents/vision/image/covariance.hpp"
+#include "agents/vision/marks/covariance.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 
 namespace pizarra::vision {
