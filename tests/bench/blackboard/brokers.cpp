@@ -4,6 +4,7 @@
 
 #include "lisp/installed_program.hpp"
 #include "tests/bench/blackboard/tcp_client.hpp"
+#include "tests/free_port.hpp"
 
 namespace pizarra::bench {
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "lisp/installed_program.hpp"
+#include "tests/free_port.hpp"
 
 namespace pizarra::bench {
 

@@ -9,20 +9,17 @@
 #include <unistd.h>
 #include <utility>
 
+#include "tests/free_port.hpp"
+
 namespace pizarra::bench {
 
 namespace {
 
-sockaddr_in loopback(int port) {
+bool connects(int file, int port) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  return address;
-}
-
-bool connects(int file, int port) {
-  const sockaddr_in address = loopback(port);
   return connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
@@ -30,24 +27,11 @@ int new_socket() { return socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0); }
 
 }  // namespace
 
-int free_port() {
-  const int file = new_socket();
-  sockaddr_in address = loopback(0);
-  socklen_t size = sizeof address;
-  bind(file, reinterpret_cast<sockaddr*>(&address), size);
-  getsockname(file, reinterpret_cast<sockaddr*>(&address), &size);
-  close(file);
-  return ntohs(address.sin_port);
-}
-
 void wait_for_server(int port, const std::string& name) {
   constexpr int tries = 1000;
   constexpr useconds_t pause_us = 10'000;
   for (int n = 0; n < tries; ++n) {
-    const int file = new_socket();
-    const bool there = connects(file, port);
-    close(file);
-    if (there) return;
+    if (can_connect(port)) return;
     usleep(pause_us);
   }
   throw std::runtime_error(name + " does not begin");

@@ -12,8 +12,6 @@
 
 namespace pizarra::bench {
 
-// One that nobody listens at just now.
-int free_port();
 // Until a server that was just started listens there; within ten seconds, or the bench ends.
 void wait_for_server(int port, const std::string& name);
 
