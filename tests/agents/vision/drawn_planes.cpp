@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/segmentation.hpp"
+#include "agents/vision/objects/plane_look.hpp"
 #include "agents/vision/sight/face_plane.hpp"
 
 namespace pizarra::vision {
@@ -70,6 +71,17 @@ LearnedSample learned(const Corners& plane, Random& random, double light) {
     if (!out.has_form()) out.axis_deg = front.axis_deg;
   }
   return out;
+}
+
+std::optional<Registered> registered(const cv::Mat1b& image, const LearnedSample& sample) {
+  const ImageCut cut = look_at(image, {0, 0, image.cols, image.rows}, noise_of(image));
+  for (const LevelRegion& region : level_regions(cut.pixels, sample.tone)) {
+    const std::optional<PlaneFit> fit = fit_region(cut, sample, region.reach);
+    if (!fit || !is_outline_of(*fit)) continue;
+    const std::optional<PlanePose> pose = pose_in_plane(one_camera(), sample, *fit);
+    if (pose) return Registered{*fit, *pose};
+  }
+  return std::nullopt;
 }
 
 Corners circle() {

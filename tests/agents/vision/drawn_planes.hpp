@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "agents/vision/objects/learned.hpp"
+#include "agents/vision/sight/plane_view.hpp"
 #include "blackboard/time/random.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
@@ -30,5 +31,12 @@ cv::Mat1b filled(const Corners& corners, Random& random, double noise = 1, int f
 Corners projected(const Corners& plane, const cv::Matx33d& turn, const cv::Vec3d& place);
 // As a click on it from the front would. `light`: by how much of itself it grows over a pixel to the right.
 LearnedSample learned(const Corners& plane, Random& random, double light = 0);
+
+struct Registered {
+  PlaneFit fit;
+  PlanePose pose;
+};
+// Of the first region that shows the sample's outline.
+std::optional<Registered> registered(const cv::Mat1b& image, const LearnedSample& sample);
 
 }  // namespace pizarra::vision
