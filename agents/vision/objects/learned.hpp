@@ -63,7 +63,8 @@ struct LearnedSample {
   double face_mm() const;
   double measured_face_mm() const { return size_guessed() ? 0 : face_mm(); }
   // Whether its picture says what it looks like from the front: that of a slim one alone does not.
-  bool has_form() const { return slimness >= least_round || axis_deg > 0; }
+  bool has_form() const { return !is_slim() || axis_deg > 0; }
+  bool is_slim() const { return slimness < least_round; }
   // From `picture`, whose second moments are a circle's, to a slim mark as it is from the front. Areas stay.
   cv::Matx22d stretch() const;
   // The most that it may be: what is known along y alone may have been turned away when it was learned.

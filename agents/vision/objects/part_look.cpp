@@ -126,7 +126,7 @@ std::vector<PartLook> all_looks(const ImageCut& cut, const EdgeChains& edges, co
   std::vector<PartLook> out;
   for (const LearnedSample& sample : object.samples) {
     // How a slim mark lies in its template is not kept.
-    if (sample.tag || sample.slimness < least_round) continue;
+    if (sample.tag || sample.is_slim()) continue;
     for (const OutlineGuess& guess :
          outline_guesses(edges, sample.plane, sample.tone, sizes_of(sample, lens.focal_px), least_shown)) {
       std::optional<PartLook> look = part_look(cut, sample, guess.to_image, lens);

@@ -305,8 +305,8 @@ LearnedSample MarkLearner::sample() const {
     out.size_mm = std::sqrt(mean_of(fronts_, [](const FrontView& front) { return front.area_mm2; }));
     out.size_by = size_guessed_ ? LearnedSample::SizeBy::guessed_face : LearnedSample::SizeBy::measured_face;
     out.slimness = mean_of(fronts_, [](const FrontView& front) { return front.slimness; });
-    // What turned meanwhile is pictured as it was in the first frame.
-    if (!out.has_form()) out.axis_deg = moved_ ? first_axis_deg_ : mean_axis_deg(fronts_);
+    // The picture shows a mark that turned meanwhile as it was in the first frame.
+    if (out.is_slim()) out.axis_deg = moved_ ? first_axis_deg_ : mean_axis_deg(fronts_);
   }
   out.set_picture(template_from_picture(mean_picture()));
   return out;

@@ -67,7 +67,7 @@ struct PlaneMove {
   Eigen::Vector3d by;
   Eigen::Matrix3d covariance;
 };
-// For each side, from the pose that all points say: one Gauss-Newton step. What is of no side is left out as well.
+// For each side, from the pose that all points say: one Gauss-Newton step. Points without a side are left out as well.
 std::vector<PlaneMove> moves_without_sides(std::span<const PlanePoint> points, const PlaneGuess& pose,
                                            const PlaneErrors& errors);
 

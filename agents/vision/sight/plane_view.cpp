@@ -10,9 +10,9 @@ namespace {
 // Blur widens a slim mark by more of its shorter side.
 constexpr double stretch_spread_of_slim = 0.004;
 
-// What a nearly round one is stretched by is known by its amount: along one of two axes.
+// The slimness says how much a nearly round mark is stretched, but not along which of two axes.
 double stretch_spread_of(const LearnedSample& sample) {
-  if (sample.axis_deg > 0) return stretch_spread_of_slim;
+  if (sample.is_slim()) return stretch_spread_of_slim;
   return (1 - sample.slimness) / (1 + sample.slimness) / std::numbers::sqrt2;
 }
 

@@ -25,11 +25,12 @@ constexpr Odds on_uneven_ground{0.002, 0.05};
 constexpr double shadow_share = 0.5;
 // An outline whose edges are elsewhere is hardly the mark's.
 constexpr double if_not_its_outline = 0.45;
-// A look whose axes differ by more than this from what was learned may be another object, ever so alike but for that.
+// Another object may look like this one but for how slim it is. So a look is not sure where the ratio of its slimness
+// to the learned one, or of the learned one to its own, is less than this.
 constexpr double least_of_slimness = 0.72;
 constexpr double if_squeezed = 0.87;
-// So many times as far off as may be told, a slim mark's outline gainsays its moments; noise leaves small ones less
-// sure.
+// A slim mark's outline counts against its moments where it leaves the centre open by this many times what may be told.
+// Noise alone leaves the centre of a small mark open by less.
 constexpr double clearly_off = 2;
 // How many windows, tiles and the like, which a camera shows from any side, look just like the mark for each mark that
 // is as faint and faces the camera.
@@ -46,13 +47,11 @@ void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time capture
   }
 }
 
-bool is_slim(const PlaneView& plane) { return plane.sample->slimness < least_round; }
-
 FaceSize face_size(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
   return face_size(model, pair.left, *pair.right, front_slimness(object));
 }
 
-// `of_learned_slimness`: the slimness seen, of the learned one. What is slim from the front may be squeezed to less.
+// `of_learned_slimness`: the slimness seen over the learned one. A tilt may make a slim mark look rounder.
 double most_by_plane(const PlaneView& plane, double of_learned_slimness) {
   if (!plane.agrees) return if_not_its_outline;
   const bool tilt_shows = plane.pose && plane.pose->shows_perspective();
@@ -89,7 +88,7 @@ double confidence_before_one(const LearnedObject& object, const SeenPair& pair, 
   };
   double covered = 1;
   double covered_of_smaller = 1;
-  if (plane != nullptr && plane->pose && !is_slim(*plane)) {
+  if (plane != nullptr && plane->pose && !plane->sample->is_slim()) {
     covered = covered_rather_than_tilted(*plane->pose, odds.tilted_for_one_covered);
     covered_of_smaller = 1 / (1 + odds.farther_for_one_covered);
   }
@@ -132,7 +131,7 @@ double confidence_by_look(const StereoSight& sight, const LearnedObject& object,
 double confidence_by_outline(double by_look, double of_whole, const SeenPair& pair, double most_off_px) {
   if (!pair.plane || !pair.plane->may_be_off_px) return by_look;
   const double off_px = *pair.plane->may_be_off_px;
-  if (!is_slim(*pair.plane)) return std::max(by_look, confidence_if_off(of_whole, off_px, most_off_px));
+  if (!pair.plane->sample->is_slim()) return std::max(by_look, confidence_if_off(of_whole, off_px, most_off_px));
   return pair.right ? std::min(by_look, confidence_if_off(of_whole, off_px / clearly_off, most_off_px)) : by_look;
 }
 

@@ -47,8 +47,8 @@ inline constexpr double surely = 0.9;
 // How far off a centre may be, by what covers a part of the mark, that is told.
 double most_off_px(const StereoSight& sight);
 
-// The confidence where the centre may be off by what the registered outline says too: `by_look` is that without it. Of
-// a slim mark a tilt explains too much of what hides a part: its outline makes nothing surer.
+// The confidence once the registered outline has said how far off the centre may be. `by_look` is the confidence
+// without it. The outline may make a mark surer, but not a slim one: a tilt explains most covers of that.
 double confidence_by_outline(double by_look, double of_whole, const SeenPair& pair, double most_off_px);
 
 // The greater one of both images (mark_ground.hpp); none of a tag.
