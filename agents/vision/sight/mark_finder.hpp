@@ -45,7 +45,6 @@ class MarkFinder {
 
  private:
   std::optional<SeenPair> surest(StereoSight& sight, const LearnedObject& object) const;
-  static void look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pair);
   std::optional<FoundMark> find_shape(StereoSight& sight, const LearnedObject& object) const;
   std::optional<FoundMark> find_tag(StereoSight& sight, const LearnedObject& object) const;
   // Why none of the marks is the object: like another one as much, or like none.

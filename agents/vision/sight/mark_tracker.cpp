@@ -12,14 +12,13 @@
 #include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
 #include "agents/vision/sight/frame_time.hpp"
+#include "agents/vision/sight/lost_mark.hpp"
 #include "agents/vision/sight/seen_range.hpp"
 #include "agents/vision/sight/track_confidence.hpp"
 
 namespace pizarra::vision {
 namespace {
 
-// How far a lost mark is looked for before the whole image is.
-constexpr double local_reach_px = 48;
 // How far another mark moves from one image to the next, at most, that is none of what is lost just then.
 constexpr double another_rests_px = 3;
 // How much of the confidence is left after every tenth of a second in which a mark was not seen.
@@ -27,8 +26,6 @@ constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
 // The most confidence in a mark that may as well be another object's.
 constexpr double trust_in_another = 0.5;
-// How often a mark that is lost is looked for by its outline alone: that takes some 4 ms, where a look takes 0.1.
-constexpr double looks_in_plane_per_second = 5;
 // With more of them a track begins among objects that look alike.
 constexpr double least_twins = 0.1;
 
@@ -37,9 +34,9 @@ constexpr double least_twins = 0.1;
 constexpr double largest_told_by_pose = 0.04;
 
 // Whether the centre told is where the pose puts the mark's middle; else it is the centroid of its picture. A triangle
-// that was learned aslant is stretched in its template, by a few percent any way: that moves its middle.
+// that a pair learned aslant is stretched in its template, by a few percent any way: that moves its middle.
 bool tells_middle(const StereoSight& sight, const PlanePose& lies, const SeenPair& pair) {
-  if (is_triangle(outline_of(pair.left.signature))) return false;
+  if (pair.right && is_triangle(outline_of(pair.left.signature))) return false;
   if (pair.right) return lies.by_both;
   return std::hypot(pair.left.width_px, pair.left.height_px) < largest_told_by_pose * sight.model().focal_px;
 }
@@ -180,39 +177,6 @@ void MarkTracker::note_others_before(TrackedMark& track, const LearnedObject& ob
   track.others.note(*track.left, marks, objects_, object);
 }
 
-std::optional<SeenPair> MarkTracker::search(StereoSight& sight, TrackedMark& track, const LearnedObject& object) {
-  const bool tagged = object.tag() != nullptr;
-  if (!track.others.empty() && tagged) track.others.follow(sight.tags(*object.tag()), objects_, object);
-  if (!track.others.empty() && !tagged) track.others.follow(sight.left_segmentation().marks(), objects_, object);
-  std::optional<SeenPair> now;
-  if (track.left) {
-    const cv::Point2d expected = track.expected(captured_);
-    now = sight.find(objects_, object, expected, px_in(sight.left(), local_reach_px), track.others.places());
-    if (!now && !tagged) now = find_in_shadow(sight, objects_, object, *track.left, expected, track.lit);
-  }
-  const auto before = track.began_among_alike ? std::nullopt : track.seen_before;
-  if (!now) now = sight.find(objects_, object, {}, 0, track.others.places(), before);
-  if (!now && !tagged) now = find_in_plane(sight, track, object);
-  return now;
-}
-
-// It may be turned so far away that its picture is not like it. In both images its outline is, and tells it from what
-// is hidden in part.
-std::optional<SeenPair> MarkTracker::find_in_plane(StereoSight& sight, TrackedMark& track,
-                                                   const LearnedObject& object) const {
-  if (sight.model().is_single()) return std::nullopt;
-  if (!track.left && !track.looks_in_plane.is_due(captured_, looks_in_plane_per_second)) return std::nullopt;
-  track.looks_in_plane.looked(captured_, looks_in_plane_per_second);
-  for (SeenPair& seen : sight.find_in_plane(objects_, object)) {
-    const auto is_there = [&](const cv::Point2d& other) { return seen.left.box.contains(other); };
-    const bool may_be = sight.holds(seen.left) && !is_faint(seen.left, object);
-    if (!may_be || std::ranges::any_of(track.others.places(), is_there)) continue;
-    const std::optional<FollowedLook> lies = FollowedPlane().look(sight, object, seen);
-    if (lies && lies->view.may_be_off_px && *lies->view.may_be_off_px < most_off_px(sight)) return std::move(seen);
-  }
-  return std::nullopt;
-}
-
 // The sighting of a frame in which the mark was not found.
 TrackSighting MarkTracker::miss(TrackedMark& track, Time now) const {
   track.whole.wait(now);
@@ -317,7 +281,7 @@ std::optional<MarkTracker::SeenWhole> MarkTracker::see(StereoSight& sight, Track
   }
   if (!seen || !seen->look.whole) note_loss(track, object, &sight);
   if (!seen) {
-    now = search(sight, track, object);
+    now = find_lost(sight, track, objects_, object, captured_);
     if (now) seen = look_at(sight, track, object, std::move(*now));
   }
   if (seen && !seen->look.whole) seen.reset();
@@ -398,7 +362,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, TrackedMark& track) {
   out.margin = now.likeness.margin();
   measure(sight, track, *object, *seen, confidence.in_whole, out);
   const bool begins = !track.left;
-  track.take(std::move(now), captured_, frame_s_, px_in(sight.left(), local_reach_px));
+  track.take(std::move(now), captured_, frame_s_, most_step_px(sight));
   // A tag that is followed has no others.
   if (begins && object->tag() == nullptr)
     track.others.note(*track.left, sight.left_segmentation().marks(), objects_, *object);

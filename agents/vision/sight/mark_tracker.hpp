@@ -83,10 +83,6 @@ class MarkTracker {
 
  private:
   std::optional<SeenPair> follow(StereoSight& sight, const TrackedMark& track, const LearnedObject& object) const;
-  // Looks for it where it is not followed.
-  std::optional<SeenPair> search(StereoSight& sight, TrackedMark& track, const LearnedObject& object);
-  // By its outline in both images of a pair; not in every frame.
-  std::optional<SeenPair> find_in_plane(StereoSight& sight, TrackedMark& track, const LearnedObject& object) const;
   // Of the marks in the image in which it was seen last; where there is a frame since, of those that this shows there
   // too.
   void note_others_before(TrackedMark& track, const LearnedObject& object, StereoSight* now);

@@ -23,7 +23,8 @@ double bent_in_each_look_px(const PlaneView& plane) {
 
 double confidence_before_one(const StereoSight& sight, TrackedMark& track, const LearnedObject& object, SeenPair& now,
                              bool goes_on) {
-  if (!goes_on) track.known_bend_px.reset();
+  const bool is_there = goes_on || (track.left && track.left->box.contains(now.left.centre));
+  if (!is_there) track.known_bend_px.reset();
   if (!now.plane) return confidence_in_look(sight, object, now);
   PlaneView& plane = *now.plane;
   plane.known_bend_px = track.known_bend_px;

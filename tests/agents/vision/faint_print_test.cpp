@@ -15,20 +15,30 @@ const cv::Point2d other_place{235, 110};
 
 class FaintPrint : public testing::TestWithParam<std::string> {
  protected:
+  bench::Scene scene_with(cv::Point2d mark) const {
+    bench::Scene out;
+    out.marks = {{.name = GetParam(), .centre = mark, .turn_deg = 5}};
+    return out;
+  }
   // The mark, and the same shape beside it, printed so light.
-  Result<FoundMark> find_beside(double level, std::uint64_t seed) const {
-    Random random(seed);
-    bench::Scene scene;
-    scene.marks = {{.name = GetParam(), .centre = mark_place, .turn_deg = 5}};
+  bench::Scene scene_beside(double level) const {
+    bench::Scene out = scene_with(mark_place);
     const bench::Shape other =
         bench::placed(bench::mark_shape(GetParam()), other_place, bench::scale_at(bench::learning_depth_mm), 5);
-    scene.things = {{.shape = other, .level = level}};
+    out.things = {{.shape = other, .level = level}};
+    return out;
+  }
+  Result<FoundMark> find_in(const bench::Scene& scene, MarkFinder& finder, Random& random) const {
     camera::StereoModel model = bench::scene_camera();
     model.base_line_mm = 0;
     const cv::Mat image = draw(scene, bench::Side::left, random);
     StereoSight sight(image, cv::Mat::zeros(image.size(), image.type()), model);
-    MarkFinder finder(learned_cell());
     return finder.find(sight, *learned_cell().find(GetParam()), {});
+  }
+  Result<FoundMark> find_beside(double level, std::uint64_t seed) const {
+    Random random(seed);
+    MarkFinder finder(learned_cell());
+    return find_in(scene_beside(level), finder, random);
   }
 };
 
@@ -49,6 +59,20 @@ TEST_P(FaintPrint, AsBoldAsTheMarkMayBeIt) {
     const Result<FoundMark> found = find_beside(25, seed);
     ASSERT_TRUE(found);
     EXPECT_LT(found->confidence, 0.7);
+  }
+}
+
+TEST_P(FaintPrint, WhereTheMarkWasBeforeHidesNoMarkElsewhere) {
+  for (const double level : {75, 110}) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE(seed);
+      Random random(seed);
+      MarkFinder finder(learned_cell());
+      ASSERT_TRUE(find_in(scene_with(other_place - cv::Point2d(30, 0)), finder, random));
+      const Result<FoundMark> found = find_in(scene_beside(level), finder, random);
+      ASSERT_TRUE(found) << level;
+      EXPECT_LT(cv::norm(found->pair.left.centre - mark_place), 0.5) << level;
+    }
   }
 }
 
