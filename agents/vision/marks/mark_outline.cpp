@@ -14,8 +14,10 @@ constexpr int waves = MarkOutline::count;
 constexpr double lost_by_blur = 3;
 constexpr double least_part = 0.5;
 constexpr double most_part = 1.1;
-// The least power of a triangle's three waves, in its squared standard deviations.
+// The least power of a triangle's three waves, in its squared standard deviations; and the most of the waves that a
+// triangle has not, as a part of that. A T has a twelfth, a half disc and a drop a fifth.
 constexpr double least_triangle_power = 0.02;
+constexpr double most_of_other_waves = 0.06;
 
 using Round = std::array<float, turns>;  // a value for each turn
 
@@ -128,7 +130,7 @@ bool is_triangle(const MarkOutline& outline) {
     const std::size_t i = waves_around - MarkOutline::first;
     return outline.cosines[i] * outline.cosines[i] + outline.sines[i] * outline.sines[i];
   };
-  return power(3) > std::max<double>(least_triangle_power, power(4));
+  return power(3) > least_triangle_power && power(4) + power(5) + power(7) + power(8) < most_of_other_waves * power(3);
 }
 
 OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned, double most_blur) {

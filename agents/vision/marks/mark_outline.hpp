@@ -26,7 +26,7 @@ struct MarkOutline {
 
 MarkOutline outline_of(const MarkSignature& signature);
 
-// Three corners are what is most of it.
+// Three corners are all of it: a straight edge along one of its sides leaves the same form.
 bool is_triangle(const MarkOutline& outline);
 
 // The difference between the waves of a seen outline and those of the learned one, which is turned, and blurred by at

@@ -36,9 +36,12 @@ constexpr double most_spread_px_told = 0.35;
 // A print's edges are where it says, those of other things only nearly: such a fit may leave more open.
 constexpr double most_spread_px_if_exact = 0.75;
 constexpr double exact_rms_px = 0.1;
-// Ink on paper; edges of other things are mostly fainter. Where the levels of either side are those of one print, edges
+// Ink on paper: no fainter than so much of what was learned, in its logarithm; edges of other things are mostly
+// fainter.
+constexpr double least_contrast_told = 0.75;
+// Where the levels of either side are those of one print, edges
 // are rarer still, so that fewer of them say as much.
-constexpr double least_ratio_told = 5;
+constexpr double most_ratio_needed = 5;
 constexpr double most_uneven_print = 0.035;
 constexpr double least_supported_px_of_print = 55;
 constexpr double most_spread_px_of_print = 1.2;
@@ -82,8 +85,14 @@ double most_spread_of(const SeenPart& part) {
   return part.rms_px <= exact_rms_px ? most_spread_px_if_exact : most_spread_px_told;
 }
 
+double least_ratio_told(const LearnedSample& sample) {
+  const double of_learned = sample.contrast > 0 ? std::exp(least_contrast_told * sample.contrast) : most_ratio_needed;
+  return std::min(most_ratio_needed, of_learned);
+}
+
 bool may_be_told(const PartLook& look) {
-  return look.part.ratio >= least_ratio_told && look.part.supported_px >= least_supported_px_of(look.part) &&
+  return look.part.ratio >= least_ratio_told(*look.sample) &&
+         look.part.supported_px >= least_supported_px_of(look.part) &&
          look.fit.middle_spread_px <= most_spread_of(look.part) && slimness_of(look.fit) >= least_slimness_told;
 }
 

@@ -88,7 +88,7 @@ double confidence_before_one(const LearnedObject& object, const SeenPair& pair, 
   };
   double covered = 1;
   double covered_of_smaller = 1;
-  if (plane != nullptr && plane->pose && !plane->sample->is_slim()) {
+  if (plane != nullptr && plane->pose) {
     covered = covered_rather_than_tilted(*plane->pose, odds.tilted_for_one_covered);
     covered_of_smaller = 1 / (1 + odds.farther_for_one_covered);
   }

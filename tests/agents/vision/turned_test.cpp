@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_learner.hpp"
 #include "tests/bench/vision/outline.hpp"
 #include "tests/campaign.hpp"
@@ -16,6 +17,8 @@ constexpr double noise = 2;
 constexpr double blur_px = 0.7;
 constexpr double told_surely = 0.9;
 constexpr double most_confidence_lost = 0.1;
+// Across. Smaller ones are found, but less surely.
+constexpr double least_px = 35;
 
 struct NamedShape {
   const char* name;
@@ -60,7 +63,7 @@ class Turned : public testing::TestWithParam<int> {
   cv::Mat1b draw(const bench::Shape& shape, double turn_deg, bool right) {
     cv::Mat1f image(model.height, model.width, 160.F);
     const cv::Point2d middle((model.width + (right ? -disparity_px : disparity_px)) / 2, model.height / 2.0);
-    bench::paint(image, bench::placed(shape, middle + off_grid, GetParam(), turn_deg), 25);
+    bench::paint(image, bench::placed(shape, middle + off_grid, nearness * GetParam(), turn_deg), 25);
     cv::GaussianBlur(image, image, {}, blur_px);
     cv::Mat1f grains(image.size());
     random.fill(grains, cv::RNG::NORMAL, 0, noise);
@@ -127,6 +130,7 @@ class Turned : public testing::TestWithParam<int> {
   camera::StereoModel model = camera(GetParam());
   cv::RNG random{static_cast<std::uint64_t>(GetParam())};
   cv::Point2d off_grid;  // which pixels an edge meets is chance
+  double nearness = 1;   // by how much it is nearer than it is learned
   LearnedObjects objects;
 };
 
@@ -134,6 +138,23 @@ TEST_P(Turned, EveryShapeIsFoundAtEveryTurnByOneCamera) {
   model.base_line_mm = 0;
   model.learned_at_mm = mark_mm * model.focal_px / GetParam();
   find_all_at_every_turn();
+}
+
+// A cover along one of its sides leaves a triangle as slim as before. It does so of nothing else.
+TEST_P(Turned, EveryShapeIsFoundByOneCameraFartherAwayThanItWasLearned) {
+  model.base_line_mm = 0;
+  model.learned_at_mm = mark_mm * model.focal_px / GetParam();
+  learn();
+  for (const NamedShape& shape : shapes()) {
+    for (const double farther : {1.1, 1.15, 1.3, 1.6}) {
+      nearness = 1 / farther;
+      if (nearness * GetParam() < least_px) continue;
+      StereoSight sight = look(shape.shape, 25);
+      const Result<FoundMark> found = MarkFinder(objects).find(sight, *objects.find(shape.name), {});
+      ASSERT_TRUE(found) << shape.name << ", " << farther << " times as far: " << describe(found.error());
+      EXPECT_GT(found->confidence, told_surely) << shape.name << ", " << farther << " times as far";
+    }
+  }
 }
 
 TEST_P(Turned, EveryShapeIsFoundAtEveryTurnByAPair) { find_all_at_every_turn(); }
