@@ -149,4 +149,15 @@ cv::Point2d StereoGeometry::rectified(cv::Point2d point, Side side) const {
   return out.front();
 }
 
+cv::Point2d StereoGeometry::as_taken(cv::Point2d point, Side side) const {
+  if (!rectifies_) return point;
+  const Lens& lens = lenses_[side == Side::right];
+  const cv::Matx33d camera = lens.projection.get_minor<3, 3>(0, 0);
+  const cv::Vec3d ray = lens.rotation.t() * (camera.inv() * cv::Vec3d(point.x, point.y, 1));
+  std::vector<cv::Point2d> out;
+  cv::projectPoints(std::vector<cv::Point3d>{{ray[0], ray[1], ray[2]}}, cv::Vec3d(), cv::Vec3d(), lens.camera,
+                    lens.distortion, out);
+  return out.front();
+}
+
 }  // namespace pizarra::camera

@@ -31,6 +31,8 @@ class StereoGeometry {
   cv::Mat rectified(const cv::Mat& image, Side side) const;
   // Where a point of the image is in the rectified one.
   cv::Point2d rectified(cv::Point2d point, Side side) const;
+  // Where a point of the rectified image is in the image as the camera took it.
+  cv::Point2d as_taken(cv::Point2d point, Side side) const;
 
  private:
   StereoGeometry() = default;

@@ -115,34 +115,33 @@ class Finding {
     vision::StereoSight sight = sight_of(image);
     vision::MarkFinder finder(objects_);
     const Result<vision::FoundMark> found = finder.find(sight, *objects_.find(choices_.name), {});
-    choices_.stills.json ? tell_json(image.name, found) : tell(image.name, found);
+    choices_.stills.json ? tell_json(image, found) : tell(image, found);
     return found ? exit_reached : exit_failed;
   }
 
-  std::string reply(const Result<vision::FoundMark>& found) const {
-    return vision::find_reply(choices_.name, found ? std::optional(found->pair.left.centre) : std::nullopt);
-  }
+  std::string reply(const std::optional<cv::Point2d>& at) const { return vision::find_reply(choices_.name, at); }
 
-  void tell(const std::string& image, const Result<vision::FoundMark>& found) const {
+  void tell(const StillImage& image, const Result<vision::FoundMark>& found) const {
     if (!found) {
-      fmt::print("{}: {} {}: {}\n", image, reply(found), found.error().symbol, found.error().sentence);
+      fmt::print("{}: {} {}: {}\n", image.name, reply({}), found.error().symbol, found.error().sentence);
       return;
     }
     const vision::MarkPose* pose = stills_.pose_of(*found);
-    fmt::print("{}: {} confidence {:.3f}{}\n", image, reply(found), found->confidence,
-               pose != nullptr ? " " + pose_words(*pose) : "");
+    fmt::print("{}: {} confidence {:.3f}{}\n", image.name, reply(image.in_file(found->pair.left.centre)),
+               found->confidence, pose != nullptr ? " " + pose_words(*pose) : "");
   }
 
-  void tell_json(const std::string& image, const Result<vision::FoundMark>& found) const {
+  void tell_json(const StillImage& image, const Result<vision::FoundMark>& found) const {
     if (!found) {
-      fmt::print("{{\"image\":{},\"reply\":{},\"failure\":{}}}\n", json_string(image), json_string(reply(found)),
+      fmt::print("{{\"image\":{},\"reply\":{},\"failure\":{}}}\n", json_string(image.name), json_string(reply({})),
                  json_failure(found.error()));
       return;
     }
-    const cv::Point2d at = found->pair.left.centre;
+    const cv::Point2d at = image.in_file(found->pair.left.centre);
     const vision::MarkPose* pose = stills_.pose_of(*found);
-    fmt::print("{{\"image\":{},\"reply\":{},\"at\":[{:.2f},{:.2f}],\"confidence\":{:.3f}{}}}\n", json_string(image),
-               json_string(reply(found)), at.x, at.y, found->confidence, pose != nullptr ? "," + pose_json(*pose) : "");
+    fmt::print("{{\"image\":{},\"reply\":{},\"at\":[{:.2f},{:.2f}],\"confidence\":{:.3f}{}}}\n",
+               json_string(image.name), json_string(reply(at)), at.x, at.y, found->confidence,
+               pose != nullptr ? "," + pose_json(*pose) : "");
   }
 
   const FindChoices& choices_;

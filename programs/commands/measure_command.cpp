@@ -37,6 +37,8 @@ MarkFrame frame_of(const vision::SeenMark& mark) {
   double turn = lies ? box.angle : box.angle + 90;
   while (turn > 90) turn -= 180;
   while (turn <= -90) turn += 180;
+  // As it is printed: no zero is negative.
+  turn = std::round(10 * turn) / 10 + 0.0;
   return {std::max(box.size.width, box.size.height) + to_edges_px,
           std::min(box.size.width, box.size.height) + to_edges_px, turn};
 }
@@ -88,18 +90,19 @@ class Measuring {
                counted(measured.marks.size(), "mark"), left_out, counted(measured.tags.size(), "tag"));
     for (const vision::SeenMark& mark : measured.marks) {
       const MarkFrame frame = frame_of(mark);
+      const cv::Point2d at = image.in_file(mark.centre);
       fmt::print(
           "  {} mark at {:.2f} {:.2f} px, size {:.1f} x {:.1f} px, turned {:.1f} degrees, area {:.0f} px, "
           "perimeter {} px\n",
-          tone_word(mark), mark.centre.x, mark.centre.y, frame.length_px, frame.width_px, frame.turn_deg, mark.area_px,
+          tone_word(mark), at.x, at.y, frame.length_px, frame.width_px, frame.turn_deg, mark.area_px,
           mark.perimeter_px);
     }
     for (const vision::FoundMark& tag : measured.tags) {
       const vision::SeenMark& seen = tag.pair.left;
+      const cv::Point2d at = image.in_file(seen.centre);
       const vision::MarkPose* pose = stills_.pose_of(tag);
-      fmt::print("  tag {} at {:.2f} {:.2f} px, side {:.1f} px, area {:.0f} px, confidence {:.3f}{}\n", tag.name,
-                 seen.centre.x, seen.centre.y, side_px_of(seen), seen.area_px, tag.confidence,
-                 pose != nullptr ? ", " + pose_words(*pose) : "");
+      fmt::print("  tag {} at {:.2f} {:.2f} px, side {:.1f} px, area {:.0f} px, confidence {:.3f}{}\n", tag.name, at.x,
+                 at.y, side_px_of(seen), seen.area_px, tag.confidence, pose != nullptr ? ", " + pose_words(*pose) : "");
     }
   }
 
@@ -107,21 +110,23 @@ class Measuring {
     std::vector<std::string> marks;
     for (const vision::SeenMark& mark : measured.marks) {
       const MarkFrame frame = frame_of(mark);
+      const cv::Point2d at = image.in_file(mark.centre);
       marks.push_back(
           fmt::format("{{\"tone\":\"{}\",\"at\":[{:.2f},{:.2f}],\"size\":[{:.1f},{:.1f}],\"turn\":{:.1f},"
                       "\"area\":{:.0f},\"perimeter\":{}}}",
-                      tone_word(mark), mark.centre.x, mark.centre.y, frame.length_px, frame.width_px, frame.turn_deg,
-                      mark.area_px, mark.perimeter_px));
+                      tone_word(mark), at.x, at.y, frame.length_px, frame.width_px, frame.turn_deg, mark.area_px,
+                      mark.perimeter_px));
     }
     std::vector<std::string> tags;
     for (const vision::FoundMark& tag : measured.tags) {
       const vision::SeenMark& seen = tag.pair.left;
+      const cv::Point2d at = image.in_file(seen.centre);
       const vision::MarkPose* pose = stills_.pose_of(tag);
       tags.push_back(
           fmt::format("{{\"tag\":{},\"at\":[{:.2f},{:.2f}],\"side\":{:.1f},\"area\":{:.0f},"
                       "\"confidence\":{:.3f}{}}}",
-                      json_string(tag.name), seen.centre.x, seen.centre.y, side_px_of(seen), seen.area_px,
-                      tag.confidence, pose != nullptr ? "," + pose_json(*pose) : ""));
+                      json_string(tag.name), at.x, at.y, side_px_of(seen), seen.area_px, tag.confidence,
+                      pose != nullptr ? "," + pose_json(*pose) : ""));
     }
     fmt::print("{{\"image\":{},\"width\":{},\"height\":{},\"marks\":[{}],\"left_out\":{},\"tags\":[{}]}}\n",
                json_string(image.name), image.grey.cols, image.grey.rows, fmt::join(marks, ","), measured.left_out,

@@ -43,8 +43,8 @@ void add_still_options(CLI::App& word, StillChoices& choices) {
       word.add_option("--focal", choices.focal_px, "The camera's focal length, px: places in space are told by it")
           ->check(number_check(10, 100000));
   word.add_option("--calibration", choices.calibration,
-                  "Instead: what `calibrate` found of the one camera; its distortion is taken out, and places are "
-                  "those in the image without it")
+                  "Instead: what `calibrate` found of the one camera; its distortion is taken out before anything is "
+                  "looked for")
       ->check(CLI::ExistingFile)
       ->excludes(focal);
   word.add_option("--side", choices.side_mm,

@@ -33,8 +33,13 @@ struct StillChoices {
 
 struct StillImage {
   std::string name;  // of the file, as text
-  cv::Mat grey;
+  cv::Mat grey;      // without the lens' distortion, where that is known
   camera::StereoGeometry geometry;
+
+  // Where a point of it is in the file's image.
+  cv::Point2d in_file(cv::Point2d point) const {
+    return geometry.as_taken(point, camera::StereoGeometry::Side::left);
+  }
 };
 
 void add_image_option(CLI::App& word, StillChoices& choices);

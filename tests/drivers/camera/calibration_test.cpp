@@ -61,6 +61,17 @@ TEST(Calibration, FindsTheCamerasThatDrewTheBoards) {
   EXPECT_TRUE(pair->left_out.empty());
 }
 
+TEST(Calibration, TellsWhereARectifiedPointIsInTheImageThatWasTaken) {
+  const StereoGeometry geometry(truth(scene()));
+  for (const StereoGeometry::Side side : {StereoGeometry::Side::left, StereoGeometry::Side::right}) {
+    for (const cv::Point2d& taken : {cv::Point2d(20, 15), cv::Point2d(160, 120), cv::Point2d(300, 200)}) {
+      const cv::Point2d rectified = geometry.rectified(taken, side);
+      EXPECT_GT(cv::norm(rectified - taken), 0.1);
+      EXPECT_LT(cv::norm(geometry.as_taken(rectified, side) - taken), 0.01);
+    }
+  }
+}
+
 TEST(Calibration, RectifiedImagesShowTheBoardInTheSameRowsAndAtItsDistance) {
   const StereoGeometry geometry(truth(scene()));
   const cv::Affine3d pose(cv::Vec3d(0, 0.2, 0.05), cv::Vec3d(-80, -60, 700));
