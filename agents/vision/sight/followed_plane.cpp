@@ -88,8 +88,8 @@ std::optional<PlaneFit> fit_in_right(const StereoSight& sight, const LearnedSamp
   return OutlineInImage(sight.right(), sight.noise(), *pair.right).fit_from(sample, start, search);
 }
 
-// How much all frames speak for the likelier tilt, which is made the pose. The tilts of two frames are matched by the
-// face's direction.
+// How much all frames speak for the likelier tilt, which is made the pose: before one camera by how usual it is, too.
+// The tilts of two frames are matched by the face's direction.
 double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& pose) {
   double for_best = pose.other.misfit - pose.misfit;
   if (before) {
@@ -99,8 +99,12 @@ double FollowedPlane::weigh_tilts(const std::optional<Seen>& before, PlanePose& 
     const double until_now = other_off < best_off ? -before->for_told : before->for_told;
     for_best = std::lerp(1 - of_average, 1, anew) * until_now + std::lerp(of_average, 1, anew) * for_best;
   }
-  if (for_best < 0) std::swap(static_cast<PlaneTilt&>(pose), pose.other);
-  const double for_told = std::min(std::abs(for_best), most_certain);
+  double for_told = std::clamp(for_best, -most_certain, most_certain);
+  const double more_usual = pose.by_both ? 0 : unusual(pose.other) - unusual(pose);
+  if (for_told + more_usual < 0) {
+    std::swap(static_cast<PlaneTilt&>(pose), pose.other);
+    for_told = -for_told;
+  }
   pose.other.misfit = pose.misfit + for_told;
   return for_told;
 }

@@ -26,21 +26,23 @@ void move_to(MarkPose& pose, const SeenRange& range) {
   pose.covariance.topLeftCorner<3, 3>() += range.spread_mm * range.spread_mm * sight * sight.transpose();
 }
 
-std::optional<MarkPose> pose_of_tag(const camera::StereoModel& model, const LearnedObject& object,
-                                    const SeenMark& tag) {
-  for (const LearnedSample& sample : object.samples) {
-    if (sample.face_mm() <= 0) continue;
-    const std::optional<TagPose> pose = tag_pose(model, tag.corners, side_of_square(sample.face_mm()));
-    if (pose) return MarkPose{pose->middle_mm, pose->turn, pose->covariance};
-  }
-  return std::nullopt;
+std::optional<MarkPose::Flipped> flipped_of(const cv::Matx33d& turn, const cv::Matx33d& other, double share) {
+  const cv::Matx33d apart = turn - other;
+  const bool is_another = std::hypot(apart(0, 2), apart(1, 2), apart(2, 2)) > least_apart;
+  return is_another && share > least_share ? std::optional(MarkPose::Flipped{other, share}) : std::nullopt;
 }
 
-std::optional<MarkPose::Flipped> flipped_of(const PlanePose& plane) {
-  const cv::Matx33d apart = plane.turn - plane.other.turn;
-  const bool is_another = std::hypot(apart(0, 2), apart(1, 2), apart(2, 2)) > least_apart;
-  const double share = plane.share_of_other();
-  return is_another && share > least_share ? std::optional(MarkPose::Flipped{plane.other.turn, share}) : std::nullopt;
+std::optional<MarkPose> pose_of_tag(const camera::StereoModel& model, const LearnedObject& object,
+                                    const SeenPair& tag) {
+  const SquareCorners* right = tag.right ? &tag.right->corners : nullptr;
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.face_mm() <= 0) continue;
+    const std::optional<TagPose> pose = tag_pose(model, tag.left.corners, side_of_square(sample.face_mm()), right);
+    if (!pose) continue;
+    return MarkPose{pose->middle_mm, pose->turn, pose->covariance,
+                    flipped_of(pose->turn, pose->other_turn, pose->share_of_other)};
+  }
+  return std::nullopt;
 }
 
 // From the middle of the base line.
@@ -53,7 +55,8 @@ MarkPose at_base(MarkPose pose, const camera::StereoModel& model, const std::opt
 }  // namespace
 
 MarkPose pose_of(const camera::StereoModel& model, const PlanePose& plane, const std::optional<SeenRange>& range) {
-  MarkPose out{plane.place_mm, plane.turn, plane.covariance, flipped_of(plane)};
+  MarkPose out{plane.place_mm, plane.turn, plane.covariance,
+               flipped_of(plane.turn, plane.other.turn, plane.share_of_other())};
   if (out.flipped) {
     // Its middle is elsewhere then.
     const cv::Vec3d apart = plane.other.place_mm - plane.place_mm;
@@ -68,7 +71,7 @@ std::optional<MarkPose> pose_of(const camera::StereoModel& model, const LearnedO
   if (!pair.left.tag) {
     return pair.plane && pair.plane->pose ? std::optional(pose_of(model, *pair.plane->pose, range)) : std::nullopt;
   }
-  const std::optional<MarkPose> tag = pose_of_tag(model, object, pair.left);
+  const std::optional<MarkPose> tag = pose_of_tag(model, object, pair);
   return tag ? std::optional(at_base(*tag, model, range)) : std::nullopt;
 }
 

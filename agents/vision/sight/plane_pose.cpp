@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "agents/vision/sight/plane_solve.hpp"
@@ -155,11 +156,7 @@ cv::Point2d in_image(const camera::StereoModel& model, const cv::Vec3d& place_mm
           model.centre_y_px + model.focal_px * place_mm[1] / place_mm[2]};
 }
 
-// Half of the squared deviation of how cameras are aimed; and with those of the edges.
-double unusual(const PlaneTilt& tilt) {
-  const double turned = std::acos(std::min(1.0, std::abs(tilt.turn(2, 2)))) / usual_turn_rad;
-  return turned * turned / 2;
-}
+// With those of the edges.
 double unlikely(const PlaneTilt& tilt) { return tilt.misfit + unusual(tilt); }
 
 PlaneErrors errors_of(const PoseEdges& edges, const PlaneFace& face, double stretch_at_least, bool by_both) {
@@ -230,6 +227,11 @@ std::vector<SolvedPlane> explained(const camera::StereoModel& model, const Plane
 
 }  // namespace
 
+double unusual(const PlaneTilt& tilt) {
+  const double turned = std::acos(std::min(1.0, std::abs(tilt.turn(2, 2)))) / usual_turn_rad;
+  return turned * turned / 2;
+}
+
 double usual_turn(const PlanePose& pose) {
   return std::lerp(std::exp(-unusual(pose)), std::exp(-unusual(pose.other)), pose.share_of_other());
 }
@@ -243,7 +245,10 @@ double PlanePose::odds_of_no_plane() const {
 
 bool PlanePose::shows_perspective() const { return affine_misfit - misfit > clearly_worse; }
 
-double PlanePose::share_of_other() const { return 1 / (1 + std::exp(std::min(other.misfit - misfit, 50.0))); }
+double PlanePose::share_of_other() const {
+  const double worse = by_both ? other.misfit - misfit : unlikely(other) - unlikely(*this);
+  return 1 / (1 + std::exp(std::clamp(worse, -50.0, 50.0)));
+}
 
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                     const PlaneFace& face, const PlaneFit* right) {
@@ -273,9 +278,10 @@ std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const Plan
     tilt.off_if_hidden_px = off_if_hidden_px(model, best, of_best, finest.pose);
     return tilt;
   };
-  const PlaneTilt likelier = told(both.front());
-  PlanePose out{likelier, both.size() > 1 ? told(both.back()) : likelier};
+  const PlaneTilt best_explained = told(both.front());
+  PlanePose out{best_explained, both.size() > 1 ? told(both.back()) : best_explained};
   out.by_both = by_both;
+  if (!by_both && unlikely(out.other) < unlikely(out)) std::swap(static_cast<PlaneTilt&>(out), out.other);
   if (!by_both) out.affine_misfit = affine_misfit(edges.points(), errors, weight);
   out.free_misfit = weight * explaining.scatter().squares / 2;
   return out;
@@ -289,10 +295,10 @@ double PlanePose::most_off_if_hidden_px() const {
 cv::Point2d middle_in_image(const camera::StereoModel& model, const PlanePose& pose, double most_off_px) {
   const cv::Point2d told = in_image(model, pose.place_mm);
   const cv::Point2d other = in_image(model, pose.other.place_mm);
-  const double of_other = 1 / (1 + std::exp(std::clamp(unlikely(pose.other) - unlikely(pose), -50.0, 50.0)));
+  const double of_other = pose.share_of_other();
   const double most_px = share_of_tilt * most_off_px;
   const double most = std::max(0.5, most_px / std::max(most_px, cv::norm(told - other)));
-  const bool either = pose.share_of_other() > least_share_of_other;
+  const bool either = of_other > least_share_of_other;
   const double share = either ? std::clamp(of_other, 1 - most, most) : of_other;
   return (1 - share) * told + share * other;
 }

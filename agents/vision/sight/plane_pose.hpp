@@ -35,7 +35,8 @@ struct PlanePose : PlaneTilt {
   double affine_misfit = 0;  // a look without perspective, as of what is covered and faces the camera
   double free_misfit = 0;    // any homography
 
-  double share_of_other() const;         // how likely the other tilt is it, 0 to 1
+  // How likely the other tilt is it, 0 to 1: by the edges, and before one camera by how unusual either is.
+  double share_of_other() const;
   bool is_contradicted() const;          // another homography explains the edges far better
   double odds_of_no_plane() const;       // how many times likelier no plane, or another form, is than this pose
   bool shows_perspective() const;        // it explains them far better than an affine map
@@ -54,6 +55,10 @@ struct PlaneFace {
 // size is only about known, and a look without perspective is not weighed.
 std::optional<PlanePose> plane_pose(const camera::StereoModel& model, const PlaneOutline& outline, const PlaneFit& left,
                                     const PlaneFace& face, const PlaneFit* right = nullptr);
+
+// Half of the squared deviation of how far a face is turned from the axis of a camera, which is aimed at what it is to
+// see.
+double unusual(const PlaneTilt& tilt);
 
 // How usual it is that a face is turned so far from the axis of a camera, which is aimed at what it is to see: 1 where
 // it faces the camera. By both tilts, as the edges explain them.
