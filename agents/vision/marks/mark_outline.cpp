@@ -18,6 +18,8 @@ constexpr double most_part = 1.1;
 // triangle has not, as a part of that. A T has a twelfth, a half disc and a drop a fifth.
 constexpr double least_triangle_power = 0.02;
 constexpr double most_of_other_waves = 0.06;
+// A circle's outline has as much.
+constexpr double least_power_of_form = 0.001;
 
 using Round = std::array<float, turns>;  // a value for each turn
 
@@ -123,6 +125,19 @@ MarkOutline outline_of(const MarkSignature& signature) {
     out.sines[i] = 2 * product(reach, unit.sines[i]) / turns;
   }
   return out;
+}
+
+bool is_regular(const MarkOutline& outline) {
+  const double most = std::max(least_power_of_form, most_of_other_waves * outline.power());
+  for (int fold = MarkOutline::first; fold < MarkOutline::first + MarkOutline::count; ++fold) {
+    MarkOutline others = outline;
+    for (int wave = fold; wave < MarkOutline::first + MarkOutline::count; wave += fold) {
+      const auto i = static_cast<std::size_t>(wave - MarkOutline::first);
+      others.cosines[i] = others.sines[i] = 0;
+    }
+    if (others.power() < most) return true;
+  }
+  return false;
 }
 
 bool is_triangle(const MarkOutline& outline) {

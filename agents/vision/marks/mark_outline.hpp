@@ -29,6 +29,10 @@ MarkOutline outline_of(const MarkSignature& signature);
 // Three corners are all of it: a straight edge along one of its sides leaves the same form.
 bool is_triangle(const MarkOutline& outline);
 
+// A third, a quarter or less of a whole turn leaves it as it is: its second moments are those of a circle. So do a
+// square's that was stretched, once its slant is undone.
+bool is_regular(const MarkOutline& outline);
+
 // The difference between the waves of a seen outline and those of the learned one, which is turned, and blurred by at
 // most `most_blur` standard deviations, as fits best. Mean squares, in standard deviations squared. Noise is in all
 // waves; an unlearned shape may differ by one of them alone.

@@ -37,8 +37,8 @@ struct LearnedSample {
   double focal_px = 0;  // of the camera it was learned with: what is in px grows with it; 0: not known
   double contrast = 0;  // print_contrast(); 0: not known
   double slimness = 0;  // from the front where a pair learned it, else as it was seen
-  // Where its longer axis lies in `picture`, degrees from right to down, more than 0 and at most 180; of a slim mark.
-  // 0: not known.
+  // Where its longer axis lies in `picture`, degrees from right to down, more than 0 and at most 180. 0: not known, or
+  // nearly round and of a regular form, as a square: that has none, and what seems to be one is a turned face.
   double axis_deg = 0;
   double roundness = 0;
   double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
@@ -65,7 +65,7 @@ struct LearnedSample {
   // Whether its picture says what it looks like from the front: that of a slim one alone does not.
   bool has_form() const { return !is_slim() || axis_deg > 0; }
   bool is_slim() const { return slimness < least_round; }
-  // From `picture`, whose second moments are a circle's, to a slim mark as it is from the front. Areas stay.
+  // From `picture`, whose second moments are a circle's, to the mark as it is from the front. Areas stay.
   cv::Matx22d stretch() const;
   // The most that it may be: what is known along y alone may have been turned away when it was learned.
   double most_face_mm() const;

@@ -15,14 +15,14 @@ double beyond_noise(double value, double spread) {
   return value == 0 ? 0 : value * std::max(0.0, 1 - spread * spread / (value * value));
 }
 
-cv::Matx22d covariance_of(const SeenMark& mark) {
-  return {mark.width_px * mark.width_px, mark.slant_px2, mark.slant_px2, mark.height_px * mark.height_px};
-}
-
-// Of the ellipse with this covariance.
-double axis_deg_of(const cv::Matx22d& m) {
+// Of what stretches a circle so: `m` is symmetric, the stretch times its transpose. `size` is the determinant of the
+// stretch.
+FrontView front_view(const cv::Matx22d& m, double size, double area_mm2) {
+  const double half = std::min(1.0, 2 * size / cv::trace(m));
   const double axis = std::atan2(2 * m(0, 1), m(0, 0) - m(1, 1)) / 2 * 180 / std::numbers::pi;
-  return axis > 0 ? axis : axis + 180;
+  return {.area_mm2 = area_mm2,
+          .slimness = half / (1 + std::sqrt(1 - half * half)),
+          .axis_deg = axis > 0 ? axis : axis + 180};
 }
 
 }  // namespace
@@ -52,11 +52,9 @@ double yaw_deg(const FacePlane& plane) {
 }
 
 // A plane's image is J times it, J = f / Z P E: E are two unit vectors along the plane, and P projects a step in space
-// along the line of sight. So J J' = (f / Z)^2 P (1 - n n') P'. With it the trace and the determinant of the covariance
-// from the front follow from the image's, however the plane's own axes lie. From the mark whose moments are a circle's,
-// the root of its covariance leads to the image, and the inverse of J to the front: their product stretches it along
-// the axes of C (J J')^-1 C, where C is that root.
-FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left) {
+// along the line of sight. So J J' = (f / Z)^2 P (1 - n n') P'. The inverse of J leads from the image to the front.
+// After the way from the picture to the image, T, it stretches the picture along the axes of T' (J J')^-1 T.
+FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const cv::Matx22d& to_image) {
   const double mm_per_px = depth_mm(model, plane.along_sight * model.focal_px) / model.focal_px;
   const double across = plane.across - plane.ahead * plane.x;
   const double down = plane.down - plane.ahead * plane.y;
@@ -65,19 +63,18 @@ FrontView view_from_front(const camera::StereoModel& model, const FacePlane& pla
   const double xy = plane.x * plane.y - across * down / n2;
   const double yy = 1 + plane.y * plane.y - down * down / n2;
   const double shown = plane.along_sight / std::sqrt(n2);  // the root of the determinant
-  const double trace =
-      (yy * left.width_px * left.width_px - 2 * xy * left.slant_px2 + xx * left.height_px * left.height_px) /
-      (shown * shown);
-  const double product = spread_product_px2(left) / shown;
-  const double half = std::min(1.0, 2 * product / trace);
-  const cv::Matx22d to_image = root_of(covariance_of(left));
-  return {.area_mm2 = product * mm_per_px * mm_per_px,
-          .slimness = half / (1 + std::sqrt(1 - half * half)),
-          .axis_deg = axis_deg_of(to_image * cv::Matx22d(yy, -xy, -xy, xx) * to_image)};
+  const cv::Matx22d to_front2 = cv::Matx22d(yy, -xy, -xy, xx) * (1 / (shown * shown));
+  const double size = std::abs(cv::determinant(to_image)) / shown;
+  return front_view(to_image.t() * to_front2 * to_image, size, size * mm_per_px * mm_per_px);
 }
 
-FrontView view_as_seen(const SeenMark& seen, double mm_per_px) {
-  return {spread_product_px2(seen) * mm_per_px * mm_per_px, seen.slimness, axis_deg_of(covariance_of(seen))};
+FrontView view_as_seen(const cv::Matx22d& to_image, double mm_per_px) {
+  const double size = std::abs(cv::determinant(to_image));
+  return front_view(to_image.t() * to_image, size, size * mm_per_px * mm_per_px);
+}
+
+cv::Matx22d to_image_of(const SeenMark& seen) {
+  return root_of({seen.width_px * seen.width_px, seen.slant_px2, seen.slant_px2, seen.height_px * seen.height_px});
 }
 
 }  // namespace pizarra::vision

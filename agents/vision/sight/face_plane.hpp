@@ -41,12 +41,14 @@ double yaw_deg(const FacePlane& plane);
 struct FrontView {
   double area_mm2;  // the product of both principal standard deviations
   double slimness;
-  // Where the longer axis lies, degrees from right to down, more than 0 and at most 180; in the seen mark once its
-  // second moments are made those of a circle.
+  // Where the longer axis lies in the picture, degrees from right to down, more than 0 and at most 180.
   double axis_deg;
 };
-FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left);
+// `to_image`: from a picture of the mark whose second moments are those of a circle of radius 2, px.
+FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const cv::Matx22d& to_image);
 // Of a face that is parallel to the image.
-FrontView view_as_seen(const SeenMark& seen, double mm_per_px);
+FrontView view_as_seen(const cv::Matx22d& to_image, double mm_per_px);
+// By its second moments: from a picture that is not turned.
+cv::Matx22d to_image_of(const SeenMark& seen);
 
 }  // namespace pizarra::vision

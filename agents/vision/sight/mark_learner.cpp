@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/tags.hpp"
-#include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/objects/plane_look.hpp"
 #include "agents/vision/sight/tag_pose.hpp"
 
 namespace pizarra::vision {
@@ -19,22 +19,21 @@ constexpr std::size_t least_seen = 7;
 // Where it moved no farther, frames can be averaged.
 constexpr double rest_px = 1.5;
 
-// A square, whichever way it is turned.
-std::optional<FrontView> tag_from_front(const camera::StereoModel& model, const SeenMark& seen) {
+// Around a mark, for its outline's normals.
+constexpr int portrait_margin_px = 8;
+
+// Before one camera a square, whichever way it is turned. Nothing where the right image does not show it.
+std::optional<FrontView> tag_from_front(StereoSight& sight, const SeenMark& seen) {
+  const camera::StereoModel& model = sight.model();
+  if (!model.is_single()) {
+    const std::optional<SeenPair> pair = sight.find(*seen.tag, area_around_tag(seen.box));
+    if (!pair || !pair->right) return std::nullopt;
+    return view_from_front(model, face_plane(model, pair->left, *pair->right), to_image_of(pair->left));
+  }
   const std::optional<TagPose> of_unit = tag_pose(model, seen.corners, 1);
   if (!of_unit) return std::nullopt;
   const double face_mm = face_of_square(model.learned_at_mm / of_unit->middle_mm[2]);
   return FrontView{face_mm * face_mm, 1, 180};
-}
-
-// From the front, by the partner; before one camera alone as it looks, by where objects are said to be while they are
-// learned.
-std::optional<FrontView> view_from_front(const camera::StereoModel& model, const SeenMark& seen,
-                                         const SeenMark* partner) {
-  if (partner != nullptr) return view_from_front(model, face_plane(model, seen, *partner), seen);
-  if (!model.is_single()) return std::nullopt;
-  if (seen.tag) return tag_from_front(model, seen);
-  return view_as_seen(seen, model.learned_at_mm / model.focal_px);
 }
 
 // A tag's portrait is that of a square: the values of the thesis' Table C.1, and the template picture. It is found by
@@ -213,30 +212,57 @@ Result<void> MarkLearner::check_kind() const {
 
 Result<void> MarkLearner::measure(StereoSight& sight) {
   ++contour_frames_;
-  size_guessed_ = sight.model().is_single();
-  focal_px_ = sight.model().focal_px;
+  model_ = sight.model();
   if (follow(sight)) {
     contour_ = mark_->contour;
     measured_.push_back(*mark_);
     portraits_.push_back(mark_->tag ? portrait_of_tag(sight.left(), *mark_)
                                     : portray_mark(sight.left_segmentation().cut(), contour_, mark_->tone).value());
-    const std::optional<FrontView> front = front_of(sight, *mark_);
-    if (front && measured_.size() == 1) first_axis_deg_ = front->axis_deg;
-    if (front) fronts_.push_back(*front);
+    look_from_front(sight, *mark_);
   }
   return done() ? check_measured() : Result<void>{};
 }
 
-// Nothing where the right image does not show it.
-std::optional<FrontView> MarkLearner::front_of(StereoSight& sight, const SeenMark& seen) {
-  const camera::StereoModel& model = sight.model();
-  if (model.is_single()) return view_from_front(model, seen, nullptr);
+// By its partner; before one camera alone as it looks, by where objects are said to be while they are learned.
+void MarkLearner::look_from_front(StereoSight& sight, const SeenMark& seen) {
+  const double learned_mm_per_px = model_.learned_at_mm / model_.focal_px;
   if (seen.tag) {
-    const std::optional<SeenPair> pair = sight.find(*seen.tag, area_around_tag(seen.box));
-    if (!pair || !pair->right) return std::nullopt;
-    return view_from_front(model, pair->left, &*pair->right);
+    const std::optional<FrontView> front = tag_from_front(sight, seen);
+    if (front) fronts_.push_back(*front);
+    return;
   }
-  return view_from_front(model, seen, find_partner(seen, sight.right_segmentation().marks(), std::nullopt));
+  const SeenMark* partner = nullptr;
+  if (!model_.is_single()) partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
+  if (partner == nullptr && !model_.is_single()) return;
+  std::optional<FacePlane> plane;
+  if (partner != nullptr) plane = face_plane(model_, seen, *partner);
+  const cv::Matx22d to_image = to_image_of(seen);
+  fronts_.push_back(plane ? view_from_front(model_, *plane, to_image) : view_as_seen(to_image, learned_mm_per_px));
+  const ImageCut& cut = sight.left_segmentation().cut();
+  const cv::Point beside(portrait_margin_px, portrait_margin_px);
+  const cv::Rect around(seen.box.tl() - cut.origin - beside, seen.box.br() - cut.origin + beside);
+  const cv::Rect box = around & cv::Rect({}, cut.pixels.size());
+  const cv::Point2d middle = seen.centre - cv::Point2d(cut.origin + box.tl());
+  portrayed_.push_back({cut.pixels(box).clone(),
+                        {to_image(0, 0), to_image(0, 1), middle.x, to_image(1, 0), to_image(1, 1), middle.y, 0, 0, 1},
+                        plane});
+}
+
+// The edges of its outline in the images that its picture was made from. What blur and the template's pixels make of
+// the picture, they make of its second moments too, but not of these edges. A picture of what moved meanwhile is turned
+// as it was in the first frame. Three sides leave perspective open, which would change their slope.
+std::vector<FrontView> MarkLearner::fronts_by_outline(const LearnedSample& sample) const {
+  if (is_triangle(sample.outlines.front())) return {fronts_.begin(), moved_ ? fronts_.begin() + 1 : fronts_.end()};
+  std::vector<FrontView> out;
+  const std::size_t frames = moved_ ? std::min<std::size_t>(1, portrayed_.size()) : portrayed_.size();
+  for (std::size_t i = 0; i < frames; ++i) {
+    const Portrayed& frame = portrayed_[i];
+    const std::optional<PlaneFit> fit = fit_plane(frame.pixels, sample.plane, frame.from_picture, sample.tone);
+    if (!fit || !is_outline_of(*fit)) continue;
+    out.push_back(frame.plane ? view_from_front(model_, *frame.plane, fit->slope())
+                              : view_as_seen(fit->slope(), model_.learned_at_mm / model_.focal_px));
+  }
+  return out;
 }
 
 Result<void> MarkLearner::check_seen(std::size_t frames) const {
@@ -293,7 +319,7 @@ LearnedSample MarkLearner::sample() const {
     out.moments[i] = mean_of(portraits_, [i](const MarkPortrait& p) { return p.moments[i]; });
   }
   out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
-  out.focal_px = focal_px_;
+  out.focal_px = model_.focal_px;
   if (!out.tag) out.contrast = mean_of(measured_, print_contrast);
   out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
   out.roundness = mean_of(measured_, [](const SeenMark& m) { return m.roundness; });
@@ -301,14 +327,20 @@ LearnedSample MarkLearner::sample() const {
     const double off = m.roundness - out.roundness;
     return off * off;
   }));
+  const auto area_of = [](const FrontView& front) { return front.area_mm2; };
+  const auto slimness_of = [](const FrontView& front) { return front.slimness; };
   if (2 * fronts_.size() > measured_.size()) {
-    out.size_mm = std::sqrt(mean_of(fronts_, [](const FrontView& front) { return front.area_mm2; }));
-    out.size_by = size_guessed_ ? LearnedSample::SizeBy::guessed_face : LearnedSample::SizeBy::measured_face;
-    out.slimness = mean_of(fronts_, [](const FrontView& front) { return front.slimness; });
-    // The picture shows a mark that turned meanwhile as it was in the first frame.
-    if (out.is_slim()) out.axis_deg = moved_ ? first_axis_deg_ : mean_axis_deg(fronts_);
+    out.size_mm = std::sqrt(mean_of(fronts_, area_of));
+    out.size_by = model_.is_single() ? LearnedSample::SizeBy::guessed_face : LearnedSample::SizeBy::measured_face;
+    out.slimness = mean_of(fronts_, slimness_of);
   }
   out.set_picture(template_from_picture(mean_picture()));
+  const bool has_axis = out.is_slim() || !is_regular(out.outlines.front());
+  const std::vector<FrontView> by_outline = has_axis ? fronts_by_outline(out) : std::vector<FrontView>();
+  if (by_outline.empty()) return out;
+  if (model_.is_single()) out.size_mm = std::sqrt(mean_of(by_outline, area_of));
+  out.slimness = mean_of(by_outline, slimness_of);
+  out.axis_deg = mean_axis_deg(by_outline);
   return out;
 }
 

@@ -49,7 +49,8 @@ class MarkLearner {
   Result<void> end_filling();
   Result<void> check_kind() const;
   Result<void> measure(StereoSight& sight);
-  static std::optional<FrontView> front_of(StereoSight& sight, const SeenMark& seen);
+  void look_from_front(StereoSight& sight, const SeenMark& seen);
+  std::vector<FrontView> fronts_by_outline(const LearnedSample& sample) const;
   Result<void> check_seen(std::size_t frames) const;
   Result<void> check_measured() const;
   cv::Mat1f mean_picture() const;
@@ -74,9 +75,14 @@ class MarkLearner {
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<FrontView> fronts_;        // of those that the right image showed too
-  double first_axis_deg_ = 0;            // of the first of `measured_`; 0: the right image did not show that
-  bool size_guessed_ = false;
-  double focal_px_ = 0;
+  // Of those that are shapes, what the picture is registered with.
+  struct Portrayed {
+    cv::Mat1b pixels;
+    cv::Matx33d from_picture;             // about
+    std::optional<FacePlane> plane = {};  // none before one camera
+  };
+  std::vector<Portrayed> portrayed_;
+  camera::StereoModel model_ = {};
 };
 
 }  // namespace pizarra::vision

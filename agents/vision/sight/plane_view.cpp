@@ -7,12 +7,12 @@
 namespace pizarra::vision {
 namespace {
 
-// Blur widens a slim mark by more of its shorter side.
-constexpr double stretch_spread_of_slim = 0.004;
+// Of what the outline said in the images it was learned from.
+constexpr double spread_of_learned_stretch = 0.004;
 
-// The slimness says how much a nearly round mark is stretched, but not along which of two axes.
+// Else the slimness says how much a nearly round mark is stretched, but not along which of two axes.
 double stretch_spread_of(const LearnedSample& sample) {
-  if (sample.is_slim()) return stretch_spread_of_slim;
+  if (sample.axis_deg > 0) return spread_of_learned_stretch;
   return (1 - sample.slimness) / (1 + sample.slimness) / std::numbers::sqrt2;
 }
 

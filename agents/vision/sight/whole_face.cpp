@@ -76,7 +76,7 @@ FaceSize face_size(const camera::StereoModel& model, const SeenMark& left, const
   const double by_down = (plane.down - plane.ahead * plane.y) / plane.normal2() * plane.down_spread;
   const double by_tilt = plane.down / plane.normal2() * plane.down_spread;
   const double ordinary = squared(length_spread) + squared(plane.across_spread) / 2;
-  return {.area_mm2 = {view_from_front(model, plane, left).area_mm2,
+  return {.area_mm2 = {view_from_front(model, plane, to_image_of(left)).area_mm2,
                        std::sqrt(2 * ordinary + squared(by_across) + squared(by_down))},
           .size_mm = {(in_left.size_px + in_right.size_px) / 2 * mm_per_px,
                       std::sqrt(ordinary + squared(in_left.spread) + squared(by_tilt))},

@@ -64,7 +64,7 @@ LearnedSample learned(const Corners& plane, Random& random, double light) {
     out.height_px = mark.height_px;
     out.area_px = mark.area_px;
     out.roundness = mark.roundness;
-    const FrontView front = view_as_seen(mark, 500.0 / 600);
+    const FrontView front = view_as_seen(to_image_of(mark), 500.0 / 600);
     out.size_mm = std::sqrt(front.area_mm2);
     out.size_by = LearnedSample::SizeBy::guessed_face;
     out.slimness = mark.slimness;
