@@ -33,7 +33,7 @@ struct PoseNumbers {
 
 std::string pose_words(const vision::MarkPose& pose) {
   const PoseNumbers of(pose);
-  const std::string out =
+  std::string out =
       fmt::format("place {:.2f} mm, off by {:.2f}; turned {:.2f} degrees, off by {:.2f}", fmt::join(of.place.val, " "),
                   fmt::join(of.place_spread(), " "), fmt::join(of.angles.val, " "), fmt::join(of.angle_spread(), " "));
   if (!pose.flipped) return out;
@@ -43,7 +43,7 @@ std::string pose_words(const vision::MarkPose& pose) {
 
 std::string pose_json(const vision::MarkPose& pose) {
   const PoseNumbers of(pose);
-  const std::string out =
+  std::string out =
       fmt::format("\"place\":[{:.2f}],\"place_spread\":[{:.2f}],\"turn\":[{:.2f}],\"turn_spread\":[{:.2f}]",
                   fmt::join(of.place.val, ","), fmt::join(of.place_spread(), ","), fmt::join(of.angles.val, ","),
                   fmt::join(of.angle_spread(), ","));

@@ -37,9 +37,7 @@ struct StillImage {
   camera::StereoGeometry geometry;
 
   // Where a point of it is in the file's image.
-  cv::Point2d in_file(cv::Point2d point) const {
-    return geometry.as_taken(point, camera::StereoGeometry::Side::left);
-  }
+  cv::Point2d in_file(cv::Point2d point) const { return geometry.as_taken(point, camera::StereoGeometry::Side::left); }
 };
 
 void add_image_option(CLI::App& word, StillChoices& choices);

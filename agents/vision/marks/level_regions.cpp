@@ -14,8 +14,6 @@ namespace {
 // Each level is so many times the one before. Print is at least two and a half times as dark as its paper, in a shadow
 // too, so that several levels lie between them.
 constexpr double level_ratio = 1.22;
-// But a lamp's reflection adds as much to both, so that no more grey levels lie between two of them.
-constexpr double most_step = 20;
 constexpr double least_level = 9;
 constexpr double most_level = 235;
 // Far away a mark is small, and still has an outline.
@@ -72,12 +70,14 @@ std::vector<double> moves_of(const std::vector<Seen>& seen) {
   return out;
 }
 
-// Of the longest run of levels over which the border hardly moves, the middle one: it is steep there, and the level is
-// far from either side of it. Where light falls off within a mark, lower levels show a part of it.
-const Seen& steepest(const std::vector<Seen>& seen) {
+// The middle one of its levels is far from either side of its border. But where light falls off within a mark, lower
+// levels show a part of it: then the middle one of the longest run over which the border hardly moves.
+const Seen& clearest(const std::vector<Seen>& seen) {
   const std::vector<double> moves = moves_of(seen);
-  if (moves.empty()) return seen.front();
+  const std::size_t middle = seen.size() / 2;
+  if (moves.empty()) return seen[middle];
   const double most_px = std::max(steep_px, about_as_steep * *std::ranges::min_element(moves));
+  if (moves[middle - 1] <= most_px) return seen[middle];
   std::size_t begin = 0;
   std::size_t best_begin = 0;
   std::size_t most = 0;
@@ -92,10 +92,10 @@ const Seen& steepest(const std::vector<Seen>& seen) {
 
 }  // namespace
 
-std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone) {
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const LevelSteps& steps) {
   // Each group is one region as more and more levels show it.
   std::vector<std::vector<Seen>> groups;
-  for (double at = least_level; at < most_level; at = std::min(level_ratio * at, at + most_step)) {
+  for (double at = least_level; at < most_level; at = std::min(level_ratio * at, at + steps.most)) {
     const int level = cvRound(at);
     for (const Region& region : regions_of(darker_than(pixels, level, tone))) {
       if (!may_be_a_mark(region, pixels.size())) continue;
@@ -108,14 +108,14 @@ std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone) {
       }
     }
   }
-  const auto area = [](const std::vector<Seen>& seen) { return steepest(seen).region.area_px; };
+  const auto area = [](const std::vector<Seen>& seen) { return clearest(seen).region.area_px; };
   std::ranges::stable_sort(groups, std::ranges::greater(), area);
   std::vector<LevelRegion> out;
   const std::size_t longest = longest_contour_px(pixels.size());
   for (const std::vector<Seen>& seen : groups) {
     if (out.size() >= most_level_regions) break;
     if (seen.size() < 2) continue;
-    const Seen& middle = steepest(seen);
+    const Seen& middle = clearest(seen);
     // Light is what is not below the level.
     std::optional<MarkContour> contour =
         follow_contour(ToneField(pixels, middle.level - (tone == MarkTone::dark ? 0 : 1), tone == MarkTone::dark),
@@ -127,9 +127,10 @@ std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone) {
   return out;
 }
 
-std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area) {
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area,
+                                       const LevelSteps& steps) {
   if (area.empty()) return {};
-  std::vector<LevelRegion> out = level_regions(pixels(area), tone);
+  std::vector<LevelRegion> out = level_regions(pixels(area), tone, steps);
   for (LevelRegion& region : out) {
     for (cv::Point& p : region.contour) p += area.tl();
     region.box += area.tl();

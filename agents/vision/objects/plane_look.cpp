@@ -30,6 +30,8 @@ constexpr double most_stray = 0.3;
 // (RMS).
 constexpr double most_reflected = 0.5;
 constexpr double most_rough = 0.06;
+// In a smaller mark blur makes a cover's edge as smooth: a standard deviation, px.
+constexpr double least_reflecting_px = 8;
 
 class LocalLight {
  public:
@@ -164,13 +166,14 @@ Levels levels_of(const cv::Mat1b& pixels, const PlaneFit& fit, const PlaneOutlin
   return out;
 }
 
-Weights flattened(const Levels& levels, const MarkTemplate& picture, const LocalLight& light) {
-  const ReflectedLight reflected(levels, picture, light.inner, light.outer);
+Weights flattened(const Levels& levels, const MarkTemplate& picture, const LocalLight& light, double size_px) {
+  std::optional<ReflectedLight> reflected;
+  if (size_px >= least_reflecting_px) reflected.emplace(levels, picture, light.inner, light.outer);
   Weights out{};
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels[i] < 0) continue;
     const cv::Vec2d place = place_of(i);
-    const double share = light.share(place, levels[i], reflected.at(place));
+    const double share = light.share(place, levels[i], reflected ? reflected->at(place) : std::nullopt);
     // Something else near the mark.
     if (picture[i] == 0 && std::abs(share) > most_stray) continue;
     out[i] = static_cast<std::int16_t>(std::lround(full * share));
@@ -245,7 +248,7 @@ std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample
                                 const PlaneFit& fit) {
   const PlaneOutline& outline = sample.plane;
   const LocalLight light(fit, outline);
-  const Weights weights = flattened(levels_of(cut.pixels, fit, outline), sample.picture, light);
+  const Weights weights = flattened(levels_of(cut.pixels, fit, outline), sample.picture, light, fit.size_px());
   const std::optional<Moments> moments = moments_of(weights);
   if (!moments) return std::nullopt;
   SeenMark out;
