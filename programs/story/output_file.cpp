@@ -91,7 +91,9 @@ bool is_whole_film(const std::string& path) {
 Failure unwritten(const std::string& path) {
   // More than what is left of a block that is the file's already.
   const std::vector<char> more(1 << 20);
-  const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  // One that was never made says why when it is made here.
+  const bool was_there = std::filesystem::exists(path);
+  const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_CREAT, 0644);
   std::string reason = file < 0 ? std::strerror(errno) : "the disk was full, or failed";
   if (file >= 0) {
     const off_t end = lseek(file, 0, SEEK_END);
@@ -101,6 +103,8 @@ Failure unwritten(const std::string& path) {
     if (ftruncate(file, end) != 0) reason += ", and it cannot be shortened";
     close(file);
   }
+  std::error_code ignored;
+  if (!was_there) std::filesystem::remove(path, ignored);
   return {"cannot-write", fmt::format("cannot write {} whole: {}", path, reason), {}, {}};
 }
 
