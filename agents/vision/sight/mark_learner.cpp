@@ -243,6 +243,7 @@ void MarkLearner::look_from_front(StereoSight& sight, const SeenMark& seen) {
   const cv::Rect around(seen.box.tl() - cut.origin - beside, seen.box.br() - cut.origin + beside);
   const cv::Rect box = around & cv::Rect({}, cut.pixels.size());
   const cv::Point2d middle = seen.centre - cv::Point2d(cut.origin + box.tl());
+  portrays_first_ = portrays_first_ || measured_.size() == 1;
   portrayed_.push_back({cut.pixels(box).clone(),
                         {to_image(0, 0), to_image(0, 1), middle.x, to_image(1, 0), to_image(1, 1), middle.y, 0, 0, 1},
                         plane});
@@ -252,9 +253,12 @@ void MarkLearner::look_from_front(StereoSight& sight, const SeenMark& seen) {
 // the picture, they make of its second moments too, but not of these edges. A picture of what moved meanwhile is turned
 // as it was in the first frame. Three sides leave perspective open, which would change their slope.
 std::vector<FrontView> MarkLearner::fronts_by_outline(const LearnedSample& sample) const {
-  if (is_triangle(sample.outlines.front())) return {fronts_.begin(), moved_ ? fronts_.begin() + 1 : fronts_.end()};
   std::vector<FrontView> out;
-  const std::size_t frames = moved_ ? std::min<std::size_t>(1, portrayed_.size()) : portrayed_.size();
+  if (portrayed_.empty() || (moved_ && !portrays_first_)) return out;
+  const std::size_t frames = moved_ ? 1 : portrayed_.size();
+  if (is_triangle(sample.outlines.front())) {
+    return {fronts_.begin(), fronts_.begin() + static_cast<std::ptrdiff_t>(frames)};
+  }
   for (std::size_t i = 0; i < frames; ++i) {
     const Portrayed& frame = portrayed_[i];
     const std::optional<PlaneFit> fit = fit_plane(frame.pixels, sample.plane, frame.from_picture, sample.tone);

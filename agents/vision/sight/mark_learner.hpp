@@ -82,6 +82,7 @@ class MarkLearner {
     std::optional<FacePlane> plane = {};  // none before one camera
   };
   std::vector<Portrayed> portrayed_;
+  bool portrays_first_ = false;  // of `measured_`
   camera::StereoModel model_ = {};
 };
 
