@@ -1,9 +1,7 @@
 #include "agents/vision/marks/level_regions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "agents/vision/image/regions.hpp"
 #include "agents/vision/marks/segmentation.hpp"
@@ -22,9 +20,6 @@ constexpr int slimmest = 5;
 // Of two levels' regions that are one, each side differs by no more, px and as a part of it.
 constexpr int same_px = 2;
 constexpr double same_share = 0.08;
-// A steep border moves no farther from one level to the next, px.
-constexpr double steep_px = 0.3;
-constexpr double about_as_steep = 1.3;  // times the least
 
 struct Seen {
   Region region;
@@ -60,42 +55,12 @@ bool are_one(const cv::Rect& a, const cv::Rect& b) {
          std::abs(a.br().y - b.br().y) <= slack;
 }
 
-// How far the border moves from each level to the next, px.
-std::vector<double> moves_of(const std::vector<Seen>& seen) {
-  std::vector<double> out;
-  for (std::size_t i = 1; i < seen.size(); ++i) {
-    const double grown = std::abs(seen[i].region.area_px - seen[i - 1].region.area_px);
-    out.push_back(grown / (2 * std::sqrt(std::numbers::pi * seen[i].region.area_px)));
-  }
-  return out;
-}
-
-// The middle one of its levels is far from either side of its border. But where light falls off within a mark, lower
-// levels show a part of it: then the middle one of the longest run over which the border hardly moves.
-const Seen& clearest(const std::vector<Seen>& seen) {
-  const std::vector<double> moves = moves_of(seen);
-  const std::size_t middle = seen.size() / 2;
-  if (moves.empty()) return seen[middle];
-  const double most_px = std::max(steep_px, about_as_steep * *std::ranges::min_element(moves));
-  if (moves[middle - 1] <= most_px) return seen[middle];
-  std::size_t begin = 0;
-  std::size_t best_begin = 0;
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (moves[i] > most_px) begin = i + 1;
-    if (i + 1 - begin <= most) continue;
-    most = i + 1 - begin;
-    best_begin = begin;
-  }
-  return seen[best_begin + (most + 1) / 2];
-}
-
 }  // namespace
 
-std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const LevelSteps& steps) {
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone) {
   // Each group is one region as more and more levels show it.
   std::vector<std::vector<Seen>> groups;
-  for (double at = least_level; at < most_level; at = std::min(level_ratio * at, at + steps.most)) {
+  for (double at = least_level; at < most_level; at *= level_ratio) {
     const int level = cvRound(at);
     for (const Region& region : regions_of(darker_than(pixels, level, tone))) {
       if (!may_be_a_mark(region, pixels.size())) continue;
@@ -108,14 +73,16 @@ std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, c
       }
     }
   }
-  const auto area = [](const std::vector<Seen>& seen) { return clearest(seen).region.area_px; };
+  // A region that is the same at several levels has a steep border. The middle one of its levels is far from either
+  // side of it.
+  const auto area = [](const std::vector<Seen>& seen) { return seen[seen.size() / 2].region.area_px; };
   std::ranges::stable_sort(groups, std::ranges::greater(), area);
   std::vector<LevelRegion> out;
   const std::size_t longest = longest_contour_px(pixels.size());
   for (const std::vector<Seen>& seen : groups) {
     if (out.size() >= most_level_regions) break;
     if (seen.size() < 2) continue;
-    const Seen& middle = clearest(seen);
+    const Seen& middle = seen[seen.size() / 2];
     // Light is what is not below the level.
     std::optional<MarkContour> contour =
         follow_contour(ToneField(pixels, middle.level - (tone == MarkTone::dark ? 0 : 1), tone == MarkTone::dark),
@@ -127,10 +94,9 @@ std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, c
   return out;
 }
 
-std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area,
-                                       const LevelSteps& steps) {
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area) {
   if (area.empty()) return {};
-  std::vector<LevelRegion> out = level_regions(pixels(area), tone, steps);
+  std::vector<LevelRegion> out = level_regions(pixels(area), tone);
   for (LevelRegion& region : out) {
     for (cv::Point& p : region.contour) p += area.tl();
     region.box += area.tl();

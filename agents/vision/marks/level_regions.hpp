@@ -20,16 +20,8 @@ struct LevelRegion {
 
 inline constexpr std::size_t most_level_regions = 512;  // the largest of them
 
-// How many grey levels lie between two thresholds at most. A lamp's reflection adds as much to print and paper, so that
-// few thresholds lie between them where each is a part above the one before. More of them show more covers as well.
-struct LevelSteps {
-  double most = 255;
-};
-inline constexpr LevelSteps fine_steps{20};
-
 // In all of the pixels, or within `area` alone, as if the image ended there.
-std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const LevelSteps& steps = {});
-std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area,
-                                       const LevelSteps& steps = {});
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone);
+std::vector<LevelRegion> level_regions(const cv::Mat1b& pixels, MarkTone tone, const cv::Rect& area);
 
 }  // namespace pizarra::vision

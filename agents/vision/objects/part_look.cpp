@@ -38,7 +38,7 @@ constexpr double most_spread_px_if_exact = 0.75;
 constexpr double exact_rms_px = 0.1;
 // Ink on paper: no fainter than so much of what was learned, in its logarithm; edges of other things are mostly
 // fainter.
-constexpr double least_contrast_told = 0.75;
+constexpr double least_contrast_told = 0.85;
 // Where the levels of either side are those of one print, edges
 // are rarer still, so that fewer of them say as much.
 constexpr double most_ratio_needed = 5;

@@ -1,6 +1,5 @@
 #include "agents/vision/objects/plane_look.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,12 +25,6 @@ constexpr int full = 240;
 // Around the mark, turn by turn, how light it and its ground are.
 constexpr int turns = 32;
 constexpr double most_stray = 0.3;
-// Of a print's contrast, how much a reflection takes from it at most; and how far its ink lies from a smooth surface
-// (RMS).
-constexpr double most_reflected = 0.5;
-constexpr double most_rough = 0.06;
-// In a smaller mark blur makes a cover's edge as smooth: a standard deviation, px.
-constexpr double least_reflecting_px = 8;
 
 class LocalLight {
  public:
@@ -55,10 +48,10 @@ class LocalLight {
       outer_[i] = counts[i] > 0 ? outer_[i] / counts[i] : outer;
     }
   }
-  // 1 where it is as the mark, 0 as the ground beside it there. `ink`: how light the mark is there.
-  double share(const cv::Vec2d& place, double level, const std::optional<double>& ink) const {
+  // 1 where it is as the mark, 0 as the ground beside it there.
+  double share(const cv::Vec2d& place, double level) const {
     const std::size_t turn = turn_of(place);
-    const double contrast = outer_[turn] - ink.value_or(inner_[turn]);
+    const double contrast = outer_[turn] - inner_[turn];
     return std::abs(contrast) < 1 ? 0 : std::clamp((outer_[turn] - level) / contrast, -1.0, 2.0);
   }
   double inner = 0;
@@ -80,60 +73,6 @@ class LocalLight {
 
 using Weights = std::array<std::int16_t, template_size * template_size>;
 
-// The levels that a template's pixels show, row by row; below 0 where there is none, or nothing of the mark.
-using Levels = std::array<double, template_size * template_size>;
-
-cv::Vec2d place_of(std::size_t pixel) {
-  const auto from_middle = [](std::size_t at) {
-    return (static_cast<double>(at) - template_size / 2.0) / template_scale;
-  };
-  return {from_middle(pixel % template_size), from_middle(pixel / template_size)};
-}
-
-// How light the ink of a mark is, place by place, where a lamp's reflection lies on it: a surface of second degree. A
-// step is none, nor is what is as light as the ground: those are other things.
-class ReflectedLight {
- public:
-  ReflectedLight(const Levels& levels, const MarkTemplate& picture, double inner, double outer)
-      : inner_(inner), most_(most_reflected * std::abs(outer - inner)) {
-    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-    Row right = Row::Zero();
-    double squares = 0;
-    int count = 0;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-      if (picture[i] < darkest || levels[i] < 0) continue;
-      const Row row = row_of(place_of(i));
-      normal += row * row.transpose();
-      right += row * levels[i];
-      squares += levels[i] * levels[i];
-      ++count;
-    }
-    if (count < least_places) return;
-    surface_ = normal.ldlt().solve(right);
-    const double variance = (squares - right.dot(surface_)) / count;
-    is_smooth_ = variance < std::pow(most_rough * (outer - inner), 2);
-  }
-  std::optional<double> at(const cv::Vec2d& place) const {
-    if (!is_smooth_) return std::nullopt;
-    return std::clamp(surface_.dot(row_of(place)), inner_ - most_, inner_ + most_);
-  }
-
- private:
-  static constexpr int darkest = 15;
-  static constexpr int least_places = 24;
-  using Row = Eigen::Matrix<double, 6, 1>;
-  static Row row_of(const cv::Vec2d& place) {
-    const auto [x, y] = place.val;
-    Row out;
-    out << 1, x, y, x * x, x * y, y * y;
-    return out;
-  }
-  Row surface_ = Row::Zero();
-  double inner_;
-  double most_;
-  bool is_smooth_ = false;
-};
-
 // The mean of what a template's pixel shows of the image; nothing beyond that.
 double mean_level(const cv::Mat1b& pixels, const PlaneFit& fit, const cv::Vec2d& place, int samples) {
   double sum = 0;
@@ -153,30 +92,22 @@ double mean_level(const cv::Mat1b& pixels, const PlaneFit& fit, const cv::Vec2d&
   return count == 0 ? -1 : sum / count;
 }
 
-Levels levels_of(const cv::Mat1b& pixels, const PlaneFit& fit, const PlaneOutline& outline) {
-  Levels out;
-  out.fill(-1);
-  const int samples = std::clamp(cvCeil(fit.size_px() / template_scale), 1, 4);
-  for (std::size_t y = 1; y + 1 < template_size; ++y) {
-    for (std::size_t x = 1; x + 1 < template_size; ++x) {
-      const std::size_t i = y * template_size + x;
-      if (outline.near[i]) out[i] = mean_level(pixels, fit, place_of(i), samples);
-    }
-  }
-  return out;
-}
-
-Weights flattened(const Levels& levels, const MarkTemplate& picture, const LocalLight& light, double size_px) {
-  std::optional<ReflectedLight> reflected;
-  if (size_px >= least_reflecting_px) reflected.emplace(levels, picture, light.inner, light.outer);
+Weights flattened(const cv::Mat1b& pixels, const PlaneFit& fit, const PlaneOutline& outline,
+                  const MarkTemplate& picture, const LocalLight& light) {
   Weights out{};
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    if (levels[i] < 0) continue;
-    const cv::Vec2d place = place_of(i);
-    const double share = light.share(place, levels[i], reflected ? reflected->at(place) : std::nullopt);
-    // Something else near the mark.
-    if (picture[i] == 0 && std::abs(share) > most_stray) continue;
-    out[i] = static_cast<std::int16_t>(std::lround(full * share));
+  const double px = fit.size_px();
+  const int samples = std::clamp(cvCeil(px / template_scale), 1, 4);
+  for (int y = 1; y < template_size - 1; ++y) {
+    for (int x = 1; x < template_size - 1; ++x) {
+      const auto i = static_cast<std::size_t>(y) * template_size + static_cast<std::size_t>(x);
+      if (!outline.near[i]) continue;
+      const cv::Vec2d place((x - template_size / 2.0) / template_scale, (y - template_size / 2.0) / template_scale);
+      const double level = mean_level(pixels, fit, place, samples);
+      const double share = level < 0 ? 0 : light.share(place, level);
+      // Something else near the mark.
+      if (picture[i] == 0 && std::abs(share) > most_stray) continue;
+      out[i] = static_cast<std::int16_t>(std::lround(full * share));
+    }
   }
   return out;
 }
@@ -248,7 +179,7 @@ std::optional<SeenMark> mark_of(const ImageCut& cut, const LearnedSample& sample
                                 const PlaneFit& fit) {
   const PlaneOutline& outline = sample.plane;
   const LocalLight light(fit, outline);
-  const Weights weights = flattened(levels_of(cut.pixels, fit, outline), sample.picture, light, fit.size_px());
+  const Weights weights = flattened(cut.pixels, fit, outline, sample.picture, light);
   const std::optional<Moments> moments = moments_of(weights);
   if (!moments) return std::nullopt;
   SeenMark out;

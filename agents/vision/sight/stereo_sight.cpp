@@ -200,8 +200,7 @@ std::vector<SeenPair> StereoSight::looks_in_plane(ImageSegmentation& segmentatio
   std::vector<SeenPair> out;
   for (const LearnedSample& sample : object.samples) {
     std::optional<std::vector<LevelRegion>>& of_tone = regions[static_cast<std::size_t>(sample.tone)];
-    const LevelSteps steps = model_.is_single() ? fine_steps : LevelSteps();
-    if (!of_tone) of_tone = level_regions(segmentation.image(), sample.tone, segmentation.area(), steps);
+    if (!of_tone) of_tone = level_regions(segmentation.image(), sample.tone, segmentation.area());
     for (const LevelRegion& region : *of_tone) {
       std::optional<PlaneLook> look = seen_in_plane(segmentation.cut(), sample, region);
       if (!look) continue;
