@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <filesystem>
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "blackboard/time/random.hpp"
@@ -472,34 +470,6 @@ TEST(Calibration, ImagesOfAnotherSizeCannotBeRectified) {
   ASSERT_FALSE(geometry);
   EXPECT_EQ(geometry.error().symbol, "wrong-size");
   EXPECT_EQ(geometry.error().sentence, "the camera's images are 320x240, and " + file + " is of 480x360");
-}
-
-// Debian's package opencv-doc has the pairs that OpenCV's own manual calibrates with.
-TEST(DebiansPairs, AreRectifiedToAFractionOfAPixel) {
-  const std::string folder = "/usr/share/doc/opencv-doc/examples/data/";
-  if (!std::filesystem::exists(folder + "left01.jpg")) GTEST_SKIP() << "opencv-doc is not installed";
-  const CalibrationBoard board{9, 6, 25};
-  std::vector<BoardView> views;
-  cv::Size size;
-  for (int i = 1; i <= 14; ++i) {
-    const std::string number = (i < 10 ? "0" : "") + std::to_string(i) + ".jpg";
-    const cv::Mat left = cv::imread(folder + "left" + number, cv::IMREAD_GRAYSCALE);
-    const cv::Mat right = cv::imread(folder + "right" + number, cv::IMREAD_GRAYSCALE);
-    if (left.empty() || right.empty()) continue;
-    size = left.size();
-    const Result<BoardView> view = find_board(left, right, board);
-    if (view) views.push_back(*view);
-  }
-  EXPECT_EQ(views.size(), 13u);
-  const Result<CalibratedPair> pair = calibrate_pair(views, size, board);
-  ASSERT_TRUE(pair) << pair.error().sentence;
-  const StereoCalibration& c = pair->calibration;
-  std::printf("reprojection %.3f px, epipolar %.3f px\n", c.reprojection_px, c.epipolar_px);
-  EXPECT_TRUE(pair->left_out.empty());
-  EXPECT_LT(c.reprojection_px, 0.6);
-  EXPECT_LT(c.epipolar_px, 0.4);
-  EXPECT_LT(c.deviations.focal_px, 2);
-  EXPECT_LT(c.deviations.base_line_mm, 0.3);
 }
 
 }  // namespace
