@@ -79,10 +79,6 @@ Result<vision::LearnedObjects> learn_here(const FindChoices& choices, const Stil
 
 Result<vision::LearnedObjects> learned_before(const FindChoices& choices) {
   Result<vision::ObjectDatabase> database = vision::ObjectDatabase::open_again(choices.learned);
-  if (!database && database.error().symbol == "missing") {
-    return fail("missing", "no eyes keep what they learned in that folder: it has no database of objects",
-                to_datum(text_of_bytes(choices.learned)));
-  }
   if (!database) return fail(database);
   Result<vision::KeptObjects> kept = database->read();
   if (!kept) return fail(kept);

@@ -8,6 +8,7 @@
 #include "agents/vision/marks/tag_text.hpp"
 #include "agents/vision/sight/tags_in_view.hpp"
 #include "lisp/json.hpp"
+#include "lisp/numbers.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
@@ -37,10 +38,8 @@ MarkFrame frame_of(const vision::SeenMark& mark) {
   double turn = lies ? box.angle : box.angle + 90;
   while (turn > 90) turn -= 180;
   while (turn <= -90) turn += 180;
-  // As it is printed: no zero is negative.
-  turn = std::round(10 * turn) / 10 + 0.0;
   return {std::max(box.size.width, box.size.height) + to_edges_px,
-          std::min(box.size.width, box.size.height) + to_edges_px, turn};
+          std::min(box.size.width, box.size.height) + to_edges_px, rounded(turn, 10)};
 }
 
 struct Measured {

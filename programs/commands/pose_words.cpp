@@ -1,27 +1,25 @@
 #include "programs/commands/pose_words.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <span>
+
+#include "lisp/numbers.hpp"
 
 namespace pizarra::programs {
 namespace {
 
 using Numbers = std::span<const double>;
 
-// As it is printed: no zero is negative.
-cv::Vec3d rounded(const cv::Vec3d& values) {
-  cv::Vec3d out;
-  for (int i = 0; i < 3; ++i) out[i] = std::round(100 * values[i]) / 100 + 0.0;
-  return out;
+cv::Vec3d printed(const cv::Vec3d& values) {
+  return {rounded(values[0], 100), rounded(values[1], 100), rounded(values[2], 100)};
 }
 
-cv::Vec3d printed_angles(const cv::Matx33d& turn) { return rounded(vision::angles_deg(turn)); }
+cv::Vec3d printed_angles(const cv::Matx33d& turn) { return printed(vision::angles_deg(turn)); }
 
 struct PoseNumbers {
   explicit PoseNumbers(const vision::MarkPose& pose)
-      : place(rounded(pose.place_mm)), angles(printed_angles(pose.turn)), spreads(vision::spreads_of(pose)) {}
+      : place(printed(pose.place_mm)), angles(printed_angles(pose.turn)), spreads(vision::spreads_of(pose)) {}
   Numbers place_spread() const { return Numbers(spreads).first(3); }
   Numbers angle_spread() const { return Numbers(spreads).last(3); }
   cv::Vec3d place;

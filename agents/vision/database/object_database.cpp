@@ -55,7 +55,7 @@ Result<ObjectDatabase> ObjectDatabase::open(const std::string& directory) {
 Result<ObjectDatabase> ObjectDatabase::open_again(const std::string& directory) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(std::filesystem::path(directory) / file_name, error)) {
-    return fail("missing", "the database of the objects is not in its place any more", to_datum(directory));
+    return fail("missing", "the folder has no database of learned objects", to_datum(directory));
   }
   return open_prepared(directory, prepare_objects_again);
 }
