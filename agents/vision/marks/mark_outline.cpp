@@ -14,11 +14,11 @@ constexpr int waves = MarkOutline::count;
 constexpr double lost_by_blur = 3;
 constexpr double least_part = 0.5;
 constexpr double most_part = 1.1;
-// The least power of a triangle's three waves, in its squared standard deviations; and the most of the waves that a
-// triangle has not, as a part of that. A T has a twelfth, a half disc and a drop a fifth.
-constexpr double least_triangle_power = 0.02;
+// The least power of a triangle's three waves, in its squared standard deviations; and the most power of the waves that
+// neither a triangle nor another regular form has, as a part of it. A T has a twelfth, a half disc and a drop a fifth.
+constexpr double least_triangle_power = 0.01;
 constexpr double most_of_other_waves = 0.06;
-// A circle's outline has as much.
+// Noise gives a circle's outline as much.
 constexpr double least_power_of_form = 0.001;
 
 using Round = std::array<float, turns>;  // a value for each turn
@@ -108,6 +108,15 @@ struct Agreement {
   }
 };
 
+// Of the waves that a turn by this part of a whole one changes.
+double power_of_others(MarkOutline outline, int fold) {
+  for (int wave = fold; wave < MarkOutline::first + MarkOutline::count; wave += fold) {
+    const auto i = static_cast<std::size_t>(wave - MarkOutline::first);
+    outline.cosines[i] = outline.sines[i] = 0;
+  }
+  return outline.power();
+}
+
 }  // namespace
 
 double MarkOutline::power() const {
@@ -130,22 +139,16 @@ MarkOutline outline_of(const MarkSignature& signature) {
 bool is_regular(const MarkOutline& outline) {
   const double most = std::max(least_power_of_form, most_of_other_waves * outline.power());
   for (int fold = MarkOutline::first; fold < MarkOutline::first + MarkOutline::count; ++fold) {
-    MarkOutline others = outline;
-    for (int wave = fold; wave < MarkOutline::first + MarkOutline::count; wave += fold) {
-      const auto i = static_cast<std::size_t>(wave - MarkOutline::first);
-      others.cosines[i] = others.sines[i] = 0;
-    }
-    if (others.power() < most) return true;
+    if (power_of_others(outline, fold) < most) return true;
   }
   return false;
 }
 
 bool is_triangle(const MarkOutline& outline) {
-  const auto power = [&](std::size_t waves_around) {
-    const std::size_t i = waves_around - MarkOutline::first;
-    return outline.cosines[i] * outline.cosines[i] + outline.sines[i] * outline.sines[i];
-  };
-  return power(3) > least_triangle_power && power(4) + power(5) + power(7) + power(8) < most_of_other_waves * power(3);
+  constexpr std::size_t three = 3 - MarkOutline::first;
+  const double power =
+      (outline.cosines[three] * outline.cosines[three] + outline.sines[three] * outline.sines[three]) / 2;
+  return power > least_triangle_power && power_of_others(outline, 3) < most_of_other_waves * power;
 }
 
 OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned, double most_blur) {

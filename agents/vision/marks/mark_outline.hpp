@@ -29,8 +29,8 @@ MarkOutline outline_of(const MarkSignature& signature);
 // Three corners are all of it: a straight edge along one of its sides leaves the same form.
 bool is_triangle(const MarkOutline& outline);
 
-// A third, a quarter or less of a whole turn leaves it as it is: its second moments are those of a circle. So do a
-// square's that was stretched, once its slant is undone.
+// It looks the same after a third, a quarter or less of a whole turn, as a circle, a regular polygon and a star do. So
+// does a rectangle's outline, whose stretch is undone here.
 bool is_regular(const MarkOutline& outline);
 
 // The difference between the waves of a seen outline and those of the learned one, which is turned, and blurred by at

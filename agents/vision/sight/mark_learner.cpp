@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <span>
 
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/objects/plane_look.hpp"
@@ -223,48 +224,53 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
   return done() ? check_measured() : Result<void>{};
 }
 
-// By its partner; before one camera alone as it looks, by where objects are said to be while they are learned.
+// By the plane that both images show; before one camera alone as it looks, by where objects are said to be while they
+// are learned.
+std::optional<FrontView> MarkLearner::front_of(const std::optional<FacePlane>& plane,
+                                               const cv::Matx22d& to_image) const {
+  if (plane) return view_from_front(model_, *plane, to_image);
+  if (!model_.is_single()) return std::nullopt;
+  return view_as_seen(to_image, model_.learned_at_mm / model_.focal_px);
+}
+
 void MarkLearner::look_from_front(StereoSight& sight, const SeenMark& seen) {
-  const double learned_mm_per_px = model_.learned_at_mm / model_.focal_px;
   if (seen.tag) {
     const std::optional<FrontView> front = tag_from_front(sight, seen);
     if (front) fronts_.push_back(*front);
     return;
   }
+  std::optional<FacePlane> plane;
   const SeenMark* partner = nullptr;
   if (!model_.is_single()) partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
-  if (partner == nullptr && !model_.is_single()) return;
-  std::optional<FacePlane> plane;
   if (partner != nullptr) plane = face_plane(model_, seen, *partner);
   const cv::Matx22d to_image = to_image_of(seen);
-  fronts_.push_back(plane ? view_from_front(model_, *plane, to_image) : view_as_seen(to_image, learned_mm_per_px));
+  if (const std::optional<FrontView> front = front_of(plane, to_image)) fronts_.push_back(*front);
   const ImageCut& cut = sight.left_segmentation().cut();
   const cv::Point beside(portrait_margin_px, portrait_margin_px);
   const cv::Rect around(seen.box.tl() - cut.origin - beside, seen.box.br() - cut.origin + beside);
   const cv::Rect box = around & cv::Rect({}, cut.pixels.size());
   const cv::Point2d middle = seen.centre - cv::Point2d(cut.origin + box.tl());
-  portrays_first_ = portrays_first_ || measured_.size() == 1;
   portrayed_.push_back({cut.pixels(box).clone(),
                         {to_image(0, 0), to_image(0, 1), middle.x, to_image(1, 0), to_image(1, 1), middle.y, 0, 0, 1},
                         plane});
 }
 
-// The edges of its outline in the images that its picture was made from. What blur and the template's pixels make of
-// the picture, they make of its second moments too, but not of these edges. A picture of what moved meanwhile is turned
-// as it was in the first frame. Three sides leave perspective open, which would change their slope.
+// How the picture leads to the image, by the edges of its outline there. Blur and the template's pixels change the
+// picture and its second moments alike, and these edges hardly. A triangle's three sides leave perspective open, which
+// would change their slope: its moments say it.
+std::optional<cv::Matx22d> MarkLearner::registered(const LearnedSample& sample, const Portrayed& frame) {
+  if (is_triangle(sample.outlines.front())) return frame.from_picture.get_minor<2, 2>(0, 0);
+  const std::optional<PlaneFit> fit = fit_plane(frame.pixels, sample.plane, frame.from_picture, sample.tone);
+  return fit && is_outline_of(*fit) ? std::optional(fit->slope()) : std::nullopt;
+}
+
+// The picture of a mark that moved meanwhile is turned as in the first frame.
 std::vector<FrontView> MarkLearner::fronts_by_outline(const LearnedSample& sample) const {
   std::vector<FrontView> out;
-  if (portrayed_.empty() || (moved_ && !portrays_first_)) return out;
-  const std::size_t frames = moved_ ? 1 : portrayed_.size();
-  if (is_triangle(sample.outlines.front())) {
-    return {fronts_.begin(), fronts_.begin() + static_cast<std::ptrdiff_t>(frames)};
-  }
-  for (std::size_t i = 0; i < frames; ++i) {
-    const Portrayed& frame = portrayed_[i];
-    const std::optional<PlaneFit> fit = fit_plane(frame.pixels, sample.plane, frame.from_picture, sample.tone);
-    if (!fit || !is_outline_of(*fit)) continue;
-    out.push_back(frame.plane ? view_from_front(model_, *frame.plane, fit->slope())
-                              : view_as_seen(fit->slope(), model_.learned_at_mm / model_.focal_px));
+  for (const Portrayed& frame : std::span(portrayed_).first(moved_ ? 1 : portrayed_.size())) {
+    const std::optional<cv::Matx22d> to_image = registered(sample, frame);
+    const std::optional<FrontView> front = to_image ? front_of(frame.plane, *to_image) : std::nullopt;
+    if (front) out.push_back(*front);
   }
   return out;
 }
@@ -339,7 +345,7 @@ LearnedSample MarkLearner::sample() const {
     out.slimness = mean_of(fronts_, slimness_of);
   }
   out.set_picture(template_from_picture(mean_picture()));
-  const bool has_axis = out.is_slim() || !is_regular(out.outlines.front());
+  const bool has_axis = !out.tag && (out.is_slim() || !is_regular(out.outlines.front()));
   const std::vector<FrontView> by_outline = has_axis ? fronts_by_outline(out) : std::vector<FrontView>();
   if (by_outline.empty()) return out;
   if (model_.is_single()) out.size_mm = std::sqrt(mean_of(by_outline, area_of));

@@ -49,7 +49,15 @@ class MarkLearner {
   Result<void> end_filling();
   Result<void> check_kind() const;
   Result<void> measure(StereoSight& sight);
+  // How the picture of a shape is seen in one frame. Of each of `measured_`, but for tags.
+  struct Portrayed {
+    cv::Mat1b pixels;
+    cv::Matx33d from_picture;             // about
+    std::optional<FacePlane> plane = {};  // where both images show it
+  };
   void look_from_front(StereoSight& sight, const SeenMark& seen);
+  std::optional<FrontView> front_of(const std::optional<FacePlane>& plane, const cv::Matx22d& to_image) const;
+  static std::optional<cv::Matx22d> registered(const LearnedSample& sample, const Portrayed& frame);
   std::vector<FrontView> fronts_by_outline(const LearnedSample& sample) const;
   Result<void> check_seen(std::size_t frames) const;
   Result<void> check_measured() const;
@@ -75,14 +83,7 @@ class MarkLearner {
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<FrontView> fronts_;        // of those that the right image showed too
-  // Of those that are shapes, what the picture is registered with.
-  struct Portrayed {
-    cv::Mat1b pixels;
-    cv::Matx33d from_picture;             // about
-    std::optional<FacePlane> plane = {};  // none before one camera
-  };
   std::vector<Portrayed> portrayed_;
-  bool portrays_first_ = false;  // of `measured_`
   camera::StereoModel model_ = {};
 };
 
