@@ -134,7 +134,7 @@ std::vector<PartLook> all_looks(const ImageCut& cut, const EdgeChains& edges, co
                                 const PlaneLens& lens) {
   std::vector<PartLook> out;
   for (const LearnedSample& sample : object.samples) {
-    // How a slim mark lies in its template is not kept.
+    // Parts are registered without the stretch that a slim mark has.
     if (sample.tag || sample.is_slim()) continue;
     for (const OutlineGuess& guess :
          outline_guesses(edges, sample.plane, sample.tone, sizes_of(sample, lens.focal_px), least_shown)) {

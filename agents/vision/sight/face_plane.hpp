@@ -44,11 +44,12 @@ struct FrontView {
   // Where the longer axis lies in the picture, degrees from right to down, more than 0 and at most 180.
   double axis_deg;
 };
-// `to_image`: from a picture of the mark whose second moments are those of a circle of radius 2, px.
+// `to_image`: px in the image for each standard deviation of the mark, from a picture in which that is the same in all
+// directions.
 FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const cv::Matx22d& to_image);
 // Of a face that is parallel to the image.
 FrontView view_as_seen(const cv::Matx22d& to_image, double mm_per_px);
-// By its second moments: from a picture that is not turned.
+// By its second moments, from a picture that is not turned against the image.
 cv::Matx22d to_image_of(const SeenMark& seen);
 
 }  // namespace pizarra::vision

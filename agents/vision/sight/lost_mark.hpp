@@ -1,7 +1,7 @@
 #pragma once
 
 // Where a tracked mark is that is not followed any more, or not yet: about where it is expected, in a shadow there, or
-// anywhere. What looks like it and stood elsewhere when it was seen last is another.
+// anywhere. A mark like it that stood elsewhere when it was seen last is another one, and is left out.
 //
 //   std::optional<SeenPair> now = find_lost(sight, track, objects, object, captured);
 //

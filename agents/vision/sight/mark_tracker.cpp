@@ -36,8 +36,7 @@ constexpr double largest_told_by_pose = 0.04;
 // Whether the centre told is where the pose puts the mark's middle; else it is the centroid of its picture. A triangle
 // that a pair learned aslant is stretched in its template, by a few percent any way: that moves its middle.
 bool tells_middle(const StereoSight& sight, const PlanePose& lies, const SeenPair& pair) {
-  if (pair.right && is_triangle(outline_of(pair.left.signature))) return false;
-  if (pair.right) return lies.by_both;
+  if (pair.right) return lies.by_both && !is_triangle(outline_of(pair.left.signature));
   return std::hypot(pair.left.width_px, pair.left.height_px) < largest_told_by_pose * sight.model().focal_px;
 }
 

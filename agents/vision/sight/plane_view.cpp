@@ -7,7 +7,7 @@
 namespace pizarra::vision {
 namespace {
 
-// Of what the outline said in the images it was learned from.
+// LEARN measures the stretch by the outline, to this standard deviation.
 constexpr double spread_of_learned_stretch = 0.004;
 
 // Else the slimness says how much a nearly round mark is stretched, but not along which of two axes.

@@ -74,8 +74,7 @@ void look_at_plane(StereoSight& sight, const LearnedObject& object, SeenPair& pa
 std::optional<std::string_view> why_none(const LearnedObject& object, const SeenPair& seen, double confidence) {
   if (confidence < least_confidence) {
     return "a mark is like it, but a part of it is hidden, or it is none: the ground around it, or its size, is "
-           "another "
-           "than a whole one's";
+           "another than a whole one's";
   }
   const bool is_shape = !seen.left.tag;
   if (is_shape && confidence < least_of_faint && is_faint(seen.left, object)) {

@@ -37,7 +37,7 @@ struct TrackedMark {
   bool missed = false;  // in the frame before this one
   Wholeness whole = {};
   FollowedPlane plane = {};
-  // Before one camera, where it has been told surely and its outline followed since (plane_view.hpp).
+  // Before one camera, where it has been told surely and its outline was seen there since (plane_view.hpp).
   std::optional<double> known_bend_px = {};
   NearestLook nearest = {};      // of a triangle before one camera
   double ground_doubt = 0;       // before a pair: as it was found, or since
