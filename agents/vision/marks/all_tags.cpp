@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "agents/vision/marks/tag_mark.hpp"
+#include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -13,13 +14,14 @@ struct ReadTag {
   double likeness;
 };
 
-void read_family(const cv::Mat1b& grey, const TagFamily& family, std::vector<ReadTag>& out) {
-  const TagDetection detection = detect_tags(grey, family);
+void read_family(const cv::Mat1b& grey, const TagFamily& family, std::span<const TagCorners> squares,
+                 std::vector<ReadTag>& out) {
+  const TagDetection detection = detect_all_tags(grey, family, squares);
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     const TagCorners& corners = detection.found[i];
     if (!has_a_border(grey, corners, family)) continue;
     const double likeness = tag_likeness(grey, corners, family, detection.numbers[i]);
-    if (likeness < least_tag_likeness) continue;
+    if (likeness < least_tag_likeness(family)) continue;
     std::optional<SeenMark> mark = whole_tag(grey, corners, family, detection.numbers[i]);
     if (mark) out.push_back({std::move(*mark), likeness});
   }
@@ -28,8 +30,9 @@ void read_family(const cv::Mat1b& grey, const TagFamily& family, std::vector<Rea
 }  // namespace
 
 std::vector<SeenMark> all_tags(const cv::Mat1b& grey, std::span<const TagFamily* const> families) {
+  const std::vector<TagCorners> squares = squares_at_levels(grey);
   std::vector<ReadTag> read;
-  for (const TagFamily* family : families) read_family(grey, *family, read);
+  for (const TagFamily* family : families) read_family(grey, *family, squares, read);
   std::ranges::stable_sort(read, std::greater<>(), &ReadTag::likeness);
   std::vector<SeenMark> out;
   for (ReadTag& tag : read) {

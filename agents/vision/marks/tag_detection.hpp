@@ -20,6 +20,8 @@ struct TagFamily {
   // Cells beyond the square, on each side. The square is the one whose corners are the tag's, and whose side is the
   // tag's side. Where there are such cells it is light within a dark line; else it is dark on light ground.
   int cells_around = 0;
+  // Any two of its tags differ in so many cells at least, where OpenCV does not say how many it may mend.
+  int cells_apart = 0;
 
   bool is_wide() const { return cells_around > 0; }
 };
@@ -49,7 +51,12 @@ struct TagDetection {
   std::vector<TagCorners> others;  // squares that no tag of the family fits; none of a wide family
 };
 
+// Whether a tag was read where the middle of these corners is.
+bool is_read(const TagDetection& detection, const TagCorners& corners);
+
 // `least_around`: how long a square's outline is at least, as a part of the image's longer side; not for wide ones.
 TagDetection detect_tags(const cv::Mat& grey, const TagFamily& family, double least_around = 0.03);
+// With those across which the edge of a shadow falls, among these squares too (squares_at_levels()).
+TagDetection detect_all_tags(const cv::Mat& grey, const TagFamily& family, std::span<const TagCorners> squares);
 
 }  // namespace pizarra::vision

@@ -1,7 +1,12 @@
 #include "agents/vision/marks/tag_fit.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "agents/vision/marks/tag_light.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -72,23 +77,60 @@ struct Print {
   cv::Mat1f along_y;
 };
 
-// A place shows the print a little beside it, as far as the corners are off: linear least squares (B. Lucas, T. Kanade,
-// An iterative image registration technique, IJCAI 1981).
-Unknowns fit(const Print& print, const cv::Mat1f& seen) {
-  cv::Matx<double, unknowns, unknowns> normal = cv::Matx<double, unknowns, unknowns>::zeros();
-  Unknowns right = Unknowns::all(0);
+// How far the image is from the print that these explain, place by place; nothing where the print says nothing.
+template <class Visit>
+void visit_left_over(const Print& print, const cv::Mat1f& seen, const Unknowns& found, const Visit& visit) {
   for (int y = margin_px; y < print.side - margin_px; ++y) {
     for (int x = margin_px; x < print.side - margin_px; ++x) {
       if (!print.tells(x, y)) continue;
       const Unknowns row = print.row(x, y);
-      for (int i = 0; i < unknowns; ++i) {
-        for (int j = 0; j < unknowns; ++j) normal(i, j) += row[i] * row[j];
-      }
-      right += row * static_cast<double>(seen(y, x));
+      visit(row, seen(y, x), seen(y, x) - row.dot(found));
     }
   }
+}
+
+// By linear least squares, each place weighed by how far it is from what was found before: Tukey's biweight.
+Unknowns solved(const Print& print, const cv::Mat1f& seen, const Unknowns& before, double too_far) {
+  cv::Matx<double, unknowns, unknowns> normal = cv::Matx<double, unknowns, unknowns>::zeros();
+  Unknowns right = Unknowns::all(0);
+  visit_left_over(print, seen, before, [&](const Unknowns& row, double level, double off) {
+    const double share = std::min(1.0, std::abs(off / too_far));
+    const double weight = (1 - share * share) * (1 - share * share);
+    for (int i = 0; i < unknowns; ++i) {
+      for (int j = 0; j < unknowns; ++j) normal(i, j) += weight * row[i] * row[j];
+    }
+    right += row * (weight * level);
+  });
   for (int i = 2; i < unknowns; ++i) normal(i, i) += hold * print.side * print.side;
   return normal.solve(right, cv::DECOMP_CHOLESKY);
+}
+
+double typical_left_over(const Print& print, const cv::Mat1f& seen, const Unknowns& found) {
+  std::vector<double> out;
+  visit_left_over(print, seen, found, [&](const Unknowns&, double, double off) { out.push_back(std::abs(off)); });
+  const auto middle = out.begin() + static_cast<std::ptrdiff_t>(out.size() / 2);
+  std::ranges::nth_element(out, middle);
+  return *middle;
+}
+
+// A place shows the print a little beside it, as far as the corners are off (B. Lucas, T. Kanade, An iterative image
+// registration technique, IJCAI 1981). What is there besides, a shadow's edge or a cover, counts less with each step.
+Unknowns fit(const Print& print, const cv::Mat1f& seen) {
+  constexpr int steps = 2;
+  constexpr double biweight = 4.685;
+  constexpr double deviations_of_median = 1.4826;
+  constexpr double least_left_over = 1.0 / 255;
+  Unknowns out = solved(print, seen, Unknowns::all(0), std::numeric_limits<double>::infinity());
+  for (int i = 0; i < steps; ++i) {
+    const double spread = deviations_of_median * typical_left_over(print, seen, out);
+    out = solved(print, seen, out, biweight * std::max(least_left_over, spread));
+  }
+  return out;
+}
+
+// What the print does not explain, as a part of its contrast.
+double left_over(const Print& print, const cv::Mat1f& seen, const Unknowns& found) {
+  return typical_left_over(print, seen, found) / std::abs(found[1]);
 }
 
 cv::Point2d mapped(const cv::Matx33d& by, cv::Point2d p) {
@@ -96,41 +138,63 @@ cv::Point2d mapped(const cv::Matx33d& by, cv::Point2d p) {
   return {to[0] / to[2], to[1] / to[2]};
 }
 
-struct Fitted {
+// A tag's print and its picture, made square by the corners.
+struct Placed {
+  Placed(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number)
+      : cells(print_of(family, number)),
+        print(cells, family.cells_around),
+        to_image(cv::getPerspectiveTransform(print.corners().data(), corners.data())) {
+    cv::warpPerspective(grey, picture, to_image, print.light.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                        cv::BORDER_REPLICATE);
+  }
+
+  cv::Mat1b cells;
   Print print;
   cv::Matx33d to_image;
-  Unknowns found;
-
-  // How far a corner is off, in the print.
-  cv::Point2d off(int corner) const { return cv::Point2d(found[2 + 2 * corner], found[3 + 2 * corner]) / found[1]; }
+  cv::Mat picture;
 };
 
-Fitted fitted(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
-  Print print(print_of(family, number), family.cells_around);
-  const cv::Matx33d to_image = cv::getPerspectiveTransform(print.corners().data(), corners.data());
-  cv::Mat seen;
-  cv::warpPerspective(grey, seen, to_image, print.light.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                      cv::BORDER_REPLICATE);
-  const Unknowns found = fit(print, blurred(seen));
-  return {std::move(print), to_image, found};
+// With everything that is there, for what it is.
+Unknowns fitted_at_once(const Placed& tag) {
+  return solved(tag.print, blurred(tag.picture), Unknowns::all(0), std::numeric_limits<double>::infinity());
+}
+
+// As it is or with the light divided out, whichever the print explains better.
+Unknowns fitted(const Placed& tag) {
+  const cv::Mat1f as_it_is = blurred(tag.picture);
+  const cv::Mat1f even = blurred(evenly_lit(tag.picture, tag.cells));
+  const Unknowns found = fit(tag.print, as_it_is);
+  const Unknowns found_even = fit(tag.print, even);
+  return left_over(tag.print, as_it_is, found) <= left_over(tag.print, even, found_even) ? found : found_even;
+}
+
+// How far a corner is off, in the print.
+cv::Point2d corner_off(const Unknowns& found, int corner) {
+  return cv::Point2d(found[2 + 2 * corner], found[3 + 2 * corner]) / found[1];
+}
+
+double middle_off_px(const Placed& tag, const Unknowns& found) {
+  cv::Point2d moved;
+  for (int i = 0; i < 4; ++i) moved += corner_off(found, i) / 4;
+  const cv::Point2d middle(tag.print.side / 2.0 - 0.5, tag.print.side / 2.0 - 0.5);
+  return cv::norm(mapped(tag.to_image, middle) - mapped(tag.to_image, middle - moved));
 }
 
 }  // namespace
 
 double middle_off_px(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
-  const Fitted fit = fitted(grey, corners, family, number);
-  cv::Point2d moved;
-  for (int i = 0; i < 4; ++i) moved += fit.off(i) / 4;
-  const cv::Point2d middle(fit.print.side / 2.0 - 0.5, fit.print.side / 2.0 - 0.5);
-  return cv::norm(mapped(fit.to_image, middle) - mapped(fit.to_image, middle - moved));
+  const Placed tag(grey, corners, family, number);
+  const double at_once = middle_off_px(tag, fitted_at_once(tag));
+  return at_once < hardly_off_px ? at_once : middle_off_px(tag, fitted(tag));
 }
 
 TagCorners fitted_corners(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
-  const Fitted fit = fitted(grey, corners, family, number);
+  const Placed tag(grey, corners, family, number);
+  const Unknowns found = fitted(tag);
   TagCorners out;
   for (int i = 0; i < 4; ++i) {
-    const cv::Point2d corner(fit.print.corners()[static_cast<std::size_t>(i)]);
-    out.emplace_back(mapped(fit.to_image, corner - fit.off(i)));
+    const cv::Point2d corner(tag.print.corners()[static_cast<std::size_t>(i)]);
+    out.emplace_back(mapped(tag.to_image, corner - corner_off(found, i)));
   }
   return out;
 }

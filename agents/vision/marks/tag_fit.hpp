@@ -13,6 +13,9 @@ namespace pizarra::vision {
 // order: as it is to some 15 %, up to half a cell. The corners begin with the tag's own upper left one, clockwise.
 double middle_off_px(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number);
 
+// So little that it does not matter where it comes from.
+inline constexpr double hardly_off_px = 0.25;
+
 // The corners where the edges of its cells put them, to first order.
 TagCorners fitted_corners(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number);
 

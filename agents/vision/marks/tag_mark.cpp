@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/tag_fit.hpp"
+#include "agents/vision/marks/tag_light.hpp"
 #include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra::vision {
@@ -104,6 +105,12 @@ SeenMark mark_of(const cv::Mat& grey, const TagCorners& corners, Tag tag) {
 
 }  // namespace
 
+double least_tag_likeness(const TagFamily& family) {
+  constexpr int cells_to_be_sure = 4;
+  const bool is_sure = !family.is_wide() && dictionary_of(family)->maxCorrectionBits >= cells_to_be_sure;
+  return is_sure ? 0.6 : 0.74;
+}
+
 double side_px(const TagCorners& corners) { return cv::arcLength(corners, true) / 4; }
 
 bool has_a_border(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family) {
@@ -126,14 +133,18 @@ std::optional<SeenMark> whole_tag(const cv::Mat1b& grey, const TagCorners& corne
 
 double tag_likeness(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
   constexpr int cell_px = 4;
+  const cv::Mat1b cells = print_of(family, number);
   cv::Mat1b print;
-  cv::resize(print_of(family, number), print, {}, cell_px, cell_px, cv::INTER_NEAREST);
+  cv::resize(cells, print, {}, cell_px, cell_px, cv::INTER_NEAREST);
   const cv::Mat1b seen = squared(grey, corners, print.cols, family.cells_around * cell_px);
   cv::Mat1b printed = print != unprinted;
   if (cv::countNonZero(printed) == static_cast<int>(printed.total())) printed.release();
-  cv::Mat1f like;
-  cv::matchTemplate(seen, print, like, cv::TM_CCOEFF_NORMED, printed);
-  return like(0, 0);
+  const auto likeness = [&](const cv::Mat1b& picture) {
+    cv::Mat1f like;
+    cv::matchTemplate(picture, print, like, cv::TM_CCOEFF_NORMED, printed);
+    return static_cast<double>(like(0, 0));
+  };
+  return std::max(likeness(seen), likeness(evenly_lit(seen, cells)));
 }
 
 }  // namespace pizarra::vision

@@ -12,9 +12,10 @@
 
 namespace pizarra::vision {
 
-// With less in common with its print a square is none: of a tag whose cells are two pixels wide another family may read
-// a tag of its own, 0.5 to 0.74 like that; a blurred one that can be found is 0.74 to 0.8 like its print.
-inline constexpr double least_tag_likeness = 0.74;
+// With less in common with its print a square is none. Of a tag whose cells are two pixels wide another family may read
+// a tag of its own, 0.5 to 0.74 like that. A blurred one that can be found is 0.74 to 0.8 like its print. Where four
+// cells may be mended hardly anything else spells a tag, and 0.6 is enough: motion by a cell leaves that.
+double least_tag_likeness(const TagFamily& family);
 
 // The mean of its four sides.
 double side_px(const TagCorners& corners);

@@ -1,19 +1,18 @@
 #include "agents/vision/marks/tag_reading.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "agents/vision/marks/tag_fit.hpp"
 #include "agents/vision/marks/tag_mark.hpp"
+#include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra::vision {
 namespace {
 
 constexpr double least_cell_px = 2;
-// A corner is refined within about one cell around it: corners farther away belong to other cells.
-constexpr int least_within_px = 2;
-constexpr int most_within_px = 5;
 // This share of the border's cells may look light.
 constexpr double most_light_share = 0.1;
 // How often the print is fitted.
@@ -66,6 +65,35 @@ cv::Vec3d light_plane(const cv::Mat1f& levels, int from_edge) {
   return normal.solve(right, cv::DECOMP_CHOLESKY);
 }
 
+// One level of grey, half-way between the lightest of the border and the darkest of the ground around it.
+cv::Vec3d level_between(const cv::Mat1f& levels) {
+  float lightest = 0;
+  float darkest = 255;
+  visit_ring(levels, 1, [&](cv::Point cell) { lightest = std::max(lightest, levels(cell)); });
+  visit_ring(levels, 0, [&](cv::Point cell) { darkest = std::min(darkest, levels(cell)); });
+  return {(lightest + darkest) / 2, 0, 0};
+}
+
+bool is_light(const cv::Mat1f& levels, cv::Point cell, const cv::Vec3d& between) {
+  return levels(cell) > between.dot(row_at(cell));
+}
+
+// How many cells of the border look light, and of the ground dark.
+int wrong_around(const cv::Mat1f& levels, const cv::Vec3d& between) {
+  int out = 0;
+  visit_ring(levels, 1, [&](cv::Point cell) { out += is_light(levels, cell, between) ? 1 : 0; });
+  visit_ring(levels, 0, [&](cv::Point cell) { out += is_light(levels, cell, between) ? 0 : 1; });
+  return out;
+}
+
+// What splits light from dark: the plane half-way between both. Where the edge of a shadow makes either none, one
+// level.
+cv::Vec3d light_from_dark(const cv::Mat1f& levels) {
+  const cv::Vec3d plane = (light_plane(levels, 0) + light_plane(levels, 1)) / 2;
+  const cv::Vec3d level = level_between(levels);
+  return wrong_around(levels, level) < wrong_around(levels, plane) ? level : plane;
+}
+
 struct Reading {
   int number = 0;
   TagCorners corners = {};
@@ -76,14 +104,13 @@ struct Reading {
 std::optional<Reading> read_at(const cv::Mat1b& grey, TagCorners corners, cv::aruco::Dictionary& dictionary) {
   const int across = dictionary.markerSize;
   const cv::Mat1f levels = levels_of(grey, corners, across + 2);
-  const cv::Vec3d between = (light_plane(levels, 0) + light_plane(levels, 1)) / 2;
-  const auto is_light = [&](cv::Point cell) { return levels(cell) > between.dot(row_at(cell)); };
+  const cv::Vec3d between = light_from_dark(levels);
   int light = 0;
-  visit_ring(levels, 1, [&](cv::Point cell) { light += is_light(cell) ? 1 : 0; });
+  visit_ring(levels, 1, [&](cv::Point cell) { light += is_light(levels, cell, between) ? 1 : 0; });
   if (light > most_light_share * 4 * (across + 1)) return std::nullopt;
   cv::Mat1b cells(across, across);
   for (int y = 0; y < across; ++y) {
-    for (int x = 0; x < across; ++x) cells(y, x) = is_light({x + 2, y + 2}) ? 1 : 0;
+    for (int x = 0; x < across; ++x) cells(y, x) = is_light(levels, {x + 2, y + 2}, between) ? 1 : 0;
   }
   Reading out;
   int quarter_turns = 0;
@@ -104,7 +131,7 @@ void fit(const cv::Mat1b& grey, const TagFamily& family, Reading read, std::opti
     if (!is_within(read.corners, grey)) return;
     if (has_a_border(grey, read.corners, family)) {
       read.likeness = tag_likeness(grey, read.corners, family, read.number);
-      if (read.likeness > (best ? best->likeness : least_tag_likeness)) best = read;
+      if (read.likeness > (best ? best->likeness : least_tag_likeness(family))) best = read;
     }
     if (fits == most_fits) return;
     read.corners = fitted_corners(grey, read.corners, family, read.number);
@@ -113,35 +140,40 @@ void fit(const cv::Mat1b& grey, const TagFamily& family, Reading read, std::opti
 
 std::optional<Reading> best_reading(const cv::Mat1b& grey, const TagCorners& square, const TagFamily& family) {
   const cv::Ptr<cv::aruco::Dictionary> dictionary = dictionary_of(family);
-  const double cell_px = side_px(square) / (dictionary->markerSize + 2);
-  if (cell_px < least_cell_px) return std::nullopt;
-  const int within = std::clamp(cvRound(cell_px), least_within_px, most_within_px);
-  TagCorners refined = square;
-  cv::cornerSubPix(grey, refined, {within, within}, {-1, -1}, refined_until);
+  const int cells = dictionary->markerSize + 2;
+  if (side_px(square) / cells < least_cell_px) return std::nullopt;
   std::optional<Reading> best;
-  for (const TagCorners& corners : {square, refined}) {
+  for (const TagCorners& corners : {square, refined(grey, square, cells)}) {
     std::optional<Reading> read = read_at(grey, corners, *dictionary);
     if (read) fit(grey, family, std::move(*read), best);
   }
   return best;
 }
 
-bool is_found(const TagDetection& detection, const TagCorners& corners) {
-  const cv::Point2f middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-  return std::ranges::any_of(detection.found,
-                             [&](const TagCorners& other) { return cv::pointPolygonTest(other, middle, false) >= 0; });
-}
-
 }  // namespace
 
 void read_again(const cv::Mat1b& grey, const TagFamily& family, TagDetection& detection) {
+  std::vector<Reading> readings;
   std::erase_if(detection.others, [&](const TagCorners& square) {
     std::optional<Reading> read = best_reading(grey, square, family);
-    if (!read || is_found(detection, read->corners)) return false;
-    detection.found.push_back(std::move(read->corners));
-    detection.numbers.push_back(read->number);
-    return true;
+    if (read) readings.push_back(std::move(*read));
+    return read.has_value();
   });
+  std::ranges::stable_sort(readings, std::greater<>(), &Reading::likeness);
+  for (Reading& read : readings) {
+    if (is_read(detection, read.corners)) continue;
+    detection.found.push_back(std::move(read.corners));
+    detection.numbers.push_back(read.number);
+  }
+}
+
+void fit_again(const cv::Mat1b& grey, const TagFamily& family, TagDetection& detection) {
+  for (std::size_t i = 0; i < detection.found.size(); ++i) {
+    if (middle_off_px(grey, detection.found[i], family, detection.numbers[i]) < hardly_off_px) continue;
+    std::optional<Reading> best;
+    fit(grey, family, {detection.numbers[i], detection.found[i], 0}, best);
+    if (best) detection.found[i] = std::move(best->corners);
+  }
 }
 
 }  // namespace pizarra::vision

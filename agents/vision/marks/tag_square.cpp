@@ -12,27 +12,31 @@ using Corners = std::vector<cv::Point2f>;
 
 // Smaller ones can hardly be read.
 constexpr double least_side_px = 8;
-// How far a side may be off a straight line, as a part of the circumference; as much as for OpenCV's detector, and so
-// is how far around them the corners are refined.
+// How far a side may be off a straight line, as a part of the circumference; as much as for OpenCV's detector.
 constexpr double straightness = 0.03;
-const cv::Size refined_within(5, 5);
+constexpr int least_refined_px = 2;
+constexpr int most_refined_px = 5;
 
-std::vector<Corners> dark_squares(const cv::Mat1b& grey) {
-  cv::Mat1b dark;
-  cv::threshold(grey, dark, 0, 255, cv::THRESH_BINARY_INV | cv::THRESH_OTSU);
+std::vector<Corners> squares_of(const cv::Mat1b& dark, cv::RetrievalModes which) {
   std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(dark, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::findContours(dark, contours, which, cv::CHAIN_APPROX_NONE);
   std::vector<Corners> out;
   for (const std::vector<cv::Point>& contour : contours) {
     const auto around = static_cast<double>(contour.size());
     if (around < 4 * least_side_px) continue;
     std::vector<cv::Point> corners;
     cv::approxPolyDP(contour, corners, straightness * around, true);
-    if (corners.size() != 4 || !cv::isContourConvex(corners)) continue;
-    out.emplace_back(corners.begin(), corners.end());
-    if (cv::contourArea(out.back(), true) < 0) std::ranges::reverse(out.back());
+    const bool is_hole = cv::contourArea(corners, true) > 0;
+    if (corners.size() != 4 || is_hole || !cv::isContourConvex(corners)) continue;
+    out.emplace_back(corners.rbegin(), corners.rend());
   }
   return out;
+}
+
+std::vector<Corners> dark_squares(const cv::Mat1b& grey) {
+  cv::Mat1b dark;
+  cv::threshold(grey, dark, 0, 255, cv::THRESH_BINARY_INV | cv::THRESH_OTSU);
+  return squares_of(dark, cv::RETR_EXTERNAL);
 }
 
 // One where a cell is light.
@@ -46,13 +50,33 @@ cv::Mat1b cells_of(const cv::Mat1b& grey, const Corners& corners, int cells) {
 
 }  // namespace
 
+Corners refined(const cv::Mat1b& grey, Corners corners, int cells) {
+  double shortest = cv::norm(corners.front() - corners.back());
+  for (std::size_t i = 1; i < corners.size(); ++i) shortest = std::min(shortest, cv::norm(corners[i] - corners[i - 1]));
+  const int within = std::clamp(cvRound(shortest / cells), least_refined_px, most_refined_px);
+  cv::cornerSubPix(grey, corners, {within, within}, {-1, -1}, refined_until);
+  return corners;
+}
+
+std::vector<Corners> squares_at_levels(const cv::Mat1b& grey) {
+  constexpr double least_level = 16;
+  constexpr double most_level = 220;
+  constexpr double apart = 1.25;
+  std::vector<Corners> out;
+  for (double level = least_level; level < most_level; level *= apart) {
+    const cv::Mat1b dark = grey < level;
+    for (Corners& corners : squares_of(dark, cv::RETR_LIST)) out.push_back(std::move(corners));
+  }
+  return out;
+}
+
 std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& area,
                                         const cv::aruco::Dictionary& dictionary) {
   const int across = dictionary.markerSize;
   std::vector<TagSquare> out;
   for (Corners& corners : dark_squares(grey(area))) {
     for (cv::Point2f& corner : corners) corner += cv::Point2f(area.tl());
-    cv::cornerSubPix(grey, corners, refined_within, {-1, -1}, refined_until);
+    corners = refined(grey, std::move(corners), across + 2);
     const cv::Mat1b cells = cells_of(grey, corners, across + 2);
     const cv::Mat1b inner = cells(cv::Rect(1, 1, across, across)).clone();
     const bool dark_border = cv::countNonZero(cells) == cv::countNonZero(inner);

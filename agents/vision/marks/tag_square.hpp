@@ -20,6 +20,14 @@ struct TagSquare {
 std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& area,
                                         const cv::aruco::Dictionary& dictionary);
 
+// A square's corners to a fraction of a pixel, from within about one cell around each, of so many along a side with the
+// border: corners farther away are those of other cells.
+std::vector<cv::Point2f> refined(const cv::Mat1b& grey, std::vector<cv::Point2f> corners, int cells);
+
+// Dark squares at any of many levels: where the edge of a shadow crosses a tag, there is a level between its paper in
+// the shadow and its print beside it.
+std::vector<std::vector<cv::Point2f>> squares_at_levels(const cv::Mat1b& grey);
+
 // The image between the corners and around them, as a square so many pixels wide: the corners are `around_px` within
 // it.
 cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px, int around_px = 0);

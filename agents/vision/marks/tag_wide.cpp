@@ -94,7 +94,7 @@ TagDetection detect_wide_tags(const cv::Mat1b& grey, const TagFamily& family) {
   for (std::size_t i = 0; i < read.found.size(); ++i) {
     TagCorners& corners = read.found[i];
     const bool is_tag = has_a_border(grey, corners, family) &&
-                        tag_likeness(grey, corners, family, read.numbers[i]) >= least_tag_likeness;
+                        tag_likeness(grey, corners, family, read.numbers[i]) >= least_tag_likeness(family);
     if (!is_tag) continue;
     out.numbers.push_back(read.numbers[i]);
     out.found.push_back(std::move(corners));

@@ -102,7 +102,7 @@ std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d 
       move_by(corners, area.tl());
       if (!is_around(corners, point, family.is_wide()) || !has_a_border(grey, corners, family)) continue;
       const double like = tag_likeness(grey, corners, family, detection.numbers[i]);
-      if (like <= (best ? best->likeness : least_tag_likeness)) continue;
+      if (like <= (best ? best->likeness : least_tag_likeness(family))) continue;
       best = Reading{&family, detection.numbers[i], std::move(corners), like};
     }
   }
@@ -168,7 +168,8 @@ TagDetection squares_in(const cv::Mat& grey, const TagFamily& family, cv::Rect a
   if (family.is_wide()) area = with_wide_margin(area);
   const cv::Rect looked_at = area.empty() ? whole : area & whole;
   if (looked_at.empty()) return {};
-  TagDetection out = detect_tags(grey(looked_at), family);
+  const cv::Mat pixels = grey(looked_at);
+  TagDetection out = detect_all_tags(pixels, family, squares_at_levels(pixels));
   for (auto* squares : {&out.found, &out.others}) {
     for (Corners& corners : *squares) move_by(corners, looked_at.tl());
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "agents/vision/sight/mark_pose.hpp"
 #include "agents/vision/sight/tags_in_view.hpp"
 #include "tests/bench/vision/scene.hpp"
+#include "tests/campaign.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -73,13 +75,42 @@ TEST(AllTags, WhatTwoFamiliesReadIsToldOnce) {
       << "the larger dictionary begins with the smaller";
 }
 
+struct Look {
+  double side_px = 24;
+  double motion_px = 0;  // any way
+  double in_shadow = 1;  // how much of the light is left on one side of a line through the tag
+  std::string family = "apriltag-36h11";
+};
+
+struct Shown {
+  cv::Mat1b image;
+  Tag tag;
+  cv::Point2d middle;
+};
+
+cv::Mat1f moved_by(const cv::Mat1f& image, double px, Random& random) {
+  const double way = random.uniform(0, 3.14);
+  const int half = cvCeil(px / 2);
+  cv::Mat1f along = cv::Mat1f::zeros(2 * half + 1, 2 * half + 1);
+  const cv::Point2d step(std::cos(way) * px / 2, std::sin(way) * px / 2);
+  const cv::Point middle(half, half);
+  cv::line(along, middle - cv::Point(step), middle + cv::Point(step), 1);
+  cv::Mat1f out;
+  cv::filter2D(image, out, -1, along / cv::sum(along)[0], {-1, -1}, 0, cv::BORDER_REPLICATE);
+  return out;
+}
+
 // Somewhere between pixels, turned, as a lens shows it.
-cv::Mat1b seen_somewhere(const Tag& tag, double side_px, Random& random) {
+Shown seen_somewhere(const Look& look, int number, Random& random) {
   constexpr int finer = 6;
+  const Tag tag{look.family, number};
   const cv::Mat1b dark = dark_cells(tag);
-  const double cell = side_px / dark.cols;
+  const double cell = look.side_px / dark.cols;
   const double turn = random.uniform(0, 6.28);
   const cv::Point2d middle(80 + random.uniform(-2, 2), 60 + random.uniform(-2, 2));
+  const double shadow_turn = random.uniform(0, 6.28);
+  const cv::Point2d into_shadow(std::cos(shadow_turn), std::sin(shadow_turn));
+  const double edge = random.uniform(-0.4, 0.4) * look.side_px;
   cv::Mat1f fine(120 * finer, 160 * finer);
   for (int y = 0; y < fine.rows; ++y) {
     for (int x = 0; x < fine.cols; ++x) {
@@ -88,34 +119,73 @@ cv::Mat1b seen_somewhere(const Tag& tag, double side_px, Random& random) {
                            at.y * std::cos(turn) - at.x * std::sin(turn));
       const cv::Point cells(cvFloor(on.x / cell + dark.cols / 2.0), cvFloor(on.y / cell + dark.rows / 2.0));
       const bool is_dark = cv::Rect({0, 0}, dark.size()).contains(cells) && dark(cells) != 0;
-      fine(y, x) = is_dark ? 30.F : 190.F;
+      const double light = at.dot(into_shadow) > edge ? look.in_shadow : 1;
+      fine(y, x) = static_cast<float>(light * (is_dark ? 30 : 190));
     }
   }
   cv::Mat1f image;
   cv::resize(fine, image, {160, 120}, 0, 0, cv::INTER_AREA);
   cv::GaussianBlur(image, image, {}, 0.7);
+  if (look.motion_px > 0) image = moved_by(image, look.motion_px, random);
   for (float& level : image) level += static_cast<float>(random.uniform(-3, 3));
-  cv::Mat1b out;
-  image.convertTo(out, CV_8U);
+  Shown out{.image = {}, .tag = tag, .middle = middle};
+  image.convertTo(out.image, CV_8U);
   return out;
 }
 
-// As a tag of 40 mm looks a metre away, its cells three pixels wide.
-TEST(AllTags, AreReadFarAway) {
-  constexpr int looks = 60;
-  constexpr double side_px = 24;
-  const TagFamily* const one[] = {&family("36h11")};
-  Random random(4);
-  int read = 0;
-  for (int i = 0; i < looks; ++i) {
-    const Tag tag{"apriltag-36h11", 7 * i};
-    const std::vector<SeenMark> seen = all_tags(seen_somewhere(tag, side_px, random), one);
-    ASSERT_LE(seen.size(), 1U);
-    if (seen.empty()) continue;
-    EXPECT_EQ(seen[0].tag, tag) << "no other number is read";
-    ++read;
+// How many of the looks show a tag, none another one than is there; and how far off the middles are, px.
+struct Read {
+  int looks = 0;
+  std::vector<double> off_px = {};
+
+  double share() const { return static_cast<double>(off_px.size()) / looks; }
+  double rms_px() const {
+    return std::sqrt(std::inner_product(off_px.begin(), off_px.end(), off_px.begin(), 0.0) /
+                     std::max<double>(1, static_cast<double>(off_px.size())));
   }
-  EXPECT_GE(read, looks * 29 / 30);
+};
+
+Read read_somewhere(const Look& look, std::uint64_t seed) {
+  const TagFamily& family = *family_called(look.family);
+  const TagFamily* const one[] = {&family};
+  Random random(seed);
+  Read out{.looks = campaign(60, 1000)};
+  for (int i = 0; i < out.looks; ++i) {
+    const Shown shown = seen_somewhere(look, 7 * i % tags_of(family), random);
+    const std::vector<SeenMark> seen = all_tags(shown.image, one);
+    EXPECT_LE(seen.size(), 1U);
+    if (seen.empty()) continue;
+    EXPECT_EQ(seen[0].tag, shown.tag) << "no other number is read";
+    out.off_px.push_back(cv::norm(seen[0].centre - shown.middle));
+  }
+  return out;
+}
+
+// As tags of 40 mm look a metre away, their cells three or four pixels wide.
+TEST(AllTags, AreReadFarAwayToATenthOfAPixel) {
+  for (const char* family : {"apriltag-36h11", "aruco-4x4-50"}) {
+    const Read read = read_somewhere({.side_px = 24, .family = family}, 4);
+    EXPECT_GE(read.share(), 29.0 / 30) << family;
+    EXPECT_LT(read.rms_px(), 0.1) << family;
+  }
+}
+
+TEST(AllTags, AreReadWhereTheEdgeOfAShadowCrossesThem) {
+  for (const char* family : {"apriltag-36h11", "aruco-4x4-50"}) {
+    for (const double left : {0.3, 0.45, 0.6}) {
+      const Read read = read_somewhere({.side_px = 50, .in_shadow = left, .family = family}, 5);
+      EXPECT_GE(read.share(), 29.0 / 30) << family << ", " << left;
+      EXPECT_LT(read.rms_px(), 0.4) << family << ", " << left;
+    }
+  }
+}
+
+TEST(AllTags, AreReadInMotionByACell) {
+  for (const char* family : {"apriltag-36h11", "aruco-4x4-50"}) {
+    const Read read = read_somewhere({.side_px = 52, .motion_px = 6.5, .family = family}, 6);
+    EXPECT_GE(read.share(), 29.0 / 30) << family;
+    EXPECT_LT(read.rms_px(), 0.3) << family;
+  }
 }
 
 TEST(TagText, ATagIsAFamilyAndANumber) {
