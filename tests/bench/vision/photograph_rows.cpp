@@ -124,14 +124,30 @@ std::vector<Peer> peers_in(const ByWho& told, const std::function<double(const T
 double median_px(const Told& told) { return percentile(told.off_px, 0.5); }
 double most_px(const Told& told) { return percentile(told.off_px, 0.95); }
 
+std::string described(const Told& told) {
+  return fmt::format(
+      "{} marks; centre off {:.2f} px in the median, {:.2f} at 95 %; {:.0f} % of them surely, {} of these "
+      "over a pixel off; {} wrong",
+      told.shown, median_px(told), most_px(told), told.sure_percent(), told.sure_far_off, told.wrong);
+}
+
 void say_whole(Figures& figures, const std::string& condition, const ByWho& told, double least_recall) {
   const Told& ours = told.at(our_shapes);
-  figures.say(
-      {condition + ", recall", ours.recall_percent(), "%", at_least(least_recall),
-       peers_in(told, [](const Told& t) { return t.recall_percent(); }),
-       fmt::format("{} marks; centre off {:.2f} px in the median, {:.2f} at 95 %; {:.0f} % of them surely, {} of "
-                   "these over a pixel off; {} wrong",
-                   ours.shown, median_px(ours), most_px(ours), ours.sure_percent(), ours.sure_far_off, ours.wrong)});
+  figures.say({condition + ", recall", ours.recall_percent(), "%", at_least(least_recall),
+               peers_in(told, [](const Told& t) { return t.recall_percent(); }), described(ours)});
+}
+
+// Ours among the peers'.
+void say_tags(Figures& figures, const std::string& condition, const ByWho& told) {
+  for (const auto& [kind, peer] : peer_of) {
+    const Told& ours = told.at("our " + kind);
+    figures.say({fmt::format("{}, tags {}, recall", condition, kind),
+                 ours.recall_percent(),
+                 "%",
+                 at_least(98),
+                 {{peer, told.at(peer).recall_percent()}},
+                 described(ours)});
+  }
 }
 
 void say_all(Figures& figures, const ByCondition& by_condition) {
@@ -172,7 +188,10 @@ void say_unlearned(Figures& figures, const std::string& condition, const Told& t
 }
 
 void say_condition(Figures& figures, const std::string& condition, const ByWho& told) {
-  if (!not_whole.contains(condition)) return say_whole(figures, "photographs, " + condition, told, 98);
+  if (!not_whole.contains(condition)) {
+    say_whole(figures, "photographs, " + condition, told, 98);
+    return say_tags(figures, "photographs, " + condition, told);
+  }
   const Told& ours = told.at(our_shapes);
   if (condition == "quarter-covered") say_covered(figures, condition, ours, 0.5, 98);
   if (condition == "half-covered") say_covered(figures, condition, ours, 1.5, 90);
