@@ -1,9 +1,9 @@
 #pragma once
 
-// The squares of tags where one is known to be about: by one threshold for all that is looked at, which is enough for a
-// small area in even light, in a fraction of the time of OpenCV's detector, which sees more.
+// Dark squares that may be tags, their corners, and their pictures.
 //
 //   for (const TagSquare& square : tags_at_a_glance(grey, area, *dictionary)) square.number;
+//   for (const TagCorners& corners : squares_at_levels(grey)) ...          // in any light, whatever they are
 
 #include <opencv2/aruco.hpp>
 #include <opencv2/core.hpp>
@@ -16,7 +16,8 @@ struct TagSquare {
   std::vector<cv::Point2f> corners;  // clockwise from the tag's own upper left one
 };
 
-// `area`: within the image.
+// Where a tag is known to be about, an area within the image: by one threshold for all of it. In even light that is
+// enough, in a fraction of the time of OpenCV's detector, which sees more.
 std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& area,
                                         const cv::aruco::Dictionary& dictionary);
 

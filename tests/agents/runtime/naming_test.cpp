@@ -136,8 +136,7 @@ TEST_P(NamingTest, AServerOfSeveralObjectsShutsDownInOrder) {
   EXPECT_EQ(symbol_of(server->run(server->naming.unbind_all())), "ok");
   EXPECT_TRUE(others_of(client->run(client->naming.find("robot"))).empty());
   EXPECT_EQ(symbol_of(server->run(server->service.leave(5s))), "ok");
-  wall->pass(20ms);
-  ASSERT_TRUE(answer.has_value());
+  ASSERT_TRUE(wall->comes([&] { return answer.has_value(); }));
   EXPECT_TRUE(answer->has_value());
   server.reset();
   // Its name is free at once, long before a lease would lapse.
