@@ -33,6 +33,18 @@ Said run(const std::vector<std::string>& words) {
   return said;
 }
 
+pid_t fork_asleep() {
+  const pid_t forked = fork();
+  if (forked != 0) return forked;
+  pause();
+  _exit(0);
+}
+
+void kill_and_wait(pid_t process) {
+  EXPECT_EQ(kill(process, SIGKILL), 0);
+  EXPECT_EQ(waitpid(process, nullptr, 0), process);
+}
+
 // Python is there wherever the tests are. Each probe prints one number.
 constexpr const char* server = R"(
 import socket,sys,threading
@@ -122,12 +134,14 @@ TEST_P(Links, EndEverythingOnAHostWithoutPower) {
   EXPECT_EQ(probe("arm-pc", comes_through), 0);
 }
 
-// No process has such a number. Another test beside this one may be the next.
+// Once its owner is dead, another test beside this one may be the next.
 TEST_P(Links, TakeTheHostsAwayThatAKilledTestLeft) {
-  const std::string left = fmt::format("pz2147483647-{}", getpid());
-  ASSERT_EQ(run({"ip", "netns", "add", left}).status, 0);
+  const pid_t owner = fork_asleep();
+  const std::string left = fmt::format("pz{}-left", owner);
+  EXPECT_EQ(run({"ip", "netns", "add", left}).status, 0);
   FILE* asleep = popen(("exec ip netns exec " + left + " sh -c 'echo on; exec sleep 300' 2>&1").c_str(), "r");
   EXPECT_NE(std::fgetc(asleep), EOF);
+  kill_and_wait(owner);
   const Network next("next", {"arm-pc"}, GetParam());
   EXPECT_FALSE(run({"ip", "netns", "list"}).text.contains(left));
   EXPECT_NE(pclose(asleep), 0) << "it was not killed";
@@ -149,14 +163,9 @@ TEST_P(Links, AreSlowLossyNarrowOrOneWay) {
 }
 
 TEST_P(Links, AreTakenDownThoughAProcessForkedMeanwhileLivesOn) {
-  const pid_t forked = fork();
-  if (forked == 0) {
-    pause();
-    _exit(0);
-  }
+  const pid_t forked = fork_asleep();
   network_.reset();
-  EXPECT_EQ(kill(forked, SIGKILL), 0);
-  EXPECT_EQ(waitpid(forked, nullptr, 0), forked);
+  kill_and_wait(forked);
 }
 
 INSTANTIATE_TEST_SUITE_P(Wires, Links, testing::Values(Network::Wires::veth, Network::Wires::forwarded),
