@@ -7,6 +7,7 @@
 
 #include "agents/vision/image/levels.hpp"
 #include "agents/vision/marks/edge_shifts.hpp"
+#include "agents/vision/marks/robust.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -31,7 +32,6 @@ constexpr double corner_share = 0.25;
 constexpr double usual_perspective = 0.03;
 // Of an edge, px: at least so much.
 constexpr double least_edge_spread = 0.08;
-constexpr double biweight = 4.685;
 // Edges farther off support nothing: px, and a part of the mark's standard deviation. So far off they do not speak
 // against it either where the template rounds a corner that is sharp.
 constexpr double most_off_px = 0.75;
@@ -103,11 +103,6 @@ class Profile {
   int half_ = 0;
   std::array<double, longest> levels_{};
 };
-
-double weight_of(double off, double spread) {
-  const double part = off / (biweight * spread);
-  return part * part >= 1 ? 0 : (1 - part * part) * (1 - part * part);
-}
 
 class Registration {
  public:
@@ -190,7 +185,7 @@ class Registration {
       const double along = nx * x.x + ny * x.y;
       Vector8 j;
       j << nx * p[0], nx * p[1], nx, ny * p[0], ny * p[1], ny, -along * p[0], -along * p[1];
-      const double weight = weight_of(edge.off_px, scale) / (scale * scale);
+      const double weight = tukey_weight(edge.off_px, scale) / (scale * scale);
       a += weight * j * j.transpose();
       b += weight * edge.off_px * j;
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "agents/vision/image/levels.hpp"
+#include "agents/vision/marks/robust.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -23,12 +24,6 @@ constexpr double same_ground = 0.03;
 constexpr double same_in_scatter = 3;
 // Paper is so many times as light as ink, in a shadow too.
 constexpr double least_ratio = 2;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
 
 // The ink and the ground, as most of the border shows them.
 struct Print {

@@ -6,7 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "agents/vision/marks/robust.hpp"
 #include "agents/vision/marks/tag_light.hpp"
+#include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -89,13 +91,12 @@ void visit_left_over(const Print& print, const cv::Mat1f& seen, const Unknowns& 
   }
 }
 
-// By linear least squares, each place weighed by how far it is from what was found before: Tukey's biweight.
-Unknowns solved(const Print& print, const cv::Mat1f& seen, const Unknowns& before, double too_far) {
+// By linear least squares, each place weighed by how far it is from what was found before.
+Unknowns solved(const Print& print, const cv::Mat1f& seen, const Unknowns& before, double spread) {
   cv::Matx<double, unknowns, unknowns> normal = cv::Matx<double, unknowns, unknowns>::zeros();
   Unknowns right = Unknowns::all(0);
   visit_left_over(print, seen, before, [&](const Unknowns& row, double level, double off) {
-    const double share = std::min(1.0, std::abs(off / too_far));
-    const double weight = (1 - share * share) * (1 - share * share);
+    const double weight = tukey_weight(off, spread);
     for (int i = 0; i < unknowns; ++i) {
       for (int j = 0; j < unknowns; ++j) normal(i, j) += weight * row[i] * row[j];
     }
@@ -108,27 +109,28 @@ Unknowns solved(const Print& print, const cv::Mat1f& seen, const Unknowns& befor
 double typical_left_over(const Print& print, const cv::Mat1f& seen, const Unknowns& found) {
   std::vector<double> out;
   visit_left_over(print, seen, found, [&](const Unknowns&, double, double off) { out.push_back(std::abs(off)); });
-  const auto middle = out.begin() + static_cast<std::ptrdiff_t>(out.size() / 2);
-  std::ranges::nth_element(out, middle);
-  return *middle;
+  return median(std::move(out));
+}
+
+// Every place weighs the same.
+Unknowns solved_at_once(const Print& print, const cv::Mat1f& seen) {
+  return solved(print, seen, Unknowns::all(0), std::numeric_limits<double>::infinity());
 }
 
 // A place shows the print a little beside it, as far as the corners are off (B. Lucas, T. Kanade, An iterative image
-// registration technique, IJCAI 1981). What is there besides, a shadow's edge or a cover, counts less with each step.
+// registration technique, IJCAI 1981). A shadow's edge or a cover counts less with each step.
 Unknowns fit(const Print& print, const cv::Mat1f& seen) {
   constexpr int steps = 2;
-  constexpr double biweight = 4.685;
-  constexpr double deviations_of_median = 1.4826;
   constexpr double least_left_over = 1.0 / 255;
-  Unknowns out = solved(print, seen, Unknowns::all(0), std::numeric_limits<double>::infinity());
+  Unknowns out = solved_at_once(print, seen);
   for (int i = 0; i < steps; ++i) {
     const double spread = deviations_of_median * typical_left_over(print, seen, out);
-    out = solved(print, seen, out, biweight * std::max(least_left_over, spread));
+    out = solved(print, seen, out, std::max(least_left_over, spread));
   }
   return out;
 }
 
-// What the print does not explain, as a part of its contrast.
+// How far the image is from the print, as a part of the print's contrast.
 double left_over(const Print& print, const cv::Mat1f& seen, const Unknowns& found) {
   return typical_left_over(print, seen, found) / std::abs(found[1]);
 }
@@ -143,21 +145,14 @@ struct Placed {
   Placed(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number)
       : cells(print_of(family, number)),
         print(cells, family.cells_around),
-        to_image(cv::getPerspectiveTransform(print.corners().data(), corners.data())) {
-    cv::warpPerspective(grey, picture, to_image, print.light.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                        cv::BORDER_REPLICATE);
-  }
+        to_image(cv::getPerspectiveTransform(print.corners().data(), corners.data())),
+        picture(squared(grey, corners, print.side, print.around)) {}
 
   cv::Mat1b cells;
   Print print;
   cv::Matx33d to_image;
-  cv::Mat picture;
+  cv::Mat1b picture;
 };
-
-// With everything that is there, for what it is.
-Unknowns fitted_at_once(const Placed& tag) {
-  return solved(tag.print, blurred(tag.picture), Unknowns::all(0), std::numeric_limits<double>::infinity());
-}
 
 // As it is or with the light divided out, whichever the print explains better.
 Unknowns fitted(const Placed& tag) {
@@ -184,7 +179,7 @@ double middle_off_px(const Placed& tag, const Unknowns& found) {
 
 double middle_off_px(const cv::Mat1b& grey, const TagCorners& corners, const TagFamily& family, int number) {
   const Placed tag(grey, corners, family, number);
-  const double at_once = middle_off_px(tag, fitted_at_once(tag));
+  const double at_once = middle_off_px(tag, solved_at_once(tag.print, blurred(tag.picture)));
   return at_once < hardly_off_px ? at_once : middle_off_px(tag, fitted(tag));
 }
 

@@ -4,7 +4,9 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "agents/vision/marks/robust.hpp"
 #include "agents/vision/marks/tag_detection.hpp"
+#include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -13,29 +15,8 @@ constexpr double paper_level = 200;  // afterwards
 // So that black cells without any light divide nothing by nothing.
 constexpr double least_level = 1;
 
-double median_of(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-// Of each cell, without the edges that blur mixes with its neighbours.
-cv::Mat1d levels_of(const cv::Mat1b& seen, const cv::Mat1b& print) {
-  const int cell_px = seen.cols / print.cols;
-  const int edge = cell_px / 6;
-  const cv::Size inner(cell_px - 2 * edge, cell_px - 2 * edge);
-  cv::Mat1d out(print.size());
-  for (int y = 0; y < print.rows; ++y) {
-    for (int x = 0; x < print.cols; ++x) {
-      const cv::Point begin(x * cell_px + edge, y * cell_px + edge);
-      out(y, x) = cv::mean(seen(cv::Rect(begin, inner)))[0] + least_level;
-    }
-  }
-  return out;
-}
-
 // How light dark cells are, as a part of light ones beside them.
-double dark_share(const cv::Mat1d& levels, const cv::Mat1b& print) {
+double dark_share(const cv::Mat1f& levels, const cv::Mat1b& print) {
   std::vector<double> shares;
   const auto compare = [&](cv::Point a, cv::Point b) {
     if (print(a) == unprinted || print(b) == unprinted || print(a) == print(b)) return;
@@ -48,11 +29,11 @@ double dark_share(const cv::Mat1d& levels, const cv::Mat1b& print) {
       if (y > 0) compare({x, y - 1}, {x, y});
     }
   }
-  return shares.empty() ? 1 : std::min(1.0, median_of(shares));
+  return shares.empty() ? 1 : std::min(1.0, median(std::move(shares)));
 }
 
 // On each cell: the median of those around it, which keeps a shadow's edge where it is.
-cv::Mat1d light_on(const cv::Mat1d& levels, const cv::Mat1b& print) {
+cv::Mat1d light_on(const cv::Mat1f& levels, const cv::Mat1b& print) {
   const double dark = dark_share(levels, print);
   const cv::Rect all({0, 0}, print.size());
   cv::Mat1d out(print.size());
@@ -65,7 +46,7 @@ cv::Mat1d light_on(const cv::Mat1d& levels, const cv::Mat1b& print) {
           if (print(v, u) != unprinted) lights.push_back(levels(v, u) / (print(v, u) == 0 ? dark : 1));
         }
       }
-      out(y, x) = lights.empty() ? paper_level : median_of(lights);
+      out(y, x) = lights.empty() ? paper_level : median(std::move(lights));
     }
   }
   return out;
@@ -75,7 +56,7 @@ cv::Mat1d light_on(const cv::Mat1d& levels, const cv::Mat1b& print) {
 
 cv::Mat1b evenly_lit(const cv::Mat1b& seen, const cv::Mat1b& print) {
   cv::Mat light;
-  cv::resize(light_on(levels_of(seen, print), print), light, seen.size(), 0, 0, cv::INTER_LINEAR);
+  cv::resize(light_on(cell_levels(seen, print.cols) + least_level, print), light, seen.size(), 0, 0, cv::INTER_LINEAR);
   cv::Mat out;
   cv::divide(seen, light, out, paper_level, CV_64F);
   out.convertTo(out, CV_8U);

@@ -21,22 +21,7 @@ constexpr int most_fits = 2;
 // The grey levels of a tag's cells, its border and the ring of ground around it, one pixel a cell.
 cv::Mat1f levels_of(const cv::Mat1b& grey, const TagCorners& corners, int cells) {
   constexpr int cell_px = 4;
-  const float begin = cell_px - 0.5F;
-  const float end = begin + static_cast<float>(cells * cell_px);
-  const TagCorners square = {{begin, begin}, {end, begin}, {end, end}, {begin, end}};
-  const int side = (cells + 2) * cell_px;
-  cv::Mat1b flat;
-  cv::warpPerspective(grey, flat, cv::getPerspectiveTransform(square, corners), {side, side},
-                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-  cv::Mat1f out(cells + 2, cells + 2);
-  for (int y = 0; y < out.rows; ++y) {
-    for (int x = 0; x < out.cols; ++x) {
-      // The middle of the cell alone: blur mixes its edges with its neighbours.
-      const cv::Rect middle(x * cell_px + 1, y * cell_px + 1, cell_px - 2, cell_px - 2);
-      out(y, x) = static_cast<float>(cv::mean(flat(middle))[0]);
-    }
-  }
-  return out;
+  return cell_levels(squared(grey, corners, (cells + 2) * cell_px, cell_px), cells + 2);
 }
 
 // Visits the ring of cells that are `from_edge` cells away from the edge.

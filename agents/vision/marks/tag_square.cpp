@@ -99,4 +99,18 @@ cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners
   return out;
 }
 
+cv::Mat1f cell_levels(const cv::Mat1b& square, int cells) {
+  constexpr int edge_px = 1;
+  const int cell_px = square.cols / cells;
+  cv::Mat1f out(cells, cells);
+  for (int y = 0; y < cells; ++y) {
+    for (int x = 0; x < cells; ++x) {
+      const cv::Rect cell(x * cell_px, y * cell_px, cell_px, cell_px);
+      const cv::Rect middle = cell + cv::Point(edge_px, edge_px) - cv::Size(2 * edge_px, 2 * edge_px);
+      out(y, x) = static_cast<float>(cv::mean(square(middle))[0]);
+    }
+  }
+  return out;
+}
+
 }  // namespace pizarra::vision

@@ -33,4 +33,8 @@ std::vector<std::vector<cv::Point2f>> squares_at_levels(const cv::Mat1b& grey);
 // it.
 cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px, int around_px = 0);
 
+// Of so many cells along a side of such a square their levels, one pixel a cell. Blur mixes a cell's edges with its
+// neighbours: they do not count.
+cv::Mat1f cell_levels(const cv::Mat1b& square, int cells);
+
 }  // namespace pizarra::vision

@@ -169,7 +169,8 @@ TagDetection squares_in(const cv::Mat& grey, const TagFamily& family, cv::Rect a
   const cv::Rect looked_at = area.empty() ? whole : area & whole;
   if (looked_at.empty()) return {};
   const cv::Mat pixels = grey(looked_at);
-  TagDetection out = detect_all_tags(pixels, family, squares_at_levels(pixels));
+  TagDetection out =
+      family.is_wide() ? detect_tags(pixels, family) : detect_all_tags(pixels, family, squares_at_levels(pixels));
   for (auto* squares : {&out.found, &out.others}) {
     for (Corners& corners : *squares) move_by(corners, looked_at.tl());
   }

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/covariance.hpp"
+#include "agents/vision/marks/robust.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -61,11 +62,6 @@ class LocalLight {
   static std::size_t turn_of(const cv::Vec2d& place) {
     const double turn = std::atan2(place[1], place[0]) * turns / (2 * std::numbers::pi);
     return static_cast<std::size_t>((cvRound(turn) + 2 * turns) % turns);
-  }
-  static double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
   }
   std::array<double, turns> inner_{};
   std::array<double, turns> outer_{};
