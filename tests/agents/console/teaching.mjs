@@ -10,13 +10,18 @@ await taught(page);
 await page.click('#tab-eyes');
 const objects = () => page.locator('.objects li strong').allInnerTexts();
 await page.waitForFunction(() => document.querySelectorAll('.objects li').length >= 4);
+const isListed = (name, listed) =>
+  page.waitForFunction(
+    ([named, expected]) => [...document.querySelectorAll('.objects strong')].some((one) => one.textContent === named) === expected,
+    [name, listed],
+  );
 // What the person taught is forgotten, and taught again by hand.
 const find = (name) => page.click(`.objects li:has(strong:text-is("${name}")) button:text("Find")`);
 await find('square');
 await page.waitForFunction(() => /FIND "square" OK/.test(document.getElementById('eyes-answer').textContent));
 const [x, y] = (await text(page, '#eyes-answer')).match(/\(([\d.]+), ([\d.]+)\)/).slice(1).map(Number);
 await page.click('.objects li:has(strong:text-is("square")) button:text("Forget")');
-await page.waitForFunction(() => ![...document.querySelectorAll('.objects strong')].some((one) => one.textContent === 'square'));
+await isListed('square', false);
 
 const camera = page.locator('figure canvas >> nth=0');
 // Of a pixel, in the element that shows the image.
@@ -61,7 +66,7 @@ const unnamed = 'not named yet';
 const reject = async () => {
   await page.click('#reject');
   await hint('Rejected');
-  await page.waitForFunction((name) => ![...document.querySelectorAll('.objects strong')].some((one) => one.textContent === name), unnamed);
+  await isListed(unnamed, false);
 };
 // A page that was busy for a moment is sent light pictures for some seconds, in which a border is hardly to be seen.
 const learn = async () => {
@@ -108,17 +113,17 @@ for (const name of ['<img src=x onerror=alert(1)>', 'two words', '"q\'', '\u202e
 const long = 'x'.repeat(64);
 await accept('x'.repeat(200));
 await hint(`${long} is accepted`);
-await page.waitForFunction((name) => [...document.querySelectorAll('.objects strong')].some((one) => one.textContent === name), long);
+await isListed(long, true);
 expect(await page.$eval('#eyes', (panel) => panel.scrollWidth <= panel.clientWidth), 'a name of 64 letters fits into the view');
 await page.click(`.objects li:has(strong:text-is("${long}")) button:text("Forget")`);
-await page.waitForFunction((name) => ![...document.querySelectorAll('.objects strong')].some((one) => one.textContent === name), long);
+await isListed(long, false);
 
 await clickAt(x, y);
 await page.waitForSelector('#learned-window:not([hidden]) dl');
 await page.fill('#new-name', 'square');
 await page.click('#learned-window button:text("Accept")');
 await hint('square is accepted');
-await page.waitForFunction(() => [...document.querySelectorAll('.objects strong')].some((one) => one.textContent === 'square'));
+await isListed('square', true);
 expect(!(await objects()).includes(unnamed), 'it is known under its name');
 
 await page.fill('#learn-name', 'square');
